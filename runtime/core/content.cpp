@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file must hold before anything samples it: every field there, every size as the others ask, every number in
+// its domain. The container's checksum finds accidents; this finds files made by something else.
+#include <algorithm>
+#include <cmath>
+
+#include "core/sky.h"
+#include "format/key_segment.h"
+
+namespace welkin::core {
+namespace {
+
+/// Collects the first complaint.
+struct Check {
+  WelkinMessage* message;
+  WelkinResult result = WELKIN_OK;
+
+  bool that(bool holds, const char* what, const char* must) {
+    if (!holds && result == WELKIN_OK) result = fail(message, WELKIN_ERROR_CONTENT, "%s %s", what, must);
+    return holds && result == WELKIN_OK;
+  }
+};
+
+template <typename T>
+bool within(std::span<const T> values, double low, double high) {
+  return std::all_of(values.begin(), values.end(), [=](T v) {
+    const double x = static_cast<double>(v);
+    return x >= low && x <= high;  // false for NaN
+  });
+}
+
+bool within(double value, double low, double high) {
+  return value >= low && value <= high;
+}
+
+constexpr double kAny = 1e30;  // finite, and its square stays finite
+constexpr double kPi = 3.14159265358979323846;
+
+void checkCurve(Check& check, const format::Curve* curve, std::size_t components, double high, const char* name) {
+  if (!check.that(curve != nullptr && curve->time_h() != nullptr && curve->value() != nullptr, name, "is missing"))
+    return;
+  const auto times = spanOf(curve->time_h());
+  const auto values = spanOf(curve->value());
+  check.that(format::areKeyTimes(times), name, "must have ascending key times in [0, 24)");
+  check.that(curve->components() == components && values.size() == times.size() * components, name,
+             "must have a value for every key");
+  check.that(within(values, 0.0, high), name, "has a value out of its domain");
+}
+
+void checkLight(Check& check, const format::Light& light, const char* name) {
+  const auto* path = light.path();
+  if (!check.that(path != nullptr, name, "has no path")) return;
+  const auto times = spanOf(path->key_time_h());
+  if (!times.empty()) {
+    const auto azimuth = spanOf(path->key_azimuth_rad());
+    const auto elevation = spanOf(path->key_elevation_rad());
+    check.that(format::areKeyTimes(times), name, "must have ascending path times in [0, 24)");
+    check.that(azimuth.size() == times.size() && elevation.size() == times.size(), name,
+               "must have an azimuth and an elevation for every path key");
+    check.that(within(azimuth, -kAny, kAny) && within(elevation, -kPi / 2, kPi / 2), name,
+               "has a path key out of its domain");
+  }
+  check.that(within(path->latitude_rad(), -kPi / 2, kPi / 2) && within(path->declination_rad(), -kPi / 2, kPi / 2) &&
+                 within(path->transit_h(), -kAny, kAny) && within(path->north_offset_rad(), -kAny, kAny),
+             name, "has a path out of its domain");
+  check.that(within(light.disc_radius_rad(), 0.0, kPi / 2), name, "has a disc radius out of [0, pi/2]");
+  checkCurve(check, light.illuminance(), 1, kAny, name);
+  checkCurve(check, light.colour(), 3, kAny, name);
+}
+
+void checkGradient(Check& check, const format::Gradient* gradient, const char* name) {
+  if (!check.that(gradient != nullptr && gradient->rgb() != nullptr, name, "is missing")) return;
+  const auto rgb = spanOf(gradient->rgb());
+  const std::uint64_t texels = std::uint64_t{gradient->width()} * gradient->height();
+  check.that(texels > 0 && gradient->width() <= 65536 && gradient->height() <= 65536 && rgb.size() == texels * 3, name,
+             "must have three numbers for every texel");
+  check.that(within(rgb, 0.0, kAny), name, "has a value out of its domain");
+}
+
+void checkTable(Check& check, const format::Sky& sky) {
+  const std::size_t bands = sky.bands();
+  check.that(bands >= 2 && bands <= WELKIN_MAX_BANDS, "bands", "must be 2 to 5");
+  const auto times = spanOf(sky.key_time_h());
+  const auto shape = spanOf(sky.shape_sh());
+  const auto irradiance = spanOf(sky.shape_irradiance());
+  check.that(format::areKeyTimes(times), "the SH table", "must have ascending key times in [0, 24)");
+  check.that(shape.size() == times.size() * bands * bands * 3 && irradiance.size() == times.size() * 3, "the SH table",
+             "must have every coefficient of every key");
+  check.that(within(shape, -kAny, kAny) && within(irradiance, 0.0, kAny), "the SH table",
+             "has a value out of its domain");
+}
+
+void checkCubemaps(Check& check, const format::Sky& sky) {
+  if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;
+  const std::uint64_t size = sky.cubemap_size();
+  check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384");
+  double before = -1.0;
+  for (const auto* cubemap : *sky.cubemaps()) {
+    check.that(cubemap->time_h() > before && cubemap->time_h() < 24.0, "the cubemaps",
+               "must have ascending times in [0, 24)");
+    before = cubemap->time_h();
+    if (!check.that(cubemap->rgba16f() != nullptr && cubemap->rgba16f()->size() == 6 * size * size * 8, "a cubemap",
+                    "must have six faces of RGBA half floats"))
+      return;
+    const auto* half = reinterpret_cast<const std::uint16_t*>(cubemap->rgba16f()->data());
+    const bool finite = std::all_of(half, half + 6 * size * size * 4, [](std::uint16_t h) { return h < 0x7c00; });
+    check.that(finite, "a cubemap", "has a texel that is negative or not finite");
+  }
+}
+
+}  // namespace
+
+WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
+  Check check{message};
+  const auto* sky = file.sky();
+  if (!check.that(sky != nullptr, "sky", "is missing")) return check.result;
+  check.that(file.settings() != nullptr, "settings", "are missing");
+  const auto* l = sky->luminance();
+  if (check.that(l != nullptr, "luminance", "is missing")) {
+    check.that(within(l->a(), -kAny, kAny) && within(l->c(), -kAny, kAny) && within(l->e(), -kAny, kAny) &&
+                   within(l->k(), -kAny, kAny) && l->b() < 0.0 && l->d() < 0.0 && within(l->b(), -kAny, 0.0) &&
+                   within(l->d(), -kAny, 0.0) && l->normalise_to_sun() <= 1,
+               "luminance", "has a coefficient out of its domain");
+    const auto m = luminanceModel(*l);
+    check.that(f64::gradation(m, 1.0) > 0.0 && f64::indicatrix(m, 0.0) > 0.0, "luminance",
+               "must be positive at the zenith and the sun");
+  }
+  if (check.that(sky->ground_albedo() != nullptr, "ground_albedo", "is missing")) {
+    const auto* a = sky->ground_albedo();
+    check.that(within(double{a->r()}, 0, 1) && within(double{a->g()}, 0, 1) && within(double{a->b()}, 0, 1),
+               "ground_albedo", "must be 0 to 1");
+  }
+  check.that(sky->luminance_unit() > 0.0 && sky->luminance_unit() <= kAny, "luminance_unit", "must be positive");
+  check.that(sky->gradient_delta() > 0.0 && sky->gradient_delta() <= kAny, "gradient_delta", "must be positive");
+  checkCurve(check, sky->intensity(), 1, kAny, "intensity");
+  checkCurve(check, sky->ambient_saturation(), 1, 1.0, "ambient_saturation");
+  checkCurve(check, sky->polarising_tint(), 3, kAny, "polarising_tint");
+  if (check.that(sky->sun() != nullptr, "sun", "is missing")) checkLight(check, *sky->sun(), "sun");
+  if (sky->moon() != nullptr) checkLight(check, *sky->moon(), "moon");
+  checkGradient(check, sky->gradient_sun(), "gradient_sun");
+  checkGradient(check, sky->gradient_anti(), "gradient_anti");
+  checkTable(check, *sky);
+  checkCubemaps(check, *sky);
+  return check.result;
+}
+
+}  // namespace welkin::core

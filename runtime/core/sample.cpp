@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sky at an instant. Lights, intensity, tint and saturation are evaluated from their own keys, exactly as the bake
+// did; only the shape of the sky's radiance is interpolated between the table's keys.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/sky.h"
+#include "format/key_segment.h"
+
+namespace welkin::core {
+
+float toFloat(double value) {
+  constexpr double kLargest = double{std::numeric_limits<float>::max()};
+  return static_cast<float>(std::clamp(value, -kLargest, kLargest));
+}
+
+namespace {
+
+using f64::Number3;
+
+double evaluate(const format::Curve& curve, double time_h) {
+  double value = 0.0;
+  format::interpolate(spanOf(curve.time_h()), spanOf(curve.value()), time_h, {&value, 1});
+  return value;
+}
+
+Number3 evaluate3(const format::Curve& curve, double time_h) {
+  double v[3];
+  format::interpolate(spanOf(curve.time_h()), spanOf(curve.value()), time_h, v);
+  return {v[0], v[1], v[2]};
+}
+
+Number3 directionAt(const format::LightPath& path, double time_h) {
+  const auto times = spanOf(path.key_time_h());
+  if (times.empty())
+    return f64::celestialDirection(f64::kTwoPi * (time_h - path.transit_h()) / 24.0, path.declination_rad(),
+                                   path.latitude_rad(), path.north_offset_rad());
+  const auto azimuth = spanOf(path.key_azimuth_rad());
+  const auto elevation = spanOf(path.key_elevation_rad());
+  const auto s = format::findSegment(times, time_h);
+  return f64::directionOf(format::interpolateAngle(azimuth[s.first], azimuth[s.second], s.weight),
+                          (1.0 - s.weight) * elevation[s.first] + s.weight * elevation[s.second]);
+}
+
+void store(Number3 v, float out[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = toFloat(v[i]);
+}
+
+struct LightAt {
+  Number3 direction, colour, normal_irradiance;
+  double illuminance;
+};
+
+LightAt lightAt(const format::Light& light, double time_h) {
+  LightAt at;
+  at.direction = directionAt(*light.path(), time_h);
+  at.illuminance = evaluate(*light.illuminance(), time_h);
+  at.colour = evaluate3(*light.colour(), time_h);
+  const double y = f64::luminanceOf(at.colour);
+  at.normal_irradiance = y > 0.0 ? at.colour * (at.illuminance / y) : Number3(0.0);
+  return at;
+}
+
+WelkinLight lightOf(const LightAt& at, double disc_radius_rad) {
+  WelkinLight light{};
+  store(at.direction, light.direction);
+  light.illuminance = toFloat(at.illuminance);
+  store(at.colour, light.colour);
+  store(at.normal_irradiance, light.normal_irradiance);
+  light.disc_radius_rad = toFloat(disc_radius_rad);
+  return light;
+}
+
+Number3 lerpKeys(const float* first, const float* second, double weight) {
+  Number3 v;
+  for (int i = 0; i < 3; ++i) v[i] = (1.0 - weight) * double{first[i]} + weight * double{second[i]};
+  return v;
+}
+
+int bandOf(std::uint32_t coefficient) {
+  return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
+}
+
+void blendTable(const format::Sky& sky, double time_h, double intensity, const LightAt& sun, const LightAt* moon,
+                WelkinSkySample& out) {
+  const std::uint32_t count = sky.bands() * sky.bands();
+  const auto s = format::findSegment(spanOf(sky.key_time_h()), time_h);
+  const float* shape = sky.shape_sh()->data();
+  const float* irradiance = sky.shape_irradiance()->data();
+
+  Number3 horizontal = intensity * lerpKeys(irradiance + 3 * s.first, irradiance + 3 * s.second, s.weight);
+  horizontal += sun.normal_irradiance * std::max(sun.direction.y, 0.0);
+  if (moon != nullptr) horizontal += moon->normal_irradiance * std::max(moon->direction.y, 0.0);
+  const auto* albedo = sky.ground_albedo();
+  const Number3 ground = Number3(double{albedo->r()}, double{albedo->g()}, double{albedo->b()}) * horizontal / f64::kPi;
+  store(ground, out.ground_radiance);
+
+  const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
+  out.coefficient_count = count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Number3 radiance =
+        intensity * lerpKeys(shape + 3 * (s.first * count + i), shape + 3 * (s.second * count + i), s.weight) +
+        ground * (f64::groundLobe(bandOf(i)) * up.v[i]);
+    store(radiance, out.radiance_sh[i]);
+    store(f64::desaturate(radiance, double{out.ambient_saturation}), out.ambient_sh[i]);
+  }
+}
+
+void chooseCubemaps(const format::Sky& sky, double time_h, WelkinSkySample& out) {
+  if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;
+  const auto& cubemaps = *sky.cubemaps();
+  const std::uint32_t count = cubemaps.size();
+  std::uint32_t second = 0;  // the first cubemap after time_h; their number is small
+  while (second < count && cubemaps.Get(second)->time_h() <= time_h) ++second;
+  const std::uint32_t first = (second + count - 1) % count;
+  second %= count;
+  out.cubemap[0] = first;
+  out.cubemap[1] = second;
+  if (first == second) return;
+  const double keys[2] = {cubemaps.Get(first)->time_h(), cubemaps.Get(second)->time_h()};
+  const double since = time_h - keys[0] + (time_h < keys[0] ? 24.0 : 0.0);
+  const double length = keys[1] - keys[0] + (keys[1] < keys[0] ? 24.0 : 0.0);
+  out.cubemap_weight = std::min(toFloat(since / length), std::nextafter(1.0F, 0.0F));
+}
+
+}  // namespace
+}  // namespace welkin::core
+
+WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample) {
+  using namespace welkin;
+  using namespace welkin::core;
+  if (sky == nullptr || sample == nullptr || !std::isfinite(time_h)) return WELKIN_ERROR_ARGUMENT;
+  const auto& s = *sky->file->sky();
+  WelkinSkySample out{};
+  out.time_h = format::wrapTime(time_h);
+  const double intensity = evaluate(*s.intensity(), out.time_h);
+  out.intensity = toFloat(intensity);
+  out.ambient_saturation = toFloat(evaluate(*s.ambient_saturation(), out.time_h));
+  store(evaluate3(*s.polarising_tint(), out.time_h), out.polarising_tint);
+
+  const LightAt sun = lightAt(*s.sun(), out.time_h);
+  out.sun = lightOf(sun, s.sun()->disc_radius_rad());
+  LightAt moon;
+  if (s.moon() != nullptr) {
+    moon = lightAt(*s.moon(), out.time_h);
+    out.moon = lightOf(moon, s.moon()->disc_radius_rad());
+  }
+  out.luminance_norm = toFloat(
+      f64::luminanceNorm(luminanceModel(*s.luminance()), sun.direction, s.luminance()->normalise_to_sun() != 0));
+  blendTable(s, out.time_h, intensity, sun, s.moon() != nullptr ? &moon : nullptr, out);
+  chooseCubemaps(s, out.time_h, out);
+  *sample = out;
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3], float irradiance[3]) {
+  using namespace welkin;
+  using namespace welkin::core;
+  if (sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (sample->coefficient_count > WELKIN_MAX_COEFFICIENTS) return WELKIN_ERROR_ARGUMENT;
+  const f64::ShBasis basis = f64::shBasis({double{normal[0]}, double{normal[1]}, double{normal[2]}});
+  Number3 sum(0.0);
+  for (std::uint32_t i = 0; i < sample->coefficient_count; ++i) {
+    const float* c = sample->ambient_sh[i];
+    sum += Number3(double{c[0]}, double{c[1]}, double{c[2]}) * (f64::cosineLobe(bandOf(i)) * basis.v[i]);
+  }
+  for (int i = 0; i < 3; ++i) irradiance[i] = toFloat(std::max(sum[i], 0.0));
+  return WELKIN_OK;
+}

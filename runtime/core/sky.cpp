@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening, closing and describing a sky: the part of the C interface that hands out what the file holds.
+#include "core/sky.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+namespace welkin::core {
+
+WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...) {
+  if (message != nullptr) {
+    std::va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(message->text, sizeof message->text, format, arguments);
+    va_end(arguments);
+  }
+  return code;
+}
+
+namespace {
+
+WelkinResult openBytes(std::span<const std::byte> bytes, const format::File** file, WelkinMessage* message) {
+  using format::Refusal;
+  const format::Opened opened = format::openContainer(bytes);
+  const auto expected = static_cast<unsigned long long>(opened.expected_size);
+  switch (opened.refusal) {
+    case Refusal::none:
+      *file = opened.file;
+      return checkContent(*opened.file, message);
+    case Refusal::misaligned:
+      return fail(message, WELKIN_ERROR_ARGUMENT, "the bytes start at %p; they must be aligned to %zu",
+                  static_cast<const void*>(bytes.data()), format::kAlignment);
+    case Refusal::foreign:
+      return fail(message, WELKIN_ERROR_FOREIGN, "not a .welkin file (it does not start with the .welkin signature)");
+    case Refusal::version:
+      return fail(message, WELKIN_ERROR_VERSION, "format version %u; this library reads version %u: bake again",
+                  opened.found_version, format::kVersion);
+    case Refusal::truncated:
+      return fail(message, WELKIN_ERROR_TRUNCATED, "%zu bytes; the header asks for %s%llu", bytes.size(),
+                  bytes.size() < sizeof(format::Header) ? "at least " : "", expected);
+    case Refusal::checksum:
+      return fail(message, WELKIN_ERROR_CHECKSUM, "damaged: the checksum of its %zu bytes does not match",
+                  bytes.size());
+    case Refusal::structure:
+      break;
+  }
+  return fail(message, WELKIN_ERROR_CONTENT, "damaged: an offset or length of its tables is out of bounds");
+}
+
+}  // namespace
+}  // namespace welkin::core
+
+using welkin::core::fail;
+using welkin::core::spanOf;
+using welkin::core::toFloat;
+
+const char* welkin_result_string(WelkinResult result) {
+  switch (result) {
+    case WELKIN_OK:
+      return "ok";
+    case WELKIN_ERROR_ARGUMENT:
+      return "invalid argument";
+    case WELKIN_ERROR_FILE:
+      return "cannot read the file";
+    case WELKIN_ERROR_FOREIGN:
+      return "not a .welkin file";
+    case WELKIN_ERROR_VERSION:
+      return "another format version";
+    case WELKIN_ERROR_TRUNCATED:
+      return "wrong size";
+    case WELKIN_ERROR_CHECKSUM:
+      return "damaged";
+    case WELKIN_ERROR_CONTENT:
+      return "invalid content";
+    case WELKIN_ERROR_MEMORY:
+      return "out of memory";
+    case WELKIN_ERROR_DEVICE:
+      return "device error";
+  }
+  return "unknown result";
+}
+
+WelkinResult welkin_sky_open_file(const char* path, WelkinSky** sky, WelkinMessage* message) {
+  if (sky != nullptr) *sky = nullptr;
+  if (path == nullptr || sky == nullptr) return fail(message, WELKIN_ERROR_ARGUMENT, "a null pointer");
+  WelkinSky opened;
+  if (const int error = opened.map.open(path); error != 0)
+    return fail(message, WELKIN_ERROR_FILE, "%s", std::strerror(error));
+  const WelkinResult result = welkin::core::openBytes(opened.map.bytes(), &opened.file, message);
+  if (result != WELKIN_OK) return result;
+  *sky = new (std::nothrow) WelkinSky(std::move(opened));
+  return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+}
+
+WelkinResult welkin_sky_open_memory(const void* data, size_t size, WelkinSky** sky, WelkinMessage* message) {
+  if (sky != nullptr) *sky = nullptr;
+  if (data == nullptr || sky == nullptr) return fail(message, WELKIN_ERROR_ARGUMENT, "a null pointer");
+  WelkinSky opened;
+  const WelkinResult result =
+      welkin::core::openBytes({static_cast<const std::byte*>(data), size}, &opened.file, message);
+  if (result != WELKIN_OK) return result;
+  *sky = new (std::nothrow) WelkinSky(std::move(opened));
+  return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+}
+
+void welkin_sky_close(WelkinSky* sky) {
+  delete sky;
+}
+
+WelkinResult welkin_sky_info(const WelkinSky* sky, WelkinSkyInfo* info) {
+  if (sky == nullptr || info == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const auto& s = *sky->file->sky();
+  *info = {};
+  info->bands = s.bands();
+  info->coefficient_count = info->bands * info->bands;
+  info->key_count = s.key_time_h()->size();
+  info->cubemap_count = s.cubemaps() != nullptr ? s.cubemaps()->size() : 0;
+  info->cubemap_size = info->cubemap_count != 0 ? s.cubemap_size() : 0;
+  info->has_moon = s.moon() != nullptr ? 1 : 0;
+  info->luminance_unit = toFloat(s.luminance_unit());
+  info->ground_albedo[0] = s.ground_albedo()->r();
+  info->ground_albedo[1] = s.ground_albedo()->g();
+  info->ground_albedo[2] = s.ground_albedo()->b();
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_luminance(const WelkinSky* sky, WelkinLuminance* luminance) {
+  if (sky == nullptr || luminance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const auto& l = *sky->file->sky()->luminance();
+  *luminance = {toFloat(l.a()), toFloat(l.b()), toFloat(l.c()),      toFloat(l.d()),
+                toFloat(l.e()), toFloat(l.k()), l.normalise_to_sun()};
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_gradients(const WelkinSky* sky, WelkinGradients* gradients) {
+  if (sky == nullptr || gradients == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const auto& s = *sky->file->sky();
+  const auto borrow = [](const welkin::format::Gradient& g) {
+    return WelkinGradient{g.width(), g.height(), g.rgb()->data()};
+  };
+  *gradients = {borrow(*s.gradient_sun()), borrow(*s.gradient_anti()), toFloat(s.gradient_delta())};
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCubemap* cubemap) {
+  if (sky == nullptr || cubemap == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const auto& s = *sky->file->sky();
+  if (s.cubemaps() == nullptr || index >= s.cubemaps()->size()) return WELKIN_ERROR_ARGUMENT;
+  const auto& c = *s.cubemaps()->Get(index);
+  *cubemap = {c.time_h(), s.cubemap_size(), reinterpret_cast<const uint16_t*>(c.rgba16f()->data()),
+              c.rgba16f()->size()};
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h) {
+  if (sky == nullptr || time_h == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const auto keys = spanOf(sky->file->sky()->key_time_h());
+  if (index >= keys.size()) return WELKIN_ERROR_ARGUMENT;
+  *time_h = keys[index];
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** json) {
+  if (sky == nullptr || json == nullptr) return WELKIN_ERROR_ARGUMENT;
+  *json = sky->file->settings()->c_str();
+  return WELKIN_OK;
+}

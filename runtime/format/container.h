@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The .welkin container: a 64-byte header that names the format, its version, the file's size and its checksum, then a
+// FlatBuffer of welkin.fbs. Little-endian; the FlatBuffer starts at byte 64, so a mapped file needs no copy.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "welkin_generated.h"
+
+namespace welkin::format {
+
+/// Version of the container and of the meaning of welkin.fbs. Another one is refused.
+inline constexpr std::uint32_t kVersion = 1;
+
+/// Alignment that openContainer needs of its bytes; a memory map gives more.
+inline constexpr std::size_t kAlignment = 16;
+
+/// First bytes of a file. As in PNG, they show a transfer that changed line ends or cut the eighth bit.
+inline constexpr unsigned char kMagic[8] = {0x89, 'W', 'L', 'K', '\r', '\n', 0x1a, '\n'};
+
+struct Header {
+  unsigned char magic[8];
+  std::uint32_t version;
+  std::uint32_t header_size;   ///< 64
+  std::uint64_t file_size;     ///< bytes, header included
+  std::uint64_t checksum;      ///< XXH3-64 of the whole file with this field 0
+  unsigned char reserved[32];  ///< 0
+};
+static_assert(sizeof(Header) == 64 && offsetof(Header, checksum) == 24);
+
+/// Why a container was refused.
+enum class Refusal { none, misaligned, foreign, version, truncated, checksum, structure };
+
+struct Opened {
+  Refusal refusal = Refusal::none;
+  const File* file = nullptr;  ///< points into the bytes; null when refused
+  std::uint32_t found_version = 0;
+  std::uint64_t expected_size = 0;  ///< what the header says, when it could be read
+};
+
+/// Checks header, size, checksum and the structure of the FlatBuffer (every offset inside the bytes). O(size), does not
+/// allocate. What the values mean is not checked.
+Opened openContainer(std::span<const std::byte> bytes);
+
+/// Puts the header before a finished FlatBuffer.
+std::vector<std::byte> seal(std::span<const std::uint8_t> flatbuffer);
+
+}  // namespace welkin::format

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Piecewise linear interpolation over the time of day, periodic: shared by what bakes and what plays.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace welkin::format {
+
+/// A finite time in hours, wrapped into [0, 24).
+double wrapTime(double time_h);
+
+/// The two keys around a time: value = (1 - weight) value[first] + weight value[second], weight in [0, 1).
+struct KeySegment {
+  std::size_t first;
+  std::size_t second;
+  double weight;
+};
+
+/// `key_time_h`: at least one key, strictly ascending, in [0, 24). Past the last key the day closes on the first.
+KeySegment findSegment(std::span<const double> key_time_h, double time_h);
+
+/// Interpolates `components` key-major numbers into `out`.
+void interpolate(std::span<const double> key_time_h, std::span<const double> value, double time_h,
+                 std::span<double> out);
+
+/// Interpolates angles in radians the short way round; keys half a turn apart go clockwise (growing azimuth).
+double interpolateAngle(double first_rad, double second_rad, double weight);
+
+/// Whether times are at least one, finite, strictly ascending and in [0, 24).
+bool areKeyTimes(std::span<const double> key_time_h);
+
+}  // namespace welkin::format

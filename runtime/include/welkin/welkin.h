@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Welkin runtime: opens a baked sky (.welkin) and blends it to any time of day. C ABI; welkin.hpp wraps it for C++.
+ *
+ * Conventions
+ *   Axes         right-handed, +x east, +y up, -z north. A direction points away from the observer.
+ *   Time of day  hours; any finite value is wrapped into [0, 24).
+ *   Colour       linear, Rec. 709 primaries, D65.
+ *   Radiance     scene units: 1 is luminance_unit cd/m2 of the sky file (WelkinSkyInfo).
+ *   SH           real, orthonormal, no Condon-Shortley phase, world axes, index l (l + 1) + m:
+ *                c0 0.282095; c1..c3 0.488603 (y, z, x); c4..c8 1.092548 (xy, yz, (3 z2 - 1) / (2 sqrt 3), xz,
+ *                (x2 - y2) / 2); ... up to 5 bands. Radiance coefficients: pi is not in them. Irradiance is E, pi is
+ *                in it: it multiplies band l by pi, 2 pi/3, pi/4, 0, -pi/24.
+ *
+ * Threads
+ *   There is no global state. Functions that take a const WelkinSky may be called from any number of threads at once.
+ *   welkin_sky_close must not overlap any other call on the same sky. Nothing but welkin_sky_open_* allocates, and
+ *   nothing throws.
+ */
+#ifndef WELKIN_WELKIN_H
+#define WELKIN_WELKIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(WELKIN_SHARED_LIBRARY)
+#define WELKIN_API __attribute__((visibility("default")))
+#else
+#define WELKIN_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define WELKIN_MAX_BANDS 5
+#define WELKIN_MAX_COEFFICIENTS 25
+
+typedef enum WelkinResult {
+  WELKIN_OK = 0,
+  WELKIN_ERROR_ARGUMENT = 1,  /* a null pointer, a NaN, an index past the end, a misaligned buffer */
+  WELKIN_ERROR_FILE = 2,      /* the file cannot be opened, read or mapped */
+  WELKIN_ERROR_FOREIGN = 3,   /* not a .welkin file */
+  WELKIN_ERROR_VERSION = 4,   /* written by another format version */
+  WELKIN_ERROR_TRUNCATED = 5, /* shorter or longer than its header says */
+  WELKIN_ERROR_CHECKSUM = 6,  /* the bytes are not those that were written */
+  WELKIN_ERROR_CONTENT = 7,   /* intact, but a value is missing or out of its domain */
+  WELKIN_ERROR_MEMORY = 8,    /* out of host or device memory */
+  WELKIN_ERROR_DEVICE = 9     /* Vulkan refused, or lacks what is needed */
+} WelkinResult;
+
+/* Filled by the functions that take one when they fail; always terminated. May be null. */
+typedef struct WelkinMessage {
+  char text[256];
+} WelkinMessage;
+
+/* An opened sky; holds the mapping of its file. */
+typedef struct WelkinSky WelkinSky;
+
+typedef struct WelkinSkyInfo {
+  uint32_t bands;              /* 2..5 */
+  uint32_t coefficient_count;  /* bands^2 */
+  uint32_t key_count;          /* instants of the SH table, >= 1 */
+  uint32_t cubemap_count;      /* 0: no cubemaps */
+  uint32_t cubemap_size;       /* texels along a face's edge; 0 without cubemaps */
+  uint32_t has_moon;           /* 0 or 1 */
+  float luminance_unit;        /* cd/m2 of radiance 1 */
+  float ground_albedo[3];      /* 0..1 */
+} WelkinSkyInfo;
+
+/* The sun or the moon at an instant. */
+typedef struct WelkinLight {
+  float direction[3];         /* unit, towards the light; below the horizon it lights nothing */
+  float illuminance;          /* scene units, of a surface that faces the light; >= 0 */
+  float colour[3];            /* as the artist gave it: only hue and saturation count */
+  float normal_irradiance[3]; /* illuminance colour / luminance(colour): RGB irradiance of a surface facing the light */
+  float disc_radius_rad;      /* what the dome draws; 0: no disc */
+} WelkinLight;
+
+/* The sky at an instant: what a frame needs. */
+typedef struct WelkinSkySample {
+  double time_h;                                 /* wrapped into [0, 24) */
+  WelkinLight sun;
+  WelkinLight moon;                              /* all zero without a moon */
+  float intensity;                               /* factor on the sky's radiance */
+  float ambient_saturation;                      /* 0..1, of the ambient coefficients */
+  float polarising_tint[3];                      /* factor on the dome and the cubemaps above the horizon */
+  float ground_radiance[3];                      /* radiance below the horizon */
+  float luminance_norm;                          /* luminance of the normalising direction; the dome divides by it */
+  uint32_t coefficient_count;                    /* how many of the coefficients below are set; the rest are 0 */
+  float radiance_sh[WELKIN_MAX_COEFFICIENTS][3]; /* of sky and ground, RGB, before desaturation, without tint */
+  float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: what lights the scene */
+  uint32_t cubemap[2];                           /* the two cubemaps to blend; equal when there is one, 0 when none */
+  float cubemap_weight;                          /* of the second: sky = mix(first, second, weight), in [0, 1) */
+} WelkinSkySample;
+
+/* Coefficients of the relative luminance; see shaders/shared/luminance.glsl. */
+typedef struct WelkinLuminance {
+  float a, b, c, d, e, k;
+  uint32_t normalise_to_sun;  /* 0: to the zenith */
+} WelkinLuminance;
+
+/* A gradient image: rows from the horizon to the zenith, columns over the day, row-major RGB. Borrowed from the sky. */
+typedef struct WelkinGradient {
+  uint32_t width, height;
+  const float* rgb;
+} WelkinGradient;
+
+typedef struct WelkinGradients {
+  WelkinGradient sun;   /* the sun's azimuth */
+  WelkinGradient anti;  /* the opposite azimuth */
+  float delta;          /* luminance under which a gradient fades to neutral, > 0 */
+} WelkinGradients;
+
+/* A cubemap in Vulkan's orientation: faces +x, -x, +y, -y, +z, -z, each size x size texels, rows from the top, RGBA as
+ * IEEE half floats, alpha 1. Tint and ground are in it, the sun and moon are not. Borrowed from the sky. */
+typedef struct WelkinCubemap {
+  double time_h;
+  uint32_t size;
+  const uint16_t* rgba16f;
+  size_t bytes;
+} WelkinCubemap;
+
+/* What a result means, in a few words. Never null. */
+WELKIN_API const char* welkin_result_string(WelkinResult result);
+
+/* Opens and checks a baked sky: its header, checksum, structure and every value. O(size), once. On failure *sky is null
+ * and `message` says what is wrong. */
+WELKIN_API WelkinResult welkin_sky_open_file(const char* path, WelkinSky** sky, WelkinMessage* message);
+
+/* The same from `size` bytes at `data`, aligned to 16, which must stay unchanged until the sky is closed. */
+WELKIN_API WelkinResult welkin_sky_open_memory(const void* data, size_t size, WelkinSky** sky, WelkinMessage* message);
+
+/* Closes the sky; null is allowed. */
+WELKIN_API void welkin_sky_close(WelkinSky* sky);
+
+WELKIN_API WelkinResult welkin_sky_info(const WelkinSky* sky, WelkinSkyInfo* info);
+WELKIN_API WelkinResult welkin_sky_luminance(const WelkinSky* sky, WelkinLuminance* luminance);
+WELKIN_API WelkinResult welkin_sky_gradients(const WelkinSky* sky, WelkinGradients* gradients);
+/* index < cubemap_count; cubemaps are in the order of their times. */
+WELKIN_API WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCubemap* cubemap);
+/* The hour of key `index` < key_count, ascending. */
+WELKIN_API WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h);
+/* The settings that the file was baked with, as JSON; terminated, borrowed from the sky. */
+WELKIN_API WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** json);
+
+/* The sky at `time_h`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. */
+WELKIN_API WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample);
+
+/* Irradiance E (pi included) of a surface with unit `normal`, from the sample's ambient coefficients, RGB, clamped at 0. */
+WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3],
+                                                 float irradiance[3]);
+
+/* Radiance of the sky dome in unit `direction`, from the formulas and gradients (not the cubemaps), RGB: tint and ground
+ * in it, sun and moon not. Evaluated in double; the GPU's dome is compared with it. */
+WELKIN_API WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* sample,
+                                             const float direction[3], float radiance[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

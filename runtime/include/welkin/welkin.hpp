@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Header-only C++ over welkin.h: ownership and results, nothing else.
+#pragma once
+
+#include <welkin/welkin.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace welkin {
+
+/// What a failed call says. `code` is WELKIN_OK when there is nothing to say.
+struct Status {
+  WelkinResult code = WELKIN_OK;
+  std::string message;
+  explicit operator bool() const { return code == WELKIN_OK; }
+};
+
+/// Owns a WelkinSky. Movable; empty until an open succeeds. Threads: as welkin.h says of the sky it holds.
+class Sky {
+ public:
+  Sky() = default;
+  Sky(Sky&& other) noexcept : sky_(std::exchange(other.sky_, nullptr)) {}
+  Sky& operator=(Sky&& other) noexcept {
+    std::swap(sky_, other.sky_);
+    return *this;
+  }
+  Sky(const Sky&) = delete;
+  Sky& operator=(const Sky&) = delete;
+  ~Sky() { welkin_sky_close(sky_); }
+
+  /// Opens a file in place of the sky held until now.
+  Status open(const std::string& path) {
+    WelkinSky* sky = nullptr;
+    WelkinMessage message{};
+    return adopt(welkin_sky_open_file(path.c_str(), &sky, &message), sky, message);
+  }
+
+  /// Opens bytes that the caller keeps, aligned to 16.
+  Status open(const void* data, std::size_t size) {
+    WelkinSky* sky = nullptr;
+    WelkinMessage message{};
+    return adopt(welkin_sky_open_memory(data, size, &sky, &message), sky, message);
+  }
+
+  const WelkinSky* get() const { return sky_; }
+  explicit operator bool() const { return sky_ != nullptr; }
+
+  WelkinSkyInfo info() const {
+    WelkinSkyInfo info{};
+    welkin_sky_info(sky_, &info);
+    return info;
+  }
+
+  /// False when `time_h` is not finite or no sky is open.
+  bool sample(double time_h, WelkinSkySample& out) const { return welkin_sky_sample(sky_, time_h, &out) == WELKIN_OK; }
+
+ private:
+  Status adopt(WelkinResult code, WelkinSky* sky, const WelkinMessage& message) {
+    if (code != WELKIN_OK) return {code, message.text};
+    welkin_sky_close(std::exchange(sky_, sky));
+    return {};
+  }
+
+  WelkinSky* sky_ = nullptr;
+};
+
+}  // namespace welkin

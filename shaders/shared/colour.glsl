@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Luminance of linear Rec. 709 colour, and what the sky does with it: chromaticity and desaturation.
+
+// Relative luminance of linear Rec. 709 (ITU-R BT.709, rounded coefficients that add up to 1).
+INLINE Number luminanceOf(Number3 rgb) {
+  return NUMBER(0.2126) * rgb.x + NUMBER(0.7152) * rgb.y + NUMBER(0.0722) * rgb.z;
+}
+
+// Colour of luminance 1 with the hue and saturation of `rgb` (components >= 0). Exact for a luminance of at least
+// `delta` > 0; fades to neutral (1, 1, 1) at black, continuous between.
+INLINE Number3 chromaticity(Number3 rgb, Number delta) {
+  Number y = luminanceOf(rgb);
+  return (rgb + Number3(max(delta - y, NUMBER(0.0)))) / max(y, delta);
+}
+
+// `saturation` in [0, 1]: 1 keeps the colour, 0 leaves its luminance. Linear in rgb, so it applies to SH coefficients.
+INLINE Number3 desaturate(Number3 rgb, Number saturation) {
+  Number3 grey = Number3(luminanceOf(rgb));
+  return grey + (rgb - grey) * saturation;
+}

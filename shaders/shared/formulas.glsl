@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// All shared formulas in the order of their dependence; C++ includes this file once for each scalar type.
+#include "constants.glsl"
+#include "colour.glsl"
+#include "direction.glsl"
+#include "luminance.glsl"
+#include "gradient.glsl"
+#include "sh.glsl"

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Relative luminance of the sky: CIE S 011/E:2003 / ISO 15469:2004 "CIE standard general sky", and the form of Far Cry 3
+// (McAuley, "Calibrating Lighting and Materials in Far Cry 3", SIGGRAPH 2012 course notes), normalised to the sun.
+// Errata of the notes: Table 1 prints c = -10 and -24 for +10 and +24, and the numerator closes the bracket of c too late.
+
+// Gradation f(Z) = 1 + a exp(b / cos Z) + k cos Z and indicatrix g(theta) = 1 + c (exp(d theta) - exp(d pi/2)) +
+// e cos^2 theta. k = 0 in the standard's fifteen types; a = 0, k = 2 is the traditional overcast sky (Moon and Spencer
+// 1942). Domain: b < 0, d < 0, f > 0 and g > 0 wherever they are evaluated.
+struct LuminanceModel {
+  Number a;
+  Number b;
+  Number c;
+  Number d;
+  Number e;
+  Number k;
+};
+
+// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. For a = -1 no digits are lost
+// near the zenith: 1 - exp(x) = -expm1(x).
+INLINE Number gradation(LuminanceModel m, Number cos_zenith) {
+  if (!(cos_zenith > NUMBER(0.0))) return NUMBER(1.0);
+  return (NUMBER(1.0) + m.a) + m.a * expMinusOne(m.b / cos_zenith) + m.k * cos_zenith;
+}
+
+// g at the angle to the sun, radians in [0, pi].
+INLINE Number indicatrix(LuminanceModel m, Number sun_angle_rad) {
+  Number cosine = cos(sun_angle_rad);
+  return NUMBER(1.0) + m.c * (exp(m.d * sun_angle_rad) - exp(m.d * kHalfPi)) + m.e * cosine * cosine;
+}
+
+// Luminance of the normalising direction, before normalisation: of the sun (Far Cry 3) or of the zenith (CIE). The sun
+// may be below the horizon: its gradation is then the horizon's, and the angle stays the true one.
+INLINE Number luminanceNorm(LuminanceModel m, Number3 sun, bool normalise_to_sun) {
+  if (normalise_to_sun) return gradation(m, sun.y) * indicatrix(m, NUMBER(0.0));
+  return gradation(m, NUMBER(1.0)) * indicatrix(m, angleBetween(sun, Number3(NUMBER(0.0), NUMBER(1.0), NUMBER(0.0))));
+}
+
+// Luminance of the direction relative to the normalising one; 0 below the horizon.
+INLINE Number relativeLuminance(LuminanceModel m, Number3 direction, Number3 sun, Number norm) {
+  if (direction.y < NUMBER(0.0)) return NUMBER(0.0);
+  return gradation(m, direction.y) * indicatrix(m, angleBetween(direction, sun)) / norm;
+}
