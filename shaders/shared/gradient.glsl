@@ -4,7 +4,7 @@
 // (j + 1/2) / height of pi/2 and clamp.
 
 // Horizontal length, sin 10 degrees, below which the blend over azimuth fades, so that it is continuous at the zenith.
-const Number kAzimuthFade = NUMBER(0.17364817766693034885);
+CONSTANT Number kAzimuthFade = NUMBER(0.17364817766693034885);
 
 // Column coordinate of a time in hours, in [-1/2, width - 1/2]: the integer part is the column to the left.
 INLINE Number gradientColumn(Number time_h, Number width) { return time_h / NUMBER(24.0) * width - NUMBER(0.5); }

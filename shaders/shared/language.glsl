@@ -4,6 +4,7 @@
 #define WELKIN_SHARED_LANGUAGE_GLSL
 
 #define INLINE
+#define CONSTANT const
 #define NUMBER(literal) literal
 #define Number float
 #define Number3 vec3

@@ -8,6 +8,7 @@
 #include "language.h"
 
 #define INLINE inline
+#define CONSTANT inline constexpr
 #define NUMBER(literal) Number(literal)
 
 #define WELKIN_STANDARD_FUNCTIONS          \
@@ -48,4 +49,5 @@ WELKIN_STANDARD_FUNCTIONS
 
 #undef WELKIN_STANDARD_FUNCTIONS
 #undef NUMBER
+#undef CONSTANT
 #undef INLINE

@@ -34,14 +34,16 @@ class Sky {
   Status open(const std::string& path) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};
-    return adopt(welkin_sky_open_file(path.c_str(), &sky, &message), sky, message);
+    const WelkinResult code = welkin_sky_open_file(path.c_str(), &sky, &message);
+    return adopt(code, sky, message);
   }
 
   /// Opens bytes that the caller keeps, aligned to 16.
   Status open(const void* data, std::size_t size) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};
-    return adopt(welkin_sky_open_memory(data, size, &sky, &message), sky, message);
+    const WelkinResult code = welkin_sky_open_memory(data, size, &sky, &message);
+    return adopt(code, sky, message);
   }
 
   const WelkinSky* get() const { return sky_; }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rotation of spherical harmonic coefficients.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sh/deterministic.h"
+
+namespace welkin::sh {
+
+/// Rows of an orthogonal matrix: applied to a direction, row i gives component i.
+using Matrix3 = std::array<det::Number3, 3>;
+
+det::Number3 apply(const Matrix3& matrix, const det::Number3& v);
+
+/// Turns the coefficients of f into those of g(d) = f(apply(matrix, d)), for any orthogonal matrix. Band l uses its own
+/// (2 l + 1)^2 block, found by a product quadrature that is exact for products of two basis functions of that band.
+class Rotation {
+ public:
+  Rotation(int bands, const Matrix3& matrix);
+  /// `in` and `out` hold bands^2 numbers and do not overlap.
+  void apply(std::span<const double> in, std::span<double> out) const;
+
+ private:
+  int bands_;
+  std::vector<std::vector<double>> block_;  ///< per band, row-major
+};
+
+/// Turns by `angle_rad` clockwise seen from above (growing azimuth) about +y, as the matrix whose Rotation moves a sky
+/// that way.
+Matrix3 azimuthRotation(double angle_rad);
+
+}  // namespace welkin::sh

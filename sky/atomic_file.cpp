@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "sky/error.h"
+
+namespace welkin {
+namespace {
+
+/// Closes on destruction.
+struct Descriptor {
+  int fd;
+  explicit Descriptor(int fd_) : fd(fd_) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd >= 0) ::close(fd);
+  }
+  int close() { return ::close(std::exchange(fd, -1)); }
+};
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* verb, int error) {
+  throw Error(ExitStatus::file, fmt::format("{}: cannot {}: {}", path.string(), verb, std::strerror(error)));
+}
+
+/// Whether the file holds exactly these bytes.
+bool holds(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (file.fd < 0 || fstat(file.fd, &status) != 0 || !S_ISREG(status.st_mode) ||
+      static_cast<std::size_t>(status.st_size) != bytes.size())
+    return false;
+  std::byte block[65536];
+  while (!bytes.empty()) {
+    const ssize_t n = ::read(file.fd, block, std::min(sizeof block, bytes.size()));
+    if (n <= 0 || std::memcmp(block, bytes.data(), static_cast<std::size_t>(n)) != 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+int writeAll(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+  return fsync(fd) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+}
+
+}  // namespace
+
+void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  if (holds(path, bytes)) return;
+  std::filesystem::path temporary = path;
+  temporary += ".tmp";
+  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.fd < 0) refuse(path, "write", errno);
+  int error = writeAll(file.fd, bytes);
+  if (file.close() != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    refuse(path, "write", error);
+  }
+}
+
+void writeFile(const std::filesystem::path& path, std::string_view text) {
+  writeFile(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.fd < 0) refuse(path, "read", errno);
+  struct stat status {};
+  if (fstat(file.fd, &status) != 0) refuse(path, "read", errno);
+  if (!S_ISREG(status.st_mode)) refuse(path, "read", S_ISDIR(status.st_mode) ? EISDIR : EINVAL);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > limit)
+    throw Error(ExitStatus::content, fmt::format("{}: {} bytes; at most {} are allowed", path.string(), size, limit));
+  std::vector<std::byte> bytes(size);
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t n = ::read(file.fd, bytes.data() + done, size - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse(path, "read", errno);
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+void makeFolder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path, error))
+    throw Error(ExitStatus::file, fmt::format("{}: cannot make the folder: {}", path.string(),
+                                              error ? error.message() : "a file is in the way"));
+}
+
+}  // namespace welkin

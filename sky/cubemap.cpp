@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/cubemap.h"
+
+#include <Imath/half.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+
+namespace welkin::sky {
+namespace {
+
+constexpr float kLargestHalf = 65504.0F;
+
+/// Vulkan's face coordinates in [-1, 1], s to the right and t downwards (Vulkan 1.3, "Cube Map Face Selection").
+Number3 vulkanDirection(int face, double s, double t) {
+  switch (face) {
+    case 0:
+      return {1.0, -t, -s};
+    case 1:
+      return {-1.0, -t, s};
+    case 2:
+      return {s, 1.0, t};
+    case 3:
+      return {s, -1.0, -t};
+    case 4:
+      return {s, -t, 1.0};
+    default:
+      return {-s, -t, -1.0};
+  }
+}
+
+Number3 normalised(const Number3& v) {
+  return v / std::sqrt(dot(v, v));
+}
+
+}  // namespace
+
+Extent extentOf(Layout layout, int size) {
+  return layout == Layout::exr_latlong ? Extent{4 * size, 2 * size} : Extent{size, 6 * size};
+}
+
+Number3 directionOfTexel(Layout layout, int size, int column, int row) {
+  if (layout == Layout::exr_latlong) {
+    const Extent extent = extentOf(layout, size);
+    const double latitude = det::kHalfPi - det::kPi * row / (extent.height - 1);
+    const double longitude = det::kPi - det::kTwoPi * column / (extent.width - 1);
+    const double c = row == 0 || row == extent.height - 1 ? 0.0 : det::cos(latitude);
+    return normalised({det::sin(longitude) * c, det::sin(latitude), det::cos(longitude) * c});
+  }
+  const int face = row / size;
+  const int y = row % size;
+  if (layout == Layout::vulkan_cube)
+    return normalised(vulkanDirection(face, (2.0 * column + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0));
+  // OpenEXR looks at the faces from inside in a right-handed world: the side faces are mirrored left to right, the
+  // others top to bottom.
+  const double s = 2.0 * column / (size - 1) - 1.0;
+  const double t = 2.0 * y / (size - 1) - 1.0;
+  return normalised(face == 2 || face == 3 ? vulkanDirection(face, s, -t) : vulkanDirection(face, -s, t));
+}
+
+DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size) {
+  DomeImage image{extentOf(layout, size), {}, 0};
+  const auto width = static_cast<std::size_t>(image.extent.width);
+  image.rgb_half.resize(width * static_cast<std::size_t>(image.extent.height) * 3);
+  std::atomic<std::size_t> saturated = 0;
+  tbb::parallel_for(0, image.extent.height, [&](int row) {
+    std::size_t past = 0;
+    std::uint16_t* out = image.rgb_half.data() + static_cast<std::size_t>(row) * width * 3;
+    for (int column = 0; column < image.extent.width; ++column) {
+      const Number3 radiance = instant.dome(directionOfTexel(layout, size, column, row), ground);
+      for (int c = 0; c < 3; ++c) {
+        if (radiance[c] > double{kLargestHalf}) ++past;
+        *out++ = Imath::half(static_cast<float>(std::min(radiance[c], double{kLargestHalf}))).bits();
+      }
+    }
+    saturated += past;
+  });
+  image.saturated = saturated;
+  return image;
+}
+
+}  // namespace welkin::sky

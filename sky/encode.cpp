@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/encode.h"
+
+#include "format/container.h"
+
+namespace welkin::sky {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+constexpr std::uint16_t kHalfOne = 0x3c00;
+
+Offset<format::Curve> encodeCurve(FlatBufferBuilder& b, const Curve& curve) {
+  return format::CreateCurveDirect(b, static_cast<std::uint8_t>(curve.components), &curve.time_h, &curve.value);
+}
+
+Offset<format::Light> encodeLight(FlatBufferBuilder& b, const Light& light) {
+  const LightPath& p = light.path;
+  const auto path = format::CreateLightPathDirect(b, p.latitude_rad, p.declination_rad, p.transit_h, p.north_offset_rad,
+                                                  &p.key_time_h, &p.key_azimuth_rad, &p.key_elevation_rad);
+  const auto illuminance = encodeCurve(b, light.illuminance);
+  const auto colour = encodeCurve(b, light.colour);
+  return format::CreateLight(b, path, illuminance, colour, light.disc_radius_rad);
+}
+
+Offset<format::Gradient> encodeGradient(FlatBufferBuilder& b, const Gradient& gradient) {
+  return format::CreateGradientDirect(b, static_cast<std::uint32_t>(gradient.width),
+                                      static_cast<std::uint32_t>(gradient.height), &gradient.rgb);
+}
+
+Offset<format::Cubemap> encodeCubemap(FlatBufferBuilder& b, double time_h, const DomeImage& image) {
+  b.ForceVectorAlignment(image.rgb_half.size() / 3 * 8, 1, 16);
+  std::uint8_t* out = nullptr;
+  const auto texels = b.CreateUninitializedVector(image.rgb_half.size() / 3 * 8, 1, &out);
+  for (std::size_t i = 0; i < image.rgb_half.size(); ++i) {
+    std::memcpy(out, &image.rgb_half[i], 2);
+    out += 2;
+    if (i % 3 != 2) continue;
+    std::memcpy(out, &kHalfOne, 2);
+    out += 2;
+  }
+  return format::CreateCubemap(b, time_h, texels);
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps) {
+  FlatBufferBuilder b(1 << 16);
+  const Sky& s = file.sky;
+  std::vector<Offset<format::Cubemap>> cubemap;
+  for (std::size_t i = 0; i < cubemaps.size(); ++i)
+    cubemap.push_back(encodeCubemap(b, file.bake.cubemap_time_h[i], cubemaps[i]));
+  std::vector<Offset<format::Input>> input;
+  for (const Input& i : file.inputs)
+    input.push_back(format::CreateInputDirect(b, i.name.c_str(), i.xxh3_low, i.xxh3_high));
+
+  const LuminanceModel& m = s.luminance;
+  const format::Luminance luminance(m.a, m.b, m.c, m.d, m.e, m.k, s.normalise_to_sun ? 1 : 0);
+  const format::Rgb albedo(static_cast<float>(s.ground_albedo.x), static_cast<float>(s.ground_albedo.y),
+                           static_cast<float>(s.ground_albedo.z));
+  const auto intensity = encodeCurve(b, s.intensity);
+  const auto saturation = encodeCurve(b, s.ambient_saturation);
+  const auto tint = encodeCurve(b, s.polarising_tint);
+  const auto sun = encodeLight(b, s.sun);
+  const auto moon = s.moon ? encodeLight(b, *s.moon) : Offset<format::Light>();
+  const auto gradient_sun = encodeGradient(b, s.gradient_sun);
+  const auto gradient_anti = encodeGradient(b, s.gradient_anti);
+  const auto sky = format::CreateSkyDirect(
+      b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti,
+      kGradientDelta, static_cast<std::uint8_t>(table.bands), &table.key_time_h, &table.shape_sh,
+      &table.shape_irradiance, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap);
+  format::FinishFileBuffer(b, format::CreateFileDirect(b, file.settings.c_str(), &input, sky));
+  return format::seal({b.GetBufferPointer(), b.GetSize()});
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A baked sky as the bytes of a .welkin file.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sky/cubemap.h"
+#include "sky/sky_file.h"
+
+namespace welkin::sky {
+
+/// `cubemaps` are renders of Layout::vulkan_cube at the settings' times, in their order.
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps);
+
+}  // namespace welkin::sky

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/sky.h"
+
+#include <algorithm>
+
+namespace welkin::sky {
+
+SkyInstant::SkyInstant(const Sky& sky, double time_h)
+    : sky_(&sky),
+      time_h_(format::wrapTime(time_h)),
+      sun_(sky.sun.path.directionAt(time_h)),
+      norm_(det::luminanceNorm(sky.luminance, sun_, sky.normalise_to_sun)),
+      intensity_(sky.intensity.at(time_h)),
+      tint_(sky.polarising_tint.colourAt(time_h)),
+      sun_column_(columnAt(sky.gradient_sun, time_h)),
+      anti_column_(columnAt(sky.gradient_anti, time_h)) {}
+
+Number3 SkyInstant::chromaticity(const Number3& direction) const {
+  const double elevation = det::elevationOf(direction);
+  const Number3 colour =
+      mix(anti_column_.at(elevation), sun_column_.at(elevation), det::azimuthWeight(direction, sun_));
+  return det::chromaticity(colour, kGradientDelta);
+}
+
+Number3 SkyInstant::groundRadiance(const Number3& shape_irradiance) const {
+  Number3 horizontal = shape_irradiance * intensity_ + sky_->sun.normalIrradianceAt(time_h_) * std::max(sun_.y, 0.0);
+  if (sky_->moon)
+    horizontal += sky_->moon->normalIrradianceAt(time_h_) * std::max(sky_->moon->path.directionAt(time_h_).y, 0.0);
+  return sky_->ground_albedo * horizontal / det::kPi;
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sky model: what an artist described, and its radiance at an instant, in double.
+#pragma once
+
+#include <optional>
+
+#include "sky/gradient.h"
+#include "sky/light.h"
+#include "sky/luminance.h"
+
+namespace welkin::sky {
+
+/// A sky over one day. See docs/conventions.md for every formula.
+struct Sky {
+  LuminanceModel luminance = *findLuminance("far-cry-3");
+  bool normalise_to_sun = true;  ///< false: to the zenith
+  Curve intensity = Curve::constant(1.0);
+  Gradient gradient_sun;   ///< at the sun's azimuth; normalised together with the other
+  Gradient gradient_anti;  ///< opposite
+  Curve polarising_tint = Curve::constant(Number3(1.0));
+  Curve ambient_saturation = Curve::constant(1.0);
+  Number3 ground_albedo{0.0};
+  double luminance_unit = 1.0;  ///< cd/m2 of radiance 1
+  Light sun;
+  std::optional<Light> moon;
+};
+
+/// The sky at one time. Radiances are RGB in scene units; directions are unit vectors.
+class SkyInstant {
+ public:
+  /// `time_h` is finite.
+  SkyInstant(const Sky& sky, double time_h);
+
+  const Sky& sky() const { return *sky_; }
+  double time_h() const { return time_h_; }
+  const Number3& sunDirection() const { return sun_; }
+  double intensity() const { return intensity_; }
+  const GradientColumn& sunColumn() const { return sun_column_; }
+  const GradientColumn& antiColumn() const { return anti_column_; }
+  double luminanceNorm() const { return norm_; }
+
+  /// Relative luminance, without intensity; 0 below the horizon.
+  double luminance(const Number3& direction) const {
+    return det::relativeLuminance(sky_->luminance, direction, sun_, norm_);
+  }
+  /// Colour of luminance 1 at a direction above the horizon.
+  Number3 chromaticity(const Number3& direction) const;
+  /// The sky's radiance at intensity 1, without ground, tint, sun and moon; black below the horizon.
+  Number3 shape(const Number3& direction) const {
+    return direction.y < 0.0 ? Number3(0.0) : chromaticity(direction) * luminance(direction);
+  }
+  /// With intensity; below the horizon the ground.
+  Number3 radiance(const Number3& direction, const Number3& ground) const {
+    return direction.y < 0.0 ? ground : shape(direction) * intensity_;
+  }
+  /// What the dome and the cubemaps show: with the tint above the horizon.
+  Number3 dome(const Number3& direction, const Number3& ground) const {
+    return direction.y < 0.0 ? ground : shape(direction) * intensity_ * tint_;
+  }
+  /// Radiance of the ground under the sky's horizontal irradiance at intensity 1 (`shape_irradiance`), sun and moon.
+  Number3 groundRadiance(const Number3& shape_irradiance) const;
+
+ private:
+  const Sky* sky_;
+  double time_h_;
+  Number3 sun_;
+  double norm_;
+  double intensity_;
+  Number3 tint_;
+  GradientColumn sun_column_;
+  GradientColumn anti_column_;
+};
+
+}  // namespace welkin::sky

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/sky_file.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <sstream>
+
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+#include "sky/image.h"
+#include "sky/toml_table.h"
+
+namespace welkin::sky {
+namespace {
+
+constexpr Range kBrightness{0.0, 1e12};  // scene units; its square stays far inside float's range
+constexpr Range kFraction{0.0, 1.0};
+constexpr double kDegree = det::kPi / 180.0;
+constexpr std::size_t kLargestSkyFile = std::size_t{16} << 20;
+
+/// Where the file lies, and what was read so far.
+struct Reading {
+  std::filesystem::path folder;
+  std::vector<Input> inputs;
+
+  void record(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    for (const Input& input : inputs)
+      if (input.path == path) return;
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    inputs.push_back({name, path, hash.low64, hash.high64});
+  }
+  Image image(const std::string& name) {
+    const std::filesystem::path path = folder / name;
+    record(name, path, readFile(path));
+    return readImage(path);
+  }
+};
+
+Gradient readGradient(TomlTable& table, const std::string& key, Reading& reading) {
+  const toml::node* n = table.node(key);
+  if (n == nullptr || !n->is_string()) return Gradient::constant(table.colour(key, kBrightness, Number3(1.0)));
+  Image image = reading.image(*n->value<std::string>());
+  Gradient gradient{image.width, image.height, {}};
+  const auto line = static_cast<std::size_t>(image.width) * 3;
+  for (int row = image.height - 1; row >= 0; --row) {  // the file's last row is the horizon
+    const auto first = image.rgb.begin() + static_cast<std::ptrdiff_t>(line * static_cast<std::size_t>(row));
+    gradient.rgb.insert(gradient.rgb.end(), first, first + static_cast<std::ptrdiff_t>(line));
+  }
+  return gradient;
+}
+
+/// A colour, keys, or an image strip over the day, whose rows are averaged.
+Curve readTint(TomlTable& table, Reading& reading) {
+  const toml::node* n = table.node("polarising_tint");
+  if (n == nullptr || !n->is_string()) return table.colourCurve("polarising_tint", kBrightness, Number3(1.0));
+  const Image image = reading.image(*n->value<std::string>());
+  Curve curve{3, {}, {}};
+  for (int i = 0; i < image.width; ++i) {
+    Number3 sum(0.0);
+    for (int j = 0; j < image.height; ++j) {
+      const float* p = image.rgb.data() + 3 * (static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                                               static_cast<std::size_t>(i));
+      sum += Number3(double{p[0]}, double{p[1]}, double{p[2]});
+    }
+    curve.time_h.push_back(24.0 * (i + 0.5) / image.width);
+    curve.value.insert(curve.value.end(), {sum.x / image.height, sum.y / image.height, sum.z / image.height});
+  }
+  return curve;
+}
+
+LuminanceModel readLuminance(TomlTable& table) {
+  const toml::node* n = table.node("luminance");
+  if (n == nullptr || n->is_string()) {
+    std::vector<std::string> names;
+    for (const auto& named : namedLuminances()) names.emplace_back(named.name);
+    return *findLuminance(table.string("luminance", names, "far-cry-3"));
+  }
+  const toml::array* a = n->as_array();
+  if (a == nullptr || a->size() != 5)
+    table.refuse("luminance", n, "must be a name or five coefficients [a, b, c, d, e]");
+  double v[5];
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto value = a->get(i)->value<double>();
+    if (!value || !a->get(i)->is_number() || !(std::abs(*value) <= 1e4))
+      table.refuse("luminance", n, fmt::format("coefficient {} must be a number, -10000 to 10000", "abcde"[i]));
+    v[i] = *value;
+  }
+  return {v[0], v[1], v[2], v[3], v[4], 0.0};
+}
+
+void readHandPath(TomlTable& table, LightPath& path) {
+  const auto rows = table.rows("path", {{-1e4, 1e4}, {-90.0, 90.0}});
+  for (const auto& row : rows) {
+    path.key_time_h.push_back(row[0]);
+    path.key_azimuth_rad.push_back(row[1] * kDegree + path.north_offset_rad);
+    path.key_elevation_rad.push_back(row[2] * kDegree);
+  }
+}
+
+void readLightLook(TomlTable& table, Light& light) {
+  light.illuminance = table.curve("illuminance", kBrightness, 0.0);
+  light.colour = table.colourCurve("colour", kBrightness, Number3(1.0));
+  for (std::size_t i = 0; i < light.colour.time_h.size(); ++i) {
+    const double* c = light.colour.value.data() + 3 * i;
+    if (!(det::luminanceOf({c[0], c[1], c[2]}) > 1e-12))
+      table.refuse("colour", table.node("colour"),
+                   "must not be black: it gives hue and saturation, illuminance the rest");
+  }
+  light.disc_radius_rad = table.number("disc_radius_deg", {0.0, 45.0}, 0.27) * kDegree;
+}
+
+Light readSun(TomlTable table) {
+  Light sun;
+  const double north = table.number("north_offset_deg", {-360.0, 360.0}, 0.0) * kDegree;
+  sun.path.north_offset_rad = north;
+  readHandPath(table, sun.path);
+  if (sun.path.key_time_h.empty()) {
+    const double latitude = table.number("latitude_deg", {-90.0, 90.0}, std::nullopt);
+    const double longitude = table.number("longitude_deg", {-180.0, 180.0}, 0.0);
+    const double offset = table.number("utc_offset_h", {-14.0, 14.0}, longitude / 15.0);
+    const int year = table.integer("year", -2000, 6000, 2000);
+    const int day = table.integer("day_of_year", 1, 366, std::nullopt);
+    sun.path = sunPathFromPlace(latitude, longitude, offset, year, day);
+    sun.path.north_offset_rad = north;
+  } else if (const toml::node* n = table.node("latitude_deg"); n != nullptr) {
+    table.refuse("latitude_deg", n, "cannot stand beside path: a sun has a place and a day, or a path");
+  }
+  readLightLook(table, sun);
+  table.finish();
+  return sun;
+}
+
+Light readMoon(TomlTable table, const LightPath& sun) {
+  Light moon;
+  moon.path.north_offset_rad =
+      table.number("north_offset_deg", {-360.0, 360.0}, sun.north_offset_rad / kDegree) * kDegree;
+  readHandPath(table, moon.path);
+  if (moon.path.key_time_h.empty()) {
+    if (!table.has("declination_deg"))
+      table.refuse("path", nullptr, "is missing; a moon needs path, or declination_deg and phase");
+    const bool sun_has_place = sun.key_time_h.empty();
+    moon.path.latitude_rad = table.number("latitude_deg", {-90.0, 90.0},
+                                          sun_has_place ? std::optional(sun.latitude_rad / kDegree) : std::nullopt) *
+                             kDegree;
+    moon.path.declination_rad = table.number("declination_deg", {-90.0, 90.0}, std::nullopt) * kDegree;
+    // New (0) it crosses the meridian with the sun, full (1/2) twelve hours later.
+    moon.path.transit_h =
+        (sun_has_place ? sun.transit_h : 12.0) + 24.0 * table.number("phase", kFraction, std::nullopt);
+  } else if (const toml::node* n = table.node("declination_deg"); n != nullptr) {
+    table.refuse("declination_deg", n, "cannot stand beside path");
+  }
+  readLightLook(table, moon);
+  table.finish();
+  return moon;
+}
+
+BakeSettings readBake(TomlTable table) {
+  BakeSettings bake;
+  bake.bands = table.integer("bands", 2, 5, 2);
+  bake.key_time_h = table.hours("keys", 86400, kAutoKeys, "auto");
+  bake.cubemap_size = table.integer("cubemap_size", 0, 4096, 128);
+  if (bake.cubemap_size == 1) table.refuse("cubemap_size", table.node("cubemap_size"), "must be 0 (none) or 2 to 4096");
+  bake.cubemap_time_h = table.hours("cubemap_times", 1440, 8, nullptr);
+  if (bake.cubemap_size == 0) bake.cubemap_time_h.clear();
+  const double bytes = 48.0 * bake.cubemap_size * bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
+                       12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
+  if (bytes > 1.5e9)
+    table.refuse(
+        "cubemap_size", table.node("cubemap_size"),
+        fmt::format("with {} cubemaps of {} and {} keys the file would have {:.0f} bytes; at most 1.5e9 are allowed",
+                    bake.cubemap_time_h.size(), bake.cubemap_size, bake.key_time_h.size(), bytes));
+  table.finish();
+  return bake;
+}
+
+toml::table parse(const std::string& file, std::span<const std::byte> bytes) {
+  try {
+    return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file);
+  } catch (const toml::parse_error& e) {
+    throw Error(ExitStatus::content, fmt::format("{}:{}: not TOML: {}", file, e.source().begin.line, e.description()));
+  }
+}
+
+}  // namespace
+
+SkyFile readSkyFile(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  Reading reading{path.parent_path(), {}};
+  const auto bytes = readFile(path, kLargestSkyFile);
+  reading.record(path.filename().string(), path, bytes);
+  const toml::table root = parse(file, bytes);
+
+  SkyFile result;
+  TomlTable top(file, &root, "");
+  Sky& sky = result.sky;
+  TomlTable table = top.table("sky");
+  if (!top.has("sky")) top.refuse("[sky]", nullptr, "is missing: this is not a sky file");
+  sky.luminance = readLuminance(table);
+  sky.normalise_to_sun = table.string("normalise", {"sun", "zenith"}, "sun") == "sun";
+  sky.intensity = table.curve("intensity", kBrightness, 1.0);
+  sky.gradient_sun = readGradient(table, "gradient_sun", reading);
+  sky.gradient_anti = readGradient(table, "gradient_anti", reading);
+  normalise(sky.gradient_sun, sky.gradient_anti);
+  sky.polarising_tint = readTint(table, reading);
+  sky.ambient_saturation = table.curve("ambient_saturation", kFraction, 1.0);
+  sky.ground_albedo = table.colour("ground_albedo", kFraction, Number3(0.0));
+  sky.luminance_unit = table.number("luminance_unit", {1e-12, 1e12}, 1.0);
+  table.finish();
+
+  TomlTable sun = top.table("sun");
+  if (!top.has("sun")) top.refuse("[sun]", nullptr, "is missing; a sky needs latitude_deg and day_of_year, or path");
+  sky.sun = readSun(sun);
+  TomlTable moon = top.table("moon");
+  if (top.has("moon")) sky.moon = readMoon(moon, sky.sun.path);
+  result.bake = readBake(top.table("bake"));
+  top.finish();
+
+  TomlTable checked(file, root.get_as<toml::table>("sky"), "sky.");
+  if (const auto why = whyUnusable(sky.luminance, sky.sun.path))
+    checked.refuse("luminance", checked.node("luminance"), *why);
+  std::ostringstream json;
+  json << toml::json_formatter(root, toml::format_flags::none);
+  result.settings = json.str();
+  result.inputs = std::move(reading.inputs);
+  return result;
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin bake: a sky file into a folder.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+#include "welkin/bake_sky.h"
+#include "welkin/commands.h"
+
+namespace welkin::tools {
+namespace {
+
+struct Options {
+  std::string file, folder, report, depfile, progress = "auto";
+  int threads = 0;
+};
+
+/// A path in a make rule.
+std::string escaped(const std::filesystem::path& path) {
+  std::string out;
+  for (const char c : path.string()) {
+    if (c == ' ' || c == '#') out += '\\';
+    if (c == '$') out += '$';
+    out += c;
+  }
+  return out;
+}
+
+void bake(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  catchInterrupts();
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const sky::SkyFile file = sky::readSkyFile(options.file);
+  const std::filesystem::path folder = options.folder;
+  nlohmann::ordered_json timing;
+  const auto report = bakeSky(file, folder, ProgressReport::styleOf(options.progress), timing);
+  timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report),
+            report.dump(2) + "\n");
+  writeFile(folder / "timing.json", timing.dump(2) + "\n");
+  if (!options.depfile.empty()) {
+    std::string rule = escaped(folder / "sky.welkin") + ":";
+    for (const auto& input : file.inputs) rule += " " + escaped(input.path);
+    writeFile(options.depfile, rule + "\n");
+  }
+  for (const auto& warning : report["warnings"])
+    fmt::print(stderr, "welkin: warning: {}\n", warning["message"].get<std::string>());
+}
+
+}  // namespace
+
+void addBake(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("bake", "Bake a sky file into a folder");
+  command->add_option("FILE", options->file, "sky.toml")->required();
+  command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
+  command->add_option("--threads", options->threads, "Threads; 0: all. The outputs do not depend on it")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command->add_option("--report", options->report, "Write the report here instead of DIR/report.json");
+  command->add_option("--depfile", options->depfile, "Write the inputs here as a make rule");
+  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
+      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+  command->callback([options] { bake(*options); });
+}
+
+}  // namespace welkin::tools

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin inspect: everything in a .welkin file. welkin validate: whether files are what they should be.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <welkin/welkin.hpp>
+
+#include "sky/sky_file.h"
+#include "welkin/arguments.h"
+#include "welkin/commands.h"
+
+namespace welkin::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Sky openSky(const std::string& path) {
+  Sky sky;
+  const Status status = sky.open(path);
+  require(status.code, path, status.message.c_str());
+  return sky;
+}
+
+Json keyJson(const Sky& sky, std::uint32_t index) {
+  double time_h = 0.0;
+  welkin_sky_key_time(sky.get(), index, &time_h);
+  WelkinSkySample s{};
+  sky.sample(time_h, s);
+  Json key = {{"time_h", time_h}, {"sun", lightJson(s.sun)}};
+  if (sky.info().has_moon != 0) key["moon"] = lightJson(s.moon);
+  key["intensity"] = double{s.intensity};
+  key["ambient_saturation"] = double{s.ambient_saturation};
+  key["radiance_sh"] = coefficientsJson(s.radiance_sh, s.coefficient_count);
+  key["ambient_sh"] = coefficientsJson(s.ambient_sh, s.coefficient_count);
+  key["ground_radiance"] = vectorJson(s.ground_radiance);
+  key["polarising_tint"] = vectorJson(s.polarising_tint);
+  return key;
+}
+
+Json skyJson(const Sky& sky) {
+  const WelkinSkyInfo info = sky.info();
+  WelkinLuminance l{};
+  welkin_sky_luminance(sky.get(), &l);
+  WelkinGradients g{};
+  welkin_sky_gradients(sky.get(), &g);
+  const char* settings = "";
+  welkin_sky_settings(sky.get(), &settings);
+  Json keys = Json::array();
+  for (std::uint32_t i = 0; i < info.key_count; ++i) keys.push_back(keyJson(sky, i));
+  Json cubemaps = Json::array();
+  for (std::uint32_t i = 0; i < info.cubemap_count; ++i) {
+    WelkinCubemap c{};
+    welkin_sky_cubemap(sky.get(), i, &c);
+    cubemaps.push_back({{"time_h", c.time_h}, {"size", c.size}, {"bytes", c.bytes}});
+  }
+  return {{"sky",
+           {{"bands", info.bands},
+            {"luminance",
+             {{"a", double{l.a}},
+              {"b", double{l.b}},
+              {"c", double{l.c}},
+              {"d", double{l.d}},
+              {"e", double{l.e}},
+              {"k", double{l.k}},
+              {"normalise", l.normalise_to_sun != 0 ? "sun" : "zenith"}}},
+            {"luminance_unit", double{info.luminance_unit}},
+            {"ground_albedo", vectorJson(info.ground_albedo)},
+            {"gradient_sun", {{"width", g.sun.width}, {"height", g.sun.height}}},
+            {"gradient_anti", {{"width", g.anti.width}, {"height", g.anti.height}}},
+            {"cubemaps", cubemaps},
+            {"keys", keys}}},
+          {"settings", Json::parse(settings, nullptr, false)}};
+}
+
+void inspect(const std::string& path, bool as_json) {
+  const std::string file = skyFileOf(path);
+  const Sky sky = openSky(file);
+  if (as_json) {
+    fmt::print("{}\n", skyJson(sky).dump(2));
+    return;
+  }
+  const WelkinSkyInfo info = sky.info();
+  fmt::print("{}: sky, {} keys x {} bands, {} cubemaps of {}, {}moon\n", file, info.key_count, info.bands,
+             info.cubemap_count, info.cubemap_size, info.has_moon != 0 ? "" : "no ");
+  fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun lux", "intensity",
+             "ambient c0 (r, g, b)");
+  for (std::uint32_t i = 0; i < info.key_count; ++i) {
+    double time_h = 0.0;
+    welkin_sky_key_time(sky.get(), i, &time_h);
+    WelkinSkySample s{};
+    sky.sample(time_h, s);
+    fmt::print("{:7.3f} {:8.2f} {:9.2f} {:10.4g} {:10.4g}  {:.5g}, {:.5g}, {:.5g}\n", time_h,
+               azimuthDegrees(s.sun.direction), elevationDegrees(s.sun.direction), s.sun.illuminance, s.intensity,
+               s.ambient_sh[0][0], s.ambient_sh[0][1], s.ambient_sh[0][2]);
+  }
+}
+
+void validate(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const std::string file = skyFileOf(path);
+    if (std::filesystem::path(file).extension() == ".toml")
+      sky::readSkyFile(file);
+    else
+      openSky(file);
+    fmt::print("{}: ok\n", file);
+  }
+}
+
+}  // namespace
+
+void addInspect(CLI::App& app) {
+  auto file = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  auto* command = app.add_subcommand("inspect", "Show everything in a .welkin file");
+  command->add_option("FILE", *file, "A .welkin file, or the folder of a bake")->required();
+  command->add_flag("--json", *json, "Print JSON");
+  command->callback([file, json] { inspect(*file, *json); });
+}
+
+void addValidate(CLI::App& app) {
+  auto paths = std::make_shared<std::vector<std::string>>();
+  auto* command = app.add_subcommand("validate", "Check .welkin files, folders of bakes and sky files");
+  command->add_option("PATH", *paths, "Files and folders; the first that is wrong ends the check")->required();
+  command->callback([paths] { validate(*paths); });
+}
+
+}  // namespace welkin::tools

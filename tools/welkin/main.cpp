@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin: bakes skies and shows what was baked. Results go to stdout, everything else to stderr.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "sky/error.h"
+#include "welkin/arguments.h"
+#include "welkin/commands.h"
+#include "welkin/version.h"
+
+namespace {
+
+int status(welkin::ExitStatus s) {
+  return static_cast<int>(s);
+}
+
+int fail(welkin::ExitStatus s, const std::string& message) {
+  fmt::print(stderr, "welkin: {}\n", message);
+  return status(s);
+}
+
+int run(int argc, char** argv) {
+  using namespace welkin::tools;
+  CLI::App app("Precomputed sky and ambient lighting for games.", "welkin");
+  app.set_version_flag("--version", WELKIN_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
+  for (auto* add : {addInit, addBake, addPlan, addInspect, addValidate, addEval, addSample, addRender}) add(app);
+  std::vector<std::string> arguments = joinSignedValues(argc, argv);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a vector
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help and --version
+    return fail(welkin::ExitStatus::usage,
+                fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
+  }
+  // A full disk behind stdout is found when it is flushed.
+  if (std::fflush(stdout) != 0) return fail(welkin::ExitStatus::file, "stdout: cannot write the results");
+  return status(welkin::ExitStatus::done);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const welkin::Error& e) {
+    return fail(e.status(), e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(welkin::ExitStatus::file, "out of memory");
+  } catch (const std::exception& e) {
+    return fail(welkin::ExitStatus::internal, fmt::format("internal error: {}", e.what()));
+  }
+}

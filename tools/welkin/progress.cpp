@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "welkin/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace welkin::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<bool> stop_wanted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // set from a signal handler
+
+extern "C" void onInterrupt(int signal) {
+  stop_wanted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+double seconds(Clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+void catchInterrupts() {
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+}
+
+bool interrupted() {
+  return stop_wanted;
+}
+
+ProgressReport::Style ProgressReport::styleOf(const std::string& name) {
+  if (name == "bar") return Style::bar;
+  if (name == "plain") return Style::plain;
+  if (name == "json") return Style::json;
+  if (name == "none") return Style::none;
+  return isatty(STDERR_FILENO) != 0 ? Style::bar : Style::plain;
+}
+
+ProgressReport::ProgressReport(Style style, std::string what, std::size_t total)
+    : style_(style), what_(std::move(what)), total_(total), start_(Clock::now()), printed_(start_) {}
+
+ProgressReport::~ProgressReport() {
+  print(done_, true);
+}
+
+bool ProgressReport::step() {
+  const std::size_t done = ++done_;
+  const auto now = Clock::now();
+  const double pause = style_ == Style::bar ? 0.1 : 2.0;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock.owns_lock() && done < total_ && seconds(now - printed_) > pause) {
+    printed_ = now;
+    print(done, false);
+  }
+  return !stop_wanted;
+}
+
+void ProgressReport::print(std::size_t done, bool last) {
+  const double elapsed = seconds(Clock::now() - start_);
+  const double left = done > 0 ? elapsed * static_cast<double>(total_ - done) / static_cast<double>(done) : 0.0;
+  switch (style_) {
+    case Style::bar: {
+      const std::size_t filled = total_ > 0 ? done * 30 / total_ : 30;
+      fmt::print(stderr, "\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left   {}", what_, "", filled, "", 30 - filled, done,
+                 total_, left, last ? "\n" : "");
+      break;
+    }
+    case Style::plain:
+      fmt::print(stderr, "{}: {}/{}, {:.1f} s\n", what_, done, total_, elapsed);
+      break;
+    case Style::json:
+      fmt::print(stderr,
+                 "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}}}\n",
+                 what_, done, total_, elapsed, left);
+      break;
+    case Style::none:
+      break;
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace welkin::tools
