@@ -57,10 +57,23 @@ int writeAll(int fd, std::span<const std::byte> bytes) {
   return fsync(fd) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
 }
 
+bool isDevice(const std::filesystem::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// Writes into /dev/stdout, a pipe and the like: a rename would put a file in the device's place.
+void writeDevice(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK));  // a pipe that nobody reads is an error
+  if (device.fd < 0 || ::fcntl(device.fd, F_SETFL, 0) != 0) refuse(path, "write", errno);
+  if (const int error = writeAll(device.fd, bytes); error != 0) refuse(path, "write", error);
+}
+
 }  // namespace
 
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   if (holds(path, bytes)) return;
+  if (isDevice(path)) return writeDevice(path, bytes);
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));

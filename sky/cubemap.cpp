@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "sky/error.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -59,7 +61,8 @@ Number3 directionOfTexel(Layout layout, int size, int column, int row) {
   return normalised(face == 2 || face == 3 ? vulkanDirection(face, s, -t) : vulkanDirection(face, -s, t));
 }
 
-DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size) {
+DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
+                     const Progress& progress) {
   DomeImage image{extentOf(layout, size), {}, 0};
   const auto width = static_cast<std::size_t>(image.extent.width);
   image.rgb_half.resize(width * static_cast<std::size_t>(image.extent.height) * 3);
@@ -75,6 +78,7 @@ DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout la
       }
     }
     saturated += past;
+    if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
   });
   image.saturated = saturated;
   return image;

@@ -33,7 +33,9 @@ struct DomeImage {
   std::size_t saturated = 0;  ///< components past half's largest value, 65504, stored as that
 };
 
-/// Renders the dome in parallel over rows; the same bytes for any number of threads.
-DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size);
+/// Renders the dome in parallel over rows; the same bytes for any number of threads. `progress` is asked after every
+/// row, as in bakeDayTable.
+DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
+                     const Progress& progress = {});
 
 }  // namespace welkin::sky

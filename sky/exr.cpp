@@ -8,7 +8,10 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
+#include <algorithm>
 #include <cstring>
+
+#include "sky/error.h"
 
 namespace welkin::sky {
 namespace {
@@ -34,7 +37,8 @@ class MemoryStream : public Imf::OStream {
 
 }  // namespace
 
-std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit) {
+std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
+                                 const Progress& progress) {
   Imf::Header header(image.extent.width, image.extent.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709, D65
@@ -53,7 +57,11 @@ std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double l
   {
     Imf::OutputFile file(stream, header, 0);
     file.setFrameBuffer(frame);
-    file.writePixels(image.extent.height);
+    constexpr int kLines = 256;  // a multiple of the 16 lines that are compressed together
+    for (int line = 0; line < image.extent.height; line += kLines) {
+      file.writePixels(std::min(kLines, image.extent.height - line));
+      if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+    }
   }
   return std::move(stream.bytes);
 }

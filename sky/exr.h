@@ -10,7 +10,9 @@
 namespace welkin::sky {
 
 /// The bytes of a scanline EXR, ZIP-compressed. `layout` is exr_cube or exr_latlong and becomes the `envmap` attribute;
-/// `luminance_unit` (cd/m2 of radiance 1) becomes `whiteLuminance`.
-std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit);
+/// `luminance_unit` (cd/m2 of radiance 1) becomes `whiteLuminance`. `progress` is asked now and then, as in
+/// bakeDayTable.
+std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
+                                 const Progress& progress = {});
 
 }  // namespace welkin::sky

@@ -59,6 +59,14 @@ std::vector<double> HemisphereQuadrature::panels(const SkyInstant& instant, std:
   return edge;
 }
 
+bool HemisphereQuadrature::fades(const SkyInstant& instant) {
+  const auto dark = [](const GradientColumn& column) {
+    return std::any_of(column.row.begin(), column.row.end(),
+                       [](const Number3& c) { return det::luminanceOf(c) < kGradientDelta; });
+  };
+  return dark(instant.sunColumn()) || dark(instant.antiColumn());
+}
+
 void HemisphereQuadrature::addFadeCrossings(const SkyInstant& instant, std::vector<double>& edge) {
   // Luminance of the blended colour at the sun's azimuth and at the opposite, above what makes colours fade.
   const auto excess = [&](double elevation, double cos_alpha) {
@@ -66,11 +74,7 @@ void HemisphereQuadrature::addFadeCrossings(const SkyInstant& instant, std::vect
     const double w = 0.5 + 0.5 * at.blend * cos_alpha;
     return det::luminanceOf(mix(at.anti_colour, at.sun_colour, w)) - kGradientDelta;
   };
-  const auto fades = [](const GradientColumn& column) {
-    return std::any_of(column.row.begin(), column.row.end(),
-                       [](const Number3& c) { return det::luminanceOf(c) < kGradientDelta; });
-  };
-  if (!fades(instant.sunColumn()) && !fades(instant.antiColumn())) return;
+  if (!fades(instant)) return;
   const std::vector<double> before = edge;
   for (std::size_t i = 1; i < before.size(); ++i)
     for (const double side : {-1.0, 1.0}) {

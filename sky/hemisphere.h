@@ -55,6 +55,9 @@ class HemisphereQuadrature {
                          [&](double beta, double weight) { visit(det::kPi - beta, weight); });
   }
 
+  /// Whether a gradient is dark enough here for its colours to fade, which takes twice the nodes: within the texel
+  /// beside a black one the hue changes as 1 / luminance.
+  static bool fades(const SkyInstant& instant);
   /// Azimuth at which the blended colour crosses the luminance under which colours fade; none gives an empty span.
   static std::span<const double> fadeCrossing(const Latitude& at, double (&storage)[1]);
 

@@ -15,6 +15,7 @@ namespace welkin::sky {
 namespace {
 
 constexpr int kLargestSide = 16384;
+constexpr int kMostTexels = 1 << 24;
 
 /// Exponent of the decoding: 0 for sRGB's own curve, 1 for linear.
 double decodingGamma(const OIIO::ImageSpec& spec) {
@@ -47,6 +48,8 @@ Image readImage(const std::filesystem::path& path) {
   if (spec.nchannels < 1 || spec.nchannels > 16)
     throw invalid(fmt::format("{} channels; 1 to 16 are allowed", spec.nchannels));
   const auto texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  if (texels > kMostTexels)
+    throw invalid(fmt::format("{} x {} texels; at most {} in all are allowed", spec.width, spec.height, kMostTexels));
   const auto channels = static_cast<std::size_t>(spec.nchannels);
   const double gamma = decodingGamma(spec);
   std::vector<float> raw(texels * channels);

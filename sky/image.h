@@ -17,7 +17,8 @@ struct Image {
 
 /// Reads the first subimage. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names a
 /// gamma; floating-point images are linear. One channel is grey; alpha is ignored.
-/// Errors: Error(content) for a damaged or foreign file, more than 16384 texels a side, a negative or non-finite value,
+/// Errors: Error(content) for a damaged or foreign file, more than 16384 texels a side or 2^24 in all, a
+/// negative or non-finite value,
 /// naming file, column, row (from the top) and value.
 Image readImage(const std::filesystem::path& path);
 

@@ -29,19 +29,24 @@ struct Turn {
 }  // namespace
 
 SkyProjector::SkyProjector(int bands, int refinement)
-    : bands_(bands), quadrature_(refinement), to_world_(bands, kPolarAxes) {}
+    : bands_(bands), quadrature_(refinement), fading_(2 * refinement), to_world_(bands, kPolarAxes) {}
+
+const HemisphereQuadrature& SkyProjector::quadratureFor(const SkyInstant& instant) const {
+  return HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
+}
 
 SkyMoments SkyProjector::project(const SkyInstant& instant) const {
   const auto count = static_cast<std::size_t>(sh::coefficientCount(bands_));
+  const HemisphereQuadrature& quadrature = quadratureFor(instant);
   SkyMoments moments;
   std::vector<Number3> in_sun_frame(count);  // orders m >= 0 only: the sky is symmetric about the sun's plane
   std::vector<double> factor(count);
   std::vector<Number3> order(static_cast<std::size_t>(bands_));
 
-  quadrature_.forEachLatitude(instant, {}, [&](const Latitude& at) {
+  quadrature.forEachLatitude(instant, {}, [&](const Latitude& at) {
     std::fill(order.begin(), order.end(), Number3(0.0));
     double storage[1];
-    quadrature_.forEachAzimuth(at, HemisphereQuadrature::fadeCrossing(at, storage), [&](double alpha, double weight) {
+    quadrature.forEachAzimuth(at, HemisphereQuadrature::fadeCrossing(at, storage), [&](double alpha, double weight) {
       const double cosine = det::cos(alpha);
       const Number3 shape = shapeOn(instant, at, cosine) * weight;
       double before = cosine;  // Chebyshev's recurrence: cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a
@@ -98,8 +103,9 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
   std::vector<double> extra = {tangent};
   for (double r = 0.3; r > 1e-3; r /= 3.0) extra.insert(extra.end(), {tangent - r, tangent + r});
 
+  const HemisphereQuadrature& quadrature = quadratureFor(instant);
   Number3 sum(0.0);
-  quadrature_.forEachLatitude(instant, extra, [&](const Latitude& at) {
+  quadrature.forEachLatitude(instant, extra, [&](const Latitude& at) {
     const double across = horizontal * at.cosine;
     const double along = normal.y * at.sine;
     for (const double side : {1.0, -1.0}) {
@@ -114,7 +120,7 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
           if (alpha > 0.0) bend[bends++] = alpha;
         }
       }
-      quadrature_.forEachAzimuth(at, {bend, bends}, [&](double alpha, double weight) {
+      quadrature.forEachAzimuth(at, {bend, bends}, [&](double alpha, double weight) {
         const double cosine = det::cos(alpha);
         const double lit = along + across * (cosine * cos_facing + side * det::sin(alpha) * sin_facing);
         if (lit > 0.0) sum += shapeOn(instant, at, cosine) * (weight * at.weight * lit);

@@ -39,7 +39,10 @@ class SkyProjector {
 
  private:
   int bands_;
+  const HemisphereQuadrature& quadratureFor(const SkyInstant& instant) const;
+
   HemisphereQuadrature quadrature_;
+  HemisphereQuadrature fading_;  ///< where gradients are black
   sh::Rotation to_world_;
 };
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "sky/atomic_file.h"
@@ -123,8 +125,9 @@ Light readSun(TomlTable table) {
     const int day = table.integer("day_of_year", 1, 366, std::nullopt);
     sun.path = sunPathFromPlace(latitude, longitude, offset, year, day);
     sun.path.north_offset_rad = north;
-  } else if (const toml::node* n = table.node("latitude_deg"); n != nullptr) {
-    table.refuse("latitude_deg", n, "cannot stand beside path: a sun has a place and a day, or a path");
+  } else {
+    table.exclude({"latitude_deg", "longitude_deg", "utc_offset_h", "year", "day_of_year"},
+                  "cannot stand beside path: a sun has a place and a day, or a path");
   }
   readLightLook(table, sun);
   table.finish();
@@ -147,8 +150,8 @@ Light readMoon(TomlTable table, const LightPath& sun) {
     // New (0) it crosses the meridian with the sun, full (1/2) twelve hours later.
     moon.path.transit_h =
         (sun_has_place ? sun.transit_h : 12.0) + 24.0 * table.number("phase", kFraction, std::nullopt);
-  } else if (const toml::node* n = table.node("declination_deg"); n != nullptr) {
-    table.refuse("declination_deg", n, "cannot stand beside path");
+  } else {
+    table.exclude({"latitude_deg", "declination_deg", "phase"}, "cannot stand beside path");
   }
   readLightLook(table, moon);
   table.finish();
@@ -162,6 +165,11 @@ BakeSettings readBake(TomlTable table) {
   bake.cubemap_size = table.integer("cubemap_size", 0, 4096, 128);
   if (bake.cubemap_size == 1) table.refuse("cubemap_size", table.node("cubemap_size"), "must be 0 (none) or 2 to 4096");
   bake.cubemap_time_h = table.hours("cubemap_times", 1440, 8, nullptr);
+  for (std::size_t i = 1; i < bake.cubemap_time_h.size(); ++i)
+    if (millisecondOf(bake.cubemap_time_h[i]) == millisecondOf(bake.cubemap_time_h[i - 1]))
+      table.refuse("cubemap_times", table.node("cubemap_times"),
+                   fmt::format("the times {} and {} must be a millisecond apart: they name files",
+                               bake.cubemap_time_h[i - 1], bake.cubemap_time_h[i]));
   if (bake.cubemap_size == 0) bake.cubemap_time_h.clear();
   const double bytes = 48.0 * bake.cubemap_size * bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
                        12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
@@ -174,22 +182,18 @@ BakeSettings readBake(TomlTable table) {
   return bake;
 }
 
-toml::table parse(const std::string& file, std::span<const std::byte> bytes) {
-  try {
-    return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file);
-  } catch (const toml::parse_error& e) {
-    throw Error(ExitStatus::content, fmt::format("{}:{}: not TOML: {}", file, e.source().begin.line, e.description()));
-  }
-}
-
 }  // namespace
+
+long millisecondOf(double time_h) {
+  return std::min(std::lround(time_h * 3600000.0), 86399999L);
+}
 
 SkyFile readSkyFile(const std::filesystem::path& path) {
   const std::string file = path.string();
   Reading reading{path.parent_path(), {}};
   const auto bytes = readFile(path, kLargestSkyFile);
   reading.record(path.filename().string(), path, bytes);
-  const toml::table root = parse(file, bytes);
+  const toml::table root = parseToml(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 
   SkyFile result;
   TomlTable top(file, &root, "");

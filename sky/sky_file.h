@@ -37,6 +37,9 @@ struct SkyFile {
 /// Keys of a table with keys = "auto": one every five minutes.
 inline constexpr int kAutoKeys = 288;
 
+/// The whole millisecond of the day, 0 to 86399999, that names the cubemap of a time in [0, 24).
+long millisecondOf(double time_h);
+
 /// Reads and checks a sky file and the images it names (relative to it). Throws Error.
 SkyFile readSkyFile(const std::filesystem::path& path);
 

@@ -14,11 +14,48 @@
 namespace welkin::sky {
 namespace {
 
+std::string shortened(const std::string& text) {
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
 std::string written(const toml::node& node) {
   std::ostringstream text;
   text << toml::node_view<const toml::node>(node);
-  std::string s = text.str();
-  return s.size() > 60 ? s.substr(0, 57) + "..." : s;
+  return shortened(text.str());
+}
+
+/// The end of the string whose first quote is at `i`: its last quote, or what cuts it.
+std::size_t endOfString(std::string_view text, std::size_t i) {
+  const char quote = text[i];
+  const bool lines = text.substr(i, 3) == std::string(3, quote);
+  for (i += lines ? 3 : 1; i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"')
+      ++i;
+    else if (!lines && (text[i] == quote || text[i] == '\n'))
+      return i;
+    else if (lines && text.substr(i, 3) == std::string(3, quote))
+      return i + 2;
+  }
+  return text.size();
+}
+
+/// Where a key has more than kMostParts parts, if one has: toml++ recurses over the parts of a key and bounds only the
+/// nesting of values.
+std::optional<std::size_t> findDeepKey(std::string_view text) {
+  constexpr int kMostParts = 16;
+  int parts = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'')
+      i = endOfString(text, i);
+    else if (c == '#')
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    else if (c == '.' && ++parts > kMostParts)
+      return i;
+    else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos)
+      parts = 1;
+  }
+  return std::nullopt;
 }
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
@@ -33,7 +70,6 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }
 
 std::string phrase(Range range) {
-  if (range.low == -HUGE_VAL) return fmt::format("at most {}", range.high);
   return fmt::format("{} to {}", range.low, range.high);
 }
 
@@ -43,6 +79,18 @@ std::vector<double> evenHours(int count) {
   std::vector<double> hours;
   for (int i = 0; i < count; ++i) hours.push_back(24.0 * i / count);
   return hours;
+}
+
+toml::table parseToml(const std::string& file, std::string_view text) {
+  if (const auto place = findDeepKey(text)) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*place), '\n');
+    throw Error(ExitStatus::content, fmt::format("{}:{}: a key has more than 16 parts", file, line));
+  }
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& e) {
+    throw Error(ExitStatus::content, fmt::format("{}:{}: not TOML: {}", file, e.source().begin.line, e.description()));
+  }
 }
 
 TomlTable::TomlTable(std::string file, const toml::table* table, std::string path)
@@ -116,6 +164,15 @@ Number3 TomlTable::colour(const std::string& key, Range range, const Number3& ot
   return n != nullptr ? colourOf(key, *n, range) : otherwise;
 }
 
+/// The first number of a key, after `before`.
+double TomlTable::keyTime(const std::string& key, const toml::array& entry, double before) const {
+  const auto time = entry.get(0)->value<double>();
+  if (!time || !entry.get(0)->is_number() || !(*time >= 0.0 && *time < 24.0))
+    refuse(key, &entry, "key times must be numbers in [0, 24)");
+  if (!(*time > before)) refuse(key, &entry, "key times must ascend");
+  return *time;
+}
+
 Curve TomlTable::keyed(const std::string& key, const toml::array& keys, int components, Range range) const {
   Curve curve{components, {}, {}};
   if (keys.empty()) refuse(key, &keys, "must have at least one key");
@@ -124,10 +181,7 @@ Curve TomlTable::keyed(const std::string& key, const toml::array& keys, int comp
     if (pair == nullptr || pair->size() != 2)
       refuse(key, &entry,
              components == 1 ? "every key must be [time_h, value]" : "every key must be [time_h, [r, g, b]]");
-    const double time = numberOf(key, *pair->get(0), {-HUGE_VAL, HUGE_VAL});
-    if (!(time >= 0.0 && time < 24.0)) refuse(key, &entry, "key times must be in [0, 24)");
-    if (!curve.time_h.empty() && !(time > curve.time_h.back())) refuse(key, &entry, "key times must ascend");
-    curve.time_h.push_back(time);
+    curve.time_h.push_back(keyTime(key, *pair, curve.time_h.empty() ? -1.0 : curve.time_h.back()));
     if (components == 1) {
       curve.value.push_back(numberOf(key, *pair->get(1), range));
     } else {
@@ -162,9 +216,7 @@ std::vector<std::vector<double>> TomlTable::rows(const std::string& key, const s
     const toml::array* row = entry.as_array();
     if (row == nullptr || row->size() != ranges.size() + 1)
       refuse(key, &entry, fmt::format("every key must be {} numbers, the time in hours first", ranges.size() + 1));
-    std::vector<double> numbers = {numberOf(key, *row->get(0), {-HUGE_VAL, HUGE_VAL})};
-    if (!(numbers[0] >= 0.0 && numbers[0] < 24.0)) refuse(key, &entry, "key times must be in [0, 24)");
-    if (!rows.empty() && !(numbers[0] > rows.back()[0])) refuse(key, &entry, "key times must ascend");
+    std::vector<double> numbers = {keyTime(key, *row, rows.empty() ? -1.0 : rows.back()[0])};
     for (std::size_t i = 0; i < ranges.size(); ++i) numbers.push_back(numberOf(key, *row->get(i + 1), ranges[i]));
     rows.push_back(std::move(numbers));
   }
@@ -194,6 +246,11 @@ std::vector<double> TomlTable::hours(const std::string& key, int most, int other
   return hours;
 }
 
+void TomlTable::exclude(const std::vector<std::string>& keys, const std::string& must) {
+  for (const std::string& key : keys)
+    if (const toml::node* n = node(key); n != nullptr) refuse(key, n, must);
+}
+
 void TomlTable::finish() const {
   if (table_ == nullptr) return;
   for (const auto& [key, value] : *table_) {
@@ -202,7 +259,7 @@ void TomlTable::finish() const {
     const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
       return editDistance(name, a) < editDistance(name, b);
     });
-    refuse(name, &value,
+    refuse(shortened(name), &value,
            nearest != known_.end() ? fmt::format("unknown key; the nearest known one is \"{}\"", *nearest)
                                    : "unknown key");
   }

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sky/curve.h"
@@ -17,6 +18,9 @@ struct Range {
   double low;
   double high;
 };
+
+/// Parses a file's text. Throws Error(content) for what is not TOML, and for a key of more than 16 parts.
+toml::table parseToml(const std::string& file, std::string_view text);
 
 /// A table of a file, or an absent one, which has no keys. Getters throw Error(content); a key that no getter asked for
 /// is unknown, which finish reports with the nearest name.
@@ -43,6 +47,8 @@ class TomlTable {
   /// A list of hours in [0, 24), strictly ascending; or a number N in 1..most: hours 24 i / N; `otherwise` when absent.
   std::vector<double> hours(const std::string& key, int most, int otherwise, const char* also_word);
 
+  /// Throws for any of the keys that is there.
+  void exclude(const std::vector<std::string>& keys, const std::string& must);
   /// Throws for a key that was never asked for.
   void finish() const;
   [[noreturn]] void refuse(const std::string& key, const toml::node* at, const std::string& must) const;
@@ -50,6 +56,7 @@ class TomlTable {
  private:
   double numberOf(const std::string& key, const toml::node& node, Range range) const;
   Number3 colourOf(const std::string& key, const toml::node& node, Range range) const;
+  double keyTime(const std::string& key, const toml::array& entry, double before) const;
   Curve keyed(const std::string& key, const toml::array& keys, int components, Range range) const;
 
   std::string file_;

@@ -18,7 +18,7 @@ constexpr double kDegree = f64::kPi / 180.0;
 
 /// The number that all of `text` is, if it is one; NaN and infinities are not.
 std::optional<double> parseNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;

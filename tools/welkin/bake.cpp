@@ -31,6 +31,11 @@ std::string escaped(const std::filesystem::path& path) {
   return out;
 }
 
+/// A file name that is not UTF-8 is shown with replacement characters.
+std::string textOf(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 void bake(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   catchInterrupts();
@@ -42,16 +47,15 @@ void bake(const Options& options) {
   nlohmann::ordered_json timing;
   const auto report = bakeSky(file, folder, ProgressReport::styleOf(options.progress), timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report),
-            report.dump(2) + "\n");
-  writeFile(folder / "timing.json", timing.dump(2) + "\n");
+  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report), textOf(report));
+  writeFile(folder / "timing.json", textOf(timing));
   if (!options.depfile.empty()) {
     std::string rule = escaped(folder / "sky.welkin") + ":";
     for (const auto& input : file.inputs) rule += " " + escaped(input.path);
     writeFile(options.depfile, rule + "\n");
   }
   for (const auto& warning : report["warnings"])
-    fmt::print(stderr, "welkin: warning: {}\n", warning["message"].get<std::string>());
+    std::fputs(fmt::format("welkin: warning: {}\n", warning["message"].get<std::string>()).c_str(), stderr);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <regex>
 
 #include "sky/atomic_file.h"
@@ -61,21 +60,14 @@ void removeStaleCubemaps(const std::filesystem::path& folder, const std::vector<
 
 std::vector<std::string> cubemapNames(const sky::BakeSettings& bake) {
   std::vector<std::string> names;
-  for (const double time : bake.cubemap_time_h) {
-    names.push_back(cubemapName(time));
-    if (std::count(names.begin(), names.end(), names.back()) > 1)
-      throw Error(ExitStatus::content,
-                  fmt::format("bake.cubemap_times: two times share the file name {}; they must be a "
-                              "millisecond apart",
-                              names.back()));
-  }
+  for (const double time : bake.cubemap_time_h) names.push_back(cubemapName(time));
   return names;
 }
 
 }  // namespace
 
 std::string cubemapName(double time_h) {
-  const long ms = std::min(std::lround(time_h * 3600000.0), 86399999L);
+  const long ms = sky::millisecondOf(time_h);
   return fmt::format("sky_{:02}{:02}{:02}{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
 }
 
@@ -98,18 +90,20 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
     makeFolder(folder / "cubemaps");
     ProgressReport progress(style, "cubemaps", names.size());
     const sky::SkyProjector projector(1);
+    const sky::Progress keep_going = [] { return !interrupted(); };
     for (std::size_t i = 0; i < names.size(); ++i) {
       const sky::SkyInstant instant(file.sky, file.bake.cubemap_time_h[i]);
       const auto ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
       const auto render = [&](sky::Layout layout) {
-        auto image = sky::renderDome(instant, ground, layout, file.bake.cubemap_size);
+        auto image = sky::renderDome(instant, ground, layout, file.bake.cubemap_size, keep_going);
         saturated += image.saturated;
         return image;
       };
       cubemaps.push_back(render(sky::Layout::vulkan_cube));
       for (const auto& [layout, suffix] :
            {std::pair(sky::Layout::exr_cube, ".exr"), {sky::Layout::exr_latlong, "_latlong.exr"}})
-        outputs.write("cubemaps/" + names[i] + suffix, sky::encodeExr(render(layout), layout, file.sky.luminance_unit));
+        outputs.write("cubemaps/" + names[i] + suffix,
+                      sky::encodeExr(render(layout), layout, file.sky.luminance_unit, keep_going));
       if (!progress.step()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
     }
   }

@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "sky/error.h"
 #include "welkin/arguments.h"
@@ -19,7 +22,7 @@ int status(welkin::ExitStatus s) {
 }
 
 int fail(welkin::ExitStatus s, const std::string& message) {
-  fmt::print(stderr, "welkin: {}\n", message);
+  std::fputs(fmt::format("welkin: {}\n", message).c_str(), stderr);  // fmt::print throws when stderr is full
   return status(s);
 }
 
@@ -35,24 +38,31 @@ int run(int argc, char** argv) {
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // --help and --version
-    return fail(welkin::ExitStatus::usage,
-                fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
+    if (e.get_exit_code() != 0)
+      return fail(welkin::ExitStatus::usage,
+                  fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
+    app.exit(e);  // --help and --version
   }
   // A full disk behind stdout is found when it is flushed.
-  if (std::fflush(stdout) != 0) return fail(welkin::ExitStatus::file, "stdout: cannot write the results");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail(welkin::ExitStatus::file, "stdout: cannot write the results");
   return status(welkin::ExitStatus::done);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is an error of write(), not the end of the process
   try {
     return run(argc, argv);
   } catch (const welkin::Error& e) {
     return fail(e.status(), e.what());
   } catch (const std::bad_alloc&) {
     return fail(welkin::ExitStatus::file, "out of memory");
+  } catch (const std::filesystem::filesystem_error& e) {
+    return fail(welkin::ExitStatus::file, e.what());
+  } catch (const std::system_error& e) {  // what fmt::print throws
+    return fail(welkin::ExitStatus::file, fmt::format("{}{}", std::ferror(stdout) != 0 ? "stdout: " : "", e.what()));
   } catch (const std::exception& e) {
     return fail(welkin::ExitStatus::internal, fmt::format("internal error: {}", e.what()));
   }

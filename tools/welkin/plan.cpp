@@ -34,7 +34,7 @@ void plan(const std::string& path, bool as_json) {
       {"moon", file.sky.moon.has_value()},
       {"bytes", table_bytes + gradient_bytes + cubemap_bytes}};
   if (as_json) {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
   fmt::print("table      {} keys x {} bands ({} coefficients, RGB): {} bytes\n", bake.key_time_h.size(), bake.bands,

@@ -20,6 +20,12 @@ extern "C" void onInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+/// fmt::print throws when stderr is full; progress must not end a bake.
+void show(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 double seconds(Clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
@@ -68,22 +74,21 @@ void ProgressReport::print(std::size_t done, bool last) {
   switch (style_) {
     case Style::bar: {
       const std::size_t filled = total_ > 0 ? done * 30 / total_ : 30;
-      fmt::print(stderr, "\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left   {}", what_, "", filled, "", 30 - filled, done,
-                 total_, left, last ? "\n" : "");
+      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left   {}", what_, "", filled, "", 30 - filled, done,
+                       total_, left, last ? "\n" : ""));
       break;
     }
     case Style::plain:
-      fmt::print(stderr, "{}: {}/{}, {:.1f} s\n", what_, done, total_, elapsed);
+      show(fmt::format("{}: {}/{}, {:.1f} s\n", what_, done, total_, elapsed));
       break;
     case Style::json:
-      fmt::print(stderr,
-                 "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}}}\n",
-                 what_, done, total_, elapsed, left);
+      show(fmt::format(
+          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}}}\n", what_,
+          done, total_, elapsed, left));
       break;
     case Style::none:
       break;
   }
-  std::fflush(stderr);
 }
 
 }  // namespace welkin::tools

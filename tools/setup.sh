@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Installs the Debian packages that building, baking, drawing and testing need, when some are missing.
+set -eu
+
+# what builds: compiler, build system, shader compiler, schema compiler
+build="g++ cmake ninja-build pkg-config glslang-tools flatbuffers-compiler"
+# what the libraries and the tool link
+link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libtomlplusplus-dev libxxhash-dev
+libflatbuffers-dev libcli11-dev nlohmann-json3-dev libvulkan-dev libvulkan-volk-dev"
+# what pictures need: a Vulkan device for machines without one, and a font for their labels
+draw="mesa-vulkan-drivers fonts-dejavu-core"
+# what only the tests need
+test="catch2 vulkan-validationlayers openexr"
+
+missing=""
+for package in $build $link $draw $test; do
+  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+echo "setup: installing$missing"
+root=""
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup: run this as root, or install:$missing" >&2; exit 1; }
+  root="sudo"
+fi
+export DEBIAN_FRONTEND=noninteractive
+$root apt-get update -qq
+# shellcheck disable=SC2086  # a list of packages
+$root apt-get install -y -qq --no-install-recommends $missing >/dev/null
