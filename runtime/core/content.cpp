@@ -33,12 +33,20 @@ bool within(double value, double low, double high) {
   return value >= low && value <= high;
 }
 
-constexpr double kAny = 1e30;  // finite, and its square stays finite
+constexpr double kAny = 1e30;             // finite, and its square stays finite
+constexpr double kDarkestColour = 1e-12;  // the illuminance is divided by its luminance
 constexpr double kPi = 3.14159265358979323846;
+
+/// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
+bool aligned(const flatbuffers::Vector<double>* vector) {
+  return vector == nullptr || vector->size() == 0 ||
+         reinterpret_cast<std::uintptr_t>(vector->Data()) % alignof(double) == 0;
+}
 
 void checkCurve(Check& check, const format::Curve* curve, std::size_t components, double high, const char* name) {
   if (!check.that(curve != nullptr && curve->time_h() != nullptr && curve->value() != nullptr, name, "is missing"))
     return;
+  if (!check.that(aligned(curve->time_h()) && aligned(curve->value()), name, "has misaligned numbers")) return;
   const auto times = spanOf(curve->time_h());
   const auto values = spanOf(curve->value());
   check.that(format::areKeyTimes(times), name, "must have ascending key times in [0, 24)");
@@ -50,6 +58,9 @@ void checkCurve(Check& check, const format::Curve* curve, std::size_t components
 void checkLight(Check& check, const format::Light& light, const char* name) {
   const auto* path = light.path();
   if (!check.that(path != nullptr, name, "has no path")) return;
+  if (!check.that(aligned(path->key_time_h()) && aligned(path->key_azimuth_rad()) && aligned(path->key_elevation_rad()),
+                  name, "has misaligned path keys"))
+    return;
   const auto times = spanOf(path->key_time_h());
   if (!times.empty()) {
     const auto azimuth = spanOf(path->key_azimuth_rad());
@@ -66,6 +77,11 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
   check.that(within(light.disc_radius_rad(), 0.0, kPi / 2), name, "has a disc radius out of [0, pi/2]");
   checkCurve(check, light.illuminance(), 1, kAny, name);
   checkCurve(check, light.colour(), 3, kAny, name);
+  if (check.result != WELKIN_OK) return;
+  const auto colour = spanOf(light.colour()->value());
+  for (std::size_t i = 0; i < colour.size(); i += 3)
+    check.that(f64::luminanceOf({colour[i], colour[i + 1], colour[i + 2]}) > kDarkestColour, name,
+               "has a black colour");
 }
 
 void checkGradient(Check& check, const format::Gradient* gradient, const char* name) {
@@ -80,6 +96,7 @@ void checkGradient(Check& check, const format::Gradient* gradient, const char* n
 void checkTable(Check& check, const format::Sky& sky) {
   const std::size_t bands = sky.bands();
   check.that(bands >= 2 && bands <= WELKIN_MAX_BANDS, "bands", "must be 2 to 5");
+  if (!check.that(aligned(sky.key_time_h()), "the SH table", "has misaligned key times")) return;
   const auto times = spanOf(sky.key_time_h());
   const auto shape = spanOf(sky.shape_sh());
   const auto irradiance = spanOf(sky.shape_irradiance());

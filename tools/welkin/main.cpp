@@ -26,6 +26,17 @@ int fail(welkin::ExitStatus s, const std::string& message) {
   return status(s);
 }
 
+/// What CLI11 does not say: that the first word is no command.
+void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw welkin::Error(welkin::ExitStatus::usage, fmt::format("\"{}\" is not a command; those are {}", argv[1], names));
+}
+
 int run(int argc, char** argv) {
   using namespace welkin::tools;
   CLI::App app("Precomputed sky and ambient lighting for games.", "welkin");
@@ -33,6 +44,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
   for (auto* add : {addInit, addBake, addPlan, addInspect, addValidate, addEval, addSample, addRender}) add(app);
+  refuseUnknownCommand(app, argc, argv);
   std::vector<std::string> arguments = joinSignedValues(argc, argv);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a vector
   try {

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Welkin on Vulkan 1.3: the sky dome, and the descriptor set that lights a scene with the sky's ambient light. C ABI.
+ *
+ * The caller owns the instance, the device and every command buffer. The library creates images, buffers and pipelines
+ * once, records into the caller's command buffers, and never submits, waits or locks. After creation it allocates
+ * nothing, on the host or on the device. It links no Vulkan loader.
+ *
+ * Needs of the device: Vulkan 1.3 with dynamicRendering and synchronization2 enabled; no extension, no other feature.
+ *
+ * At load time                                   Every frame, once the GPU is done with this frame index
+ *   1. welkin_vulkan_create                        1. welkin_sky_sample
+ *   2. welkin_vulkan_record_upload, submit         2. welkin_vulkan_update
+ *   3. when that submission has finished:          3. bind welkin_vulkan_descriptor_set in the caller's own passes
+ *      welkin_vulkan_free_staging                  4. welkin_vulkan_draw_dome inside dynamic rendering
+ *
+ * Shaders: welkin/sky_bindings.h, ambient.glsl, dome.glsl and discs.glsl, of the folder shaders/welkin.
+ *
+ * Threads: there is no global state; distinct objects may be used at once. Calls on one object must not overlap, except
+ * that the functions taking a const WelkinVulkanSky and welkin_vulkan_draw_dome may run on any number of threads at
+ * once, with different command buffers.
+ */
+#ifndef WELKIN_WELKIN_VULKAN_H
+#define WELKIN_WELKIN_VULKAN_H
+
+#include <vulkan/vulkan_core.h>
+#include <welkin/welkin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT 16
+
+typedef struct WelkinVulkanSky WelkinVulkanSky;
+
+/* Zero-initialise, then set what is needed. */
+typedef struct WelkinVulkanCreateInfo {
+  uint32_t struct_size; /* sizeof(WelkinVulkanCreateInfo) */
+  uint32_t api_version; /* apiVersion of the caller's VkApplicationInfo, at least VK_API_VERSION_1_3 */
+  PFN_vkGetInstanceProcAddr get_instance_proc_addr;
+  VkInstance instance;
+  VkPhysicalDevice physical_device;
+  VkDevice device;
+  const VkAllocationCallbacks* allocator; /* for Vulkan's host memory; may be null; must outlive the object */
+  VkPipelineCache pipeline_cache;         /* may be null */
+  uint32_t frames_in_flight;              /* 1..WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT */
+  VkFormat colour_format;                 /* of the dome's colour attachment: radiance, alpha 1 */
+  VkFormat depth_format;                  /* VK_FORMAT_UNDEFINED: the dome's pass has no depth attachment */
+  VkFormat stencil_format;                /* of that pass; VK_FORMAT_UNDEFINED: none */
+  VkCompareOp depth_compare;              /* of the dome's depth test, which never writes; unused without depth */
+  VkSampleCountFlagBits samples;          /* 0 counts as 1 */
+} WelkinVulkanCreateInfo;
+
+/* Which radiance the dome shows. */
+typedef enum WelkinVulkanSource {
+  WELKIN_VULKAN_ANALYTIC = 0, /* formulas and gradients: exact at every hour */
+  WELKIN_VULKAN_CUBEMAP = 1   /* baked cubemaps, blended: two texture reads a pixel */
+} WelkinVulkanSource;
+
+typedef enum WelkinVulkanProjection {
+  WELKIN_VULKAN_PERSPECTIVE = 0,
+  WELKIN_VULKAN_FISHEYE = 1 /* the upper hemisphere, looking up: zenith in the centre, horizon on the rim, north up,
+                               east to the left; the angle from the zenith grows linearly; 0 outside the circle */
+} WelkinVulkanProjection;
+
+typedef struct WelkinVulkanView {
+  WelkinVulkanSource source;
+  WelkinVulkanProjection projection;
+  float inverse_view_projection[16]; /* perspective: column-major inverse of projection x view rotation, without the
+                                        camera's translation, for Vulkan's y-down device coordinates; any depth
+                                        convention */
+  float aspect;                      /* fisheye: width / height of the viewport, > 0 */
+  float depth;                       /* of the dome, in [0, 1]: 1, or 0 with a reversed depth */
+  uint32_t discs;                    /* 1: with the discs of the sun and the moon */
+} WelkinVulkanView;
+
+/* Bytes of device memory that the object holds now. */
+typedef struct WelkinVulkanMemory {
+  VkDeviceSize images;   /* gradients and cubemaps */
+  VkDeviceSize uniforms; /* host-visible */
+  VkDeviceSize staging;  /* host-visible; 0 after welkin_vulkan_free_staging */
+} WelkinVulkanMemory;
+
+/* Creates everything for `sky`, which is only read during this call. On failure *out is null and `message`, if given,
+ * says why. */
+WELKIN_API WelkinResult welkin_vulkan_create(const WelkinVulkanCreateInfo* info, const WelkinSky* sky,
+                                             WelkinVulkanSky** out, WelkinMessage* message);
+
+/* Destroys it; no command buffer that uses it may still be running. Null is allowed. */
+WELKIN_API void welkin_vulkan_destroy(WelkinVulkanSky* object);
+
+/* Records the upload of the images, once, outside a render pass, on the queue family that will read them. Leaves them
+ * readable by every later shader on that queue. A second call is WELKIN_ERROR_ARGUMENT. */
+WELKIN_API WelkinResult welkin_vulkan_record_upload(WelkinVulkanSky* object, VkCommandBuffer commands);
+
+/* Frees the memory behind the upload, once its submission has finished. */
+WELKIN_API void welkin_vulkan_free_staging(WelkinVulkanSky* object);
+
+/* Writes the constants of frame index `frame` < frames_in_flight and points its descriptor set at the sample's
+ * cubemaps. No command buffer that uses this frame index may be running, or be recorded and not yet submitted. */
+WELKIN_API WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* sample);
+
+/* Records one triangle that covers the viewport, inside dynamic rendering with the formats of the create info. The
+ * caller has set viewport and scissor. Leaves its pipeline, its set 0 and push constants bound. */
+WELKIN_API WelkinResult welkin_vulkan_draw_dome(const WelkinVulkanSky* object, VkCommandBuffer commands, uint32_t frame,
+                                                const WelkinVulkanView* view);
+
+/* Layout of the set, for the caller's own pipelines; visible to vertex, fragment and compute shaders. */
+WELKIN_API VkDescriptorSetLayout welkin_vulkan_descriptor_set_layout(const WelkinVulkanSky* object);
+
+/* The set of frame index `frame`; VK_NULL_HANDLE when there is no such frame. Its contents follow welkin_vulkan_update.
+ */
+WELKIN_API VkDescriptorSet welkin_vulkan_descriptor_set(const WelkinVulkanSky* object, uint32_t frame);
+
+WELKIN_API WelkinResult welkin_vulkan_memory(const WelkinVulkanSky* object, WelkinVulkanMemory* memory);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packs the sample of a sky into the uniform block of the shaders.
+#include "vulkan/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared.h"
+
+namespace welkin::vulkan {
+namespace {
+
+WelkinFloat4 pack(const float v[3], float w) {
+  return {v[0], v[1], v[2], w};
+}
+
+/// Radiance E / (pi sin^2 r) and radius r of a light's disc; all 0 without one. r is in (0, pi/2].
+WelkinFloat4 discOf(const WelkinLight& light) {
+  const double sine = std::sin(double{light.disc_radius_rad});
+  if (!(sine > 0.0)) return {};
+  const double scale = 1.0 / (f64::kPi * sine * sine);
+  float radiance[3];
+  for (int i = 0; i < 3; ++i)
+    radiance[i] = static_cast<float>(std::min(double{light.normal_irradiance[i]} * scale, 1e38));
+  return pack(radiance, light.disc_radius_rad);
+}
+
+}  // namespace
+
+GradientColumn gradientColumnAt(double time_h, uint32_t width) {
+  const double column = f64::gradientColumn(time_h, double{static_cast<double>(width)});
+  const double left = std::floor(column);
+  const double wrapped = left < 0.0 ? left + static_cast<double>(width) : left;
+  return {static_cast<float>(wrapped), static_cast<float>(column - left)};
+}
+
+WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample) {
+  const auto& l = shape.luminance;
+  const auto* size = shape.gradient_size;
+  const GradientColumn sun = gradientColumnAt(sample.time_h, size[0]);
+  const GradientColumn anti = gradientColumnAt(sample.time_h, size[2]);
+  WelkinSkyConstants c{};
+  c.sun = pack(sample.sun.direction, static_cast<float>(sample.time_h));
+  c.luminance_abcd = {l.a, l.b, l.c, l.d};
+  c.luminance_ek = {l.e, l.k, sample.luminance_norm, sample.intensity};
+  c.tint = pack(sample.polarising_tint, shape.gradient_delta);
+  c.ground = pack(sample.ground_radiance, sample.cubemap_weight);
+  c.gradient_size = {static_cast<float>(size[0]), static_cast<float>(size[1]), static_cast<float>(size[2]),
+                     static_cast<float>(size[3])};
+  c.gradient_column = {sun.left, sun.weight, anti.left, anti.weight};
+  c.sun_disc = discOf(sample.sun);
+  c.moon = pack(sample.moon.direction, static_cast<float>(sample.coefficient_count));
+  c.moon_disc = discOf(sample.moon);
+  for (uint32_t i = 0; i < sample.coefficient_count; ++i) c.ambient_sh[i] = pack(sample.ambient_sh[i], 0.0F);
+  return c;
+}
+
+}  // namespace welkin::vulkan

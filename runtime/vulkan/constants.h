@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the sample of a sky to the uniform block of the shaders.
+#pragma once
+
+#include <welkin/welkin.h>
+
+#include "welkin/sky_constants.h"
+
+namespace welkin::vulkan {
+
+/// What of the constants belongs to the sky and not to the hour.
+struct SkyShape {
+  WelkinLuminance luminance{};
+  uint32_t gradient_size[4]{};  ///< columns and rows of the sun's gradient, then of the opposite one
+  float gradient_delta = 0.0F;
+};
+
+/// Column left of the hour in [0, 24), and the weight of the next one; columns wrap. In double: the hour as a float
+/// would move a gradient by 1e-6 h.
+struct GradientColumn {
+  float left;
+  float weight;
+};
+GradientColumn gradientColumnAt(double time_h, uint32_t width);
+
+/// The uniform block. `sample` has come from welkin_sky_sample.
+WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample);
+
+}  // namespace welkin::vulkan

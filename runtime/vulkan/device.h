@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The caller's device, the Vulkan functions used on it, and how a refusal is reported.
+#pragma once
+
+#include <welkin/welkin_vulkan.h>
+
+namespace welkin::vulkan {
+
+#define WELKIN_VULKAN_INSTANCE_FUNCTIONS(X) \
+  X(GetPhysicalDeviceMemoryProperties)      \
+  X(GetPhysicalDeviceProperties)            \
+  X(GetPhysicalDeviceFormatProperties)      \
+  X(GetDeviceProcAddr)
+
+#define WELKIN_VULKAN_DEVICE_FUNCTIONS(X) \
+  X(AllocateDescriptorSets)               \
+  X(AllocateMemory)                       \
+  X(BindBufferMemory)                     \
+  X(BindImageMemory)                      \
+  X(CmdBindDescriptorSets)                \
+  X(CmdBindPipeline)                      \
+  X(CmdCopyBufferToImage)                 \
+  X(CmdDraw)                              \
+  X(CmdPipelineBarrier2)                  \
+  X(CmdPushConstants)                     \
+  X(CreateBuffer)                         \
+  X(CreateDescriptorPool)                 \
+  X(CreateDescriptorSetLayout)            \
+  X(CreateGraphicsPipelines)              \
+  X(CreateImage)                          \
+  X(CreateImageView)                      \
+  X(CreatePipelineLayout)                 \
+  X(CreateSampler)                        \
+  X(CreateShaderModule)                   \
+  X(DestroyBuffer)                        \
+  X(DestroyDescriptorPool)                \
+  X(DestroyDescriptorSetLayout)           \
+  X(DestroyImage)                         \
+  X(DestroyImageView)                     \
+  X(DestroyPipeline)                      \
+  X(DestroyPipelineLayout)                \
+  X(DestroySampler)                       \
+  X(DestroyShaderModule)                  \
+  X(FreeMemory)                           \
+  X(GetBufferMemoryRequirements)          \
+  X(GetImageMemoryRequirements)           \
+  X(MapMemory)                            \
+  X(UpdateDescriptorSets)
+
+/// The functions, without their vk prefix.
+struct Functions {
+#define WELKIN_DECLARE(name) PFN_vk##name name = nullptr;
+  WELKIN_VULKAN_INSTANCE_FUNCTIONS(WELKIN_DECLARE)
+  WELKIN_VULKAN_DEVICE_FUNCTIONS(WELKIN_DECLARE)
+#undef WELKIN_DECLARE
+  PFN_vkSetDebugUtilsObjectNameEXT SetDebugUtilsObjectNameEXT = nullptr;  ///< null without VK_EXT_debug_utils
+};
+
+struct Device {
+  Functions fn;
+  VkPhysicalDevice physical = VK_NULL_HANDLE;
+  VkDevice handle = VK_NULL_HANDLE;
+  const VkAllocationCallbacks* allocator = nullptr;
+  VkPhysicalDeviceProperties properties{};
+  VkPhysicalDeviceMemoryProperties memory{};
+
+  /// Names an object for debuggers and validation messages.
+  template <typename Handle>
+  void name(VkObjectType type, Handle object, const char* text) const {
+    nameObject(type, reinterpret_cast<uint64_t>(object), text);
+  }
+
+ private:
+  void nameObject(VkObjectType type, uint64_t object, const char* text) const;
+};
+
+/// Writes a formatted message when there is somewhere to write it, and returns `code`.
+[[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
+
+/// WELKIN_OK for success; else "what: VkResult" and WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE.
+WelkinResult check(VkResult result, const char* what, WelkinMessage* message);
+
+/// Loads the functions and checks version, formats and limits.
+WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, WelkinMessage* message);
+
+}  // namespace welkin::vulkan

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graphics pipelines of the dome: one for each source of radiance.
+#pragma once
+
+#include "passes/dome_push.h"
+#include "vulkan/device.h"
+
+namespace welkin::vulkan {
+
+struct DomePipeline {
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkPipeline pipelines[2] = {};  ///< indexed by WelkinVulkanSource
+};
+
+WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateInfo& info, VkDescriptorSetLayout set,
+                                DomePipeline& dome, WelkinMessage* message);
+void destroy(const Device& device, DomePipeline& dome);
+
+void recordDome(const Device& device, const DomePipeline& dome, VkCommandBuffer commands, VkDescriptorSet set,
+                WelkinVulkanSource source, const DomePush& push);
+
+}  // namespace welkin::vulkan

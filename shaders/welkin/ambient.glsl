@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ambient light of the sky from its spherical harmonics. `normal` is unit, in world axes.
+// Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
+// Needs: #extension GL_GOOGLE_include_directive : require, WELKIN_SET, WELKIN_BINDING_CONSTANTS.
+#ifndef WELKIN_AMBIENT_GLSL
+#define WELKIN_AMBIENT_GLSL
+
+#include "constants.glsl"
+#include "formulas.glsl"
+
+// Irradiance E, pi included, clamped at 0: a truncated series can dip below it.
+vec3 welkinIrradiance(vec3 normal) {
+  ShBasis basis = shBasis(normal);
+  int count = int(welkinSky.moon.w);
+  vec3 sum = vec3(0.0);
+  for (int band = 0; band * band < count; ++band) {
+    vec3 of_band = vec3(0.0);
+    for (int i = band * band; i < (band + 1) * (band + 1); ++i) of_band += welkinSky.ambient_sh[i].rgb * basis.v[i];
+    sum += cosineLobe(band) * of_band;
+  }
+  return max(sum, vec3(0.0));
+}
+
+// E / pi: what an albedo multiplies to give the radiance of a diffuse surface.
+vec3 welkinIrradianceOverPi(vec3 normal) { return welkinIrradiance(normal) / kPi; }
+
+// The single-colour ambient that spherical harmonics replaced in Far Cry 3 (McAuley 2012, figures 10 and 12): the mean
+// over all normals of the irradiance, pi included.
+vec3 welkinFlatIrradiance() {
+  return max(cosineLobe(0) * welkinSky.ambient_sh[0].rgb * shBasis(vec3(0.0)).v[0], vec3(0.0));
+}
+
+vec3 welkinFlatIrradianceOverPi() { return welkinFlatIrradiance() / kPi; }
+
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Binding numbers inside the descriptor set that welkin_vulkan.h makes; C++ and GLSL. A shader that uses that set
+// defines WELKIN_SET and includes this file; one with a layout of its own defines all of these macros itself.
+#ifndef WELKIN_SKY_BINDINGS_H
+#define WELKIN_SKY_BINDINGS_H
+
+#define WELKIN_BINDING_CONSTANTS 0       // uniform buffer, WelkinSkyConstants
+#define WELKIN_BINDING_GRADIENT_SUN 1    // sampler2D, RGBA32F, fetched, never filtered
+#define WELKIN_BINDING_GRADIENT_ANTI 2   // sampler2D, RGBA32F, fetched, never filtered
+#define WELKIN_BINDING_CUBEMAP_FIRST 3   // samplerCube, RGBA16F, linear
+#define WELKIN_BINDING_CUBEMAP_SECOND 4  // samplerCube, RGBA16F, linear
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sky at an instant as a uniform block: one struct, compiled as C++ and as GLSL. Four-component vectors only, so
+// that std140, std430 and C++ lay it out alike.
+#ifndef WELKIN_SKY_CONSTANTS_H
+#define WELKIN_SKY_CONSTANTS_H
+
+#ifdef __cplusplus
+#include <cstddef>
+struct WelkinFloat4 {
+  float x, y, z, w;
+};
+#define WELKIN_FLOAT4 WelkinFloat4
+#else
+#define WELKIN_FLOAT4 vec4
+#endif
+
+// Radiances and irradiances are in scene units, linear Rec. 709. Directions are unit, in world axes, towards the light.
+struct WelkinSkyConstants {
+  WELKIN_FLOAT4 sun;              // xyz: direction of the sun; w: hour of the day, in [0, 24)
+  WELKIN_FLOAT4 luminance_abcd;   // coefficients of the relative luminance, shared/luminance.glsl
+  WELKIN_FLOAT4 luminance_ek;     // x: e; y: k; z: luminance of the normalising direction; w: intensity
+  WELKIN_FLOAT4 tint;             // rgb: polarising tint; w: luminance under which a gradient fades to neutral, > 0
+  WELKIN_FLOAT4 ground;           // rgb: radiance below the horizon; w: weight of the second cubemap, in [0, 1)
+  WELKIN_FLOAT4 gradient_size;    // columns and rows of the sun's gradient, columns and rows of the opposite one
+  WELKIN_FLOAT4 gradient_column;  // column left of the hour and weight of the next one: the sun's, the opposite's
+  WELKIN_FLOAT4 sun_disc;         // rgb: radiance of the disc; w: its angular radius, radians; 0: no disc
+  WELKIN_FLOAT4 moon;             // xyz: direction of the moon; w: how many ambient coefficients are set, 4..25
+  WELKIN_FLOAT4 moon_disc;        // as sun_disc
+  WELKIN_FLOAT4 ambient_sh[25];   // rgb: radiance coefficients of the ambient light; w: 0
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(WelkinSkyConstants) == 35 * 16);
+static_assert(offsetof(WelkinSkyConstants, luminance_ek) == 2 * 16);
+static_assert(offsetof(WelkinSkyConstants, gradient_column) == 6 * 16);
+static_assert(offsetof(WelkinSkyConstants, moon_disc) == 9 * 16);
+static_assert(offsetof(WelkinSkyConstants, ambient_sh) == 10 * 16);
+#endif
+
+#undef WELKIN_FLOAT4
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The discs of the sun and the moon: their energy, and the horizon that hides them.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/views.h"
+#include "shared.h"
+#include "test_sky.h"
+
+namespace welkin::tests {
+namespace {
+
+constexpr double kDiscRadius = 0.1;
+
+tools::Camera towards(const float direction[3], double fov_rad) {
+  const f64::Number3 d{double{direction[0]}, double{direction[1]}, double{direction[2]}};
+  return {std::atan2(d.x, -d.z), f64::elevationOf(d), fov_rad};
+}
+
+}  // namespace
+
+TEST_CASE("VulkanDiscs, GiveTheirLightsNormalIrradiance", "[vulkan]") {
+  constexpr uint32_t kSize = 200;
+  constexpr double kFov = 0.4;
+  // The edge is softened over the angle between pixels, here kFov / kSize = 2 % of the radius, evenly to both sides:
+  // the area of a disc grows by a third of its square.
+  constexpr double kEdgeTolerance = 2e-3;
+  const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
+  const Sky sky = openTestSky(bytes);
+  tools::VulkanDevice device(true);
+  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  views.setTime(11.0);
+  const WelkinLight& sun = views.sample().sun;
+  REQUIRE(sun.direction[1] > 0.5F);
+  const tools::Camera camera = towards(sun.direction, kFov);
+  const tools::FloatImage with = views.perspective(kSize, kSize, camera, true);
+  const tools::FloatImage without = views.perspective(kSize, kSize, camera, false);
+  const double pixel = 2.0 * std::tan(0.5 * kFov) / kSize;
+  double irradiance[3] = {};
+  for (uint32_t y = 0; y < kSize; ++y)
+    for (uint32_t x = 0; x < kSize; ++x) {
+      const double u = (x + 0.5 - 0.5 * kSize) * pixel;
+      const double v = (y + 0.5 - 0.5 * kSize) * pixel;
+      const double cosine = 1.0 / std::sqrt(1.0 + u * u + v * v);
+      for (int c = 0; c < 3; ++c)
+        irradiance[c] +=
+            (double{with.pixel(x, y)[c]} - double{without.pixel(x, y)[c]}) * pixel * pixel * std::pow(cosine, 4.0);
+    }
+  for (int c = 0; c < 3; ++c) CHECK(irradiance[c] == Approx(double{sun.normal_irradiance[c]}).epsilon(kEdgeTolerance));
+  CHECK(device.messageCount() == 0);
+}
+
+TEST_CASE("VulkanDiscs, EndAtTheHorizon", "[vulkan]") {
+  constexpr uint32_t kSize = 64;
+  const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
+  const Sky sky = openTestSky(bytes);
+  tools::VulkanDevice device(true);
+  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  views.setTime(2.0 + 12.0 * 0.7 / 1.3);  // the moon's elevation goes from 0.7 at 2 h to -0.6 at 14 h
+  const WelkinLight& moon = views.sample().moon;
+  REQUIRE(std::abs(moon.direction[1]) < 1e-3F);
+  tools::Camera camera = towards(moon.direction, 0.5);
+  camera.pitch_rad = 0.0;
+  const tools::FloatImage with = views.perspective(kSize, kSize, camera, true);
+  const tools::FloatImage without = views.perspective(kSize, kSize, camera, false);
+  double above = 0.0;
+  double below = 0.0;
+  for (uint32_t y = 0; y < kSize; ++y)
+    for (uint32_t x = 0; x < kSize; ++x)
+      (y < kSize / 2 ? above : below) += double{with.pixel(x, y)[2]} - double{without.pixel(x, y)[2]};
+  CHECK(above > 0.0);
+  CHECK(below == 0.0);
+  CHECK(device.messageCount() == 0);
+}
+
+}  // namespace welkin::tests

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the test sky through the format's own schema.
+#include "test_sky.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "format/container.h"
+
+namespace welkin::tests {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+Offset<format::Curve> curve(FlatBufferBuilder& builder, uint8_t components, const std::vector<double>& time_h,
+                            const std::vector<double>& value) {
+  return format::CreateCurveDirect(builder, components, &time_h, &value);
+}
+
+Offset<format::Gradient> gradient(FlatBufferBuilder& builder, std::mt19937& random, uint32_t width, uint32_t height) {
+  std::uniform_real_distribution<float> uniform(0.05F, 1.0F);
+  std::vector<float> rgb(std::size_t{3} * width * height);
+  for (float& v : rgb) v = uniform(random);
+  for (int i = 0; i < 3; ++i) rgb[static_cast<std::size_t>(3 + i)] = 0.0F;  // a black texel: neutral there
+  return format::CreateGradientDirect(builder, width, height, &rgb);
+}
+
+Offset<format::Light> sun(FlatBufferBuilder& builder, double disc_radius_rad) {
+  const auto path = format::CreateLightPath(builder, 0.3, 0.41, 12.3, 0.2);
+  const auto illuminance = curve(builder, 1, {6.0, 12.0, 18.0}, {0.0, 3.0, 0.0});
+  const auto colour = curve(builder, 3, {0.0}, {1.0, 0.9, 0.7});
+  return format::CreateLight(builder, path, illuminance, colour, disc_radius_rad);
+}
+
+Offset<format::Light> moon(FlatBufferBuilder& builder, double disc_radius_rad) {
+  const std::vector<double> times{2.0, 14.0};
+  const std::vector<double> azimuth{1.0, 4.0};
+  const std::vector<double> elevation{0.7, -0.6};
+  const auto path = format::CreateLightPathDirect(builder, 0.0, 0.0, 0.0, 0.0, &times, &azimuth, &elevation);
+  const auto illuminance = curve(builder, 1, {0.0}, {0.02});
+  const auto colour = curve(builder, 3, {0.0}, {0.6, 0.8, 1.0});
+  return format::CreateLight(builder, path, illuminance, colour, disc_radius_rad);
+}
+
+/// Noise between 1/8 and 2, different in every texel: a wrong face, turn or mirror shows.
+Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random, double time_h) {
+  std::uniform_int_distribution<uint16_t> bits(0x3000, 0x4000);
+  std::vector<uint16_t> half(std::size_t{6} * kCubemapSize * kCubemapSize * 4);
+  for (std::size_t i = 0; i < half.size(); ++i) half[i] = i % 4 == 3 ? 0x3c00 : bits(random);
+  std::vector<uint8_t> bytes(half.size() * 2);
+  std::memcpy(bytes.data(), half.data(), bytes.size());
+  builder.ForceVectorAlignment(bytes.size(), 1, 16);
+  return format::CreateCubemapDirect(builder, time_h, &bytes);
+}
+
+}  // namespace
+
+std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
+  constexpr std::size_t kCoefficients = 25;
+  std::mt19937 random(7);  // its sequence is fixed by the C++ standard
+  FlatBufferBuilder builder;
+  const format::Luminance luminance(-1.0, -0.08, 24.0, -3.0, 0.3, 0.0, options.normalise_to_sun ? 1 : 0);
+  const format::Rgb ground_albedo(0.2F, 0.3F, 0.1F);
+  const std::vector<double> key_time_h{1.0, 9.0, 16.0};
+  std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
+  std::vector<float> shape;
+  for (std::size_t i = 0; i < key_time_h.size() * kCoefficients * 3; ++i)
+    shape.push_back(i / 3 % kCoefficients == 0 ? 2.0F + uniform(random) : uniform(random));
+  const std::vector<float> shape_irradiance{1.0F, 1.1F, 1.2F, 2.0F, 1.9F, 1.8F, 1.5F, 1.6F, 1.4F};
+  std::vector<Offset<format::Cubemap>> cubemaps;
+  if (options.cubemaps)
+    for (const double time_h : {3.0, 11.0, 20.0}) cubemaps.push_back(cubemap(builder, random, time_h));
+  const auto intensity = curve(builder, 1, {0.0, 6.0, 12.0, 18.0}, {0.001, 0.3, 1.0, 0.4});
+  const auto saturation = curve(builder, 1, {0.0}, {0.8});
+  const auto tint = curve(builder, 3, {0.0, 12.0}, {0.9, 1.0, 1.1, 1.05, 0.95, 0.8});
+  const auto sun_light = sun(builder, options.disc_radius_rad);
+  const auto moon_light = moon(builder, options.disc_radius_rad);
+  const auto gradient_sun = gradient(builder, random, 5, 4);
+  const auto gradient_anti = gradient(builder, random, 7, 3);
+  const auto key_times = builder.CreateVector(key_time_h);
+  const auto shape_vector = builder.CreateVector(shape);
+  const auto irradiance_vector = builder.CreateVector(shape_irradiance);
+  const auto cubemap_vector = builder.CreateVector(cubemaps);
+  format::SkyBuilder sky(builder);
+  sky.add_luminance(&luminance);
+  sky.add_luminance_unit(1.0);
+  sky.add_ground_albedo(&ground_albedo);
+  sky.add_intensity(intensity);
+  sky.add_ambient_saturation(saturation);
+  sky.add_polarising_tint(tint);
+  sky.add_sun(sun_light);
+  sky.add_moon(moon_light);
+  sky.add_gradient_sun(gradient_sun);
+  sky.add_gradient_anti(gradient_anti);
+  sky.add_gradient_delta(1e-4);
+  sky.add_bands(5);
+  sky.add_key_time_h(key_times);
+  sky.add_shape_sh(shape_vector);
+  sky.add_shape_irradiance(irradiance_vector);
+  sky.add_cubemap_size(options.cubemaps ? kCubemapSize : 0);
+  sky.add_cubemaps(cubemap_vector);
+  const auto finished = sky.Finish();
+  builder.Finish(format::CreateFile(builder, builder.CreateString("{}"), 0, finished));
+  return format::seal({builder.GetBufferPointer(), builder.GetSize()});
+}
+
+Sky openTestSky(const std::vector<std::byte>& bytes) {
+  Sky sky;
+  const Status status = sky.open(bytes.data(), bytes.size());
+  INFO(status.message);
+  REQUIRE(status);
+  return sky;
+}
+
+float halfToFloat(uint16_t half) {
+  return std::ldexp(1.0F + static_cast<float>(half & 0x3ff) / 1024.0F, (half >> 10) - 15);
+}
+
+}  // namespace welkin::tests

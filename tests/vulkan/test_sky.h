@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A small sky whose every part differs from every other: asymmetric gradients, a tint, a moon, ground, cubemaps of
+// noise.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+#include <welkin/welkin.hpp>
+
+namespace welkin::tests {
+
+struct TestSkyOptions {
+  bool cubemaps = true;
+  bool normalise_to_sun = true;
+  double disc_radius_rad = 0.0;
+};
+
+/// Edge of its cubemaps.
+inline constexpr uint32_t kCubemapSize = 8;
+
+/// Bytes of a .welkin file.
+std::vector<std::byte> testSkyFile(const TestSkyOptions& options);
+
+/// The same, opened. `bytes` must outlive the sky.
+Sky openTestSky(const std::vector<std::byte>& bytes);
+
+/// Value of a half-precision number that is normal and positive.
+float halfToFloat(uint16_t half);
+
+}  // namespace welkin::tests

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Composes and writes pictures with OpenImageIO.
+#include "render/picture.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+
+namespace welkin::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uint32_t kMargin = 8;
+constexpr uint32_t kLabelHeight = 24;
+constexpr int kLabelSize = 18;
+constexpr uint8_t kGround = 24;
+
+/// A sans-serif font of the system: the first of the folders `fonts` of XDG_DATA_DIRS; empty when there is none.
+std::string findFont() {
+  const char* variable = std::getenv("XDG_DATA_DIRS");
+  std::string folders = variable != nullptr && *variable != '\0' ? variable : "/usr/local/share:/usr/share";
+  std::vector<std::string> found;
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', begin), folders.size());
+    std::error_code ignored;
+    fs::recursive_directory_iterator it(fs::path(folders.substr(begin, end - begin)) / "fonts",
+                                        fs::directory_options::skip_permission_denied, ignored);
+    for (; !ignored && it != fs::recursive_directory_iterator(); it.increment(ignored)) {
+      const std::string name = it->path().filename().string();
+      if (name == "DejaVuSans.ttf") return it->path().string();
+      if (name.ends_with("Sans-Regular.ttf")) found.push_back(it->path().string());
+    }
+    begin = end + 1;
+  }
+  return found.empty() ? std::string() : *std::min_element(found.begin(), found.end());
+}
+
+void paste(const Picture& from, Picture& to, uint32_t left, uint32_t top) {
+  for (uint32_t y = 0; y < from.height; ++y)
+    std::copy_n(from.rgb.data() + std::size_t{3} * y * from.width, std::size_t{3} * from.width,
+                to.rgb.data() + std::size_t{3} * ((top + y) * to.width + left));
+}
+
+OIIO::ImageSpec specOf(const Picture& picture) {
+  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  return spec;
+}
+
+}  // namespace
+
+Picture contactSheet(const std::vector<SheetColumn>& columns) {
+  const std::string font = findFont();
+  const uint32_t header = font.empty() ? 0 : kLabelHeight;
+  Picture sheet;
+  sheet.width = kMargin;
+  sheet.height = kMargin + header;
+  for (const SheetColumn& column : columns) sheet.width += column.pictures.front().width + kMargin;
+  for (const Picture& picture : columns.front().pictures) sheet.height += picture.height + kMargin;
+  sheet.rgb.assign(std::size_t{3} * sheet.width * sheet.height, kGround);
+  uint32_t left = kMargin;
+  for (const SheetColumn& column : columns) {
+    uint32_t top = kMargin + header;
+    for (const Picture& picture : column.pictures) {
+      paste(picture, sheet, left, top);
+      top += picture.height + kMargin;
+    }
+    left += column.pictures.front().width + kMargin;
+  }
+  if (font.empty()) return sheet;
+
+  OIIO::ImageBuf buffer(specOf(sheet), sheet.rgb.data());
+  left = kMargin;
+  for (const SheetColumn& column : columns) {
+    const int centre = static_cast<int>(left + column.pictures.front().width / 2);
+    OIIO::ImageBufAlgo::render_text(buffer, centre, static_cast<int>(kMargin + header / 2), column.label, kLabelSize,
+                                    font, {0.8F, 0.8F, 0.8F}, OIIO::ImageBufAlgo::TextAlignX::Center,
+                                    OIIO::ImageBufAlgo::TextAlignY::Center);
+    left += column.pictures.front().width + kMargin;
+  }
+  return sheet;
+}
+
+std::string clockLabel(double time_h) {
+  const int minutes = static_cast<int>(std::lround(time_h * 60.0)) % (24 * 60);
+  char text[8];
+  std::snprintf(text, sizeof(text), "%02d:%02d", minutes / 60, minutes % 60);
+  return text;
+}
+
+void writePng(const Picture& picture, const std::string& path) {
+  OIIO::Filesystem::IOVecOutput memory;
+  const auto output = OIIO::ImageOutput::create("png");
+  if (output == nullptr || !output->set_ioproxy(&memory) || !output->open("picture.png", specOf(picture)) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data()) || !output->close())
+    throw Error(ExitStatus::internal,
+                path + ": OpenImageIO cannot encode it: " + (output ? output->geterror() : OIIO::geterror()));
+  writeFile(path, std::as_bytes(std::span(memory.buffer())));
+}
+
+}  // namespace welkin::tools

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pipeline of the sphere picture: what a game's own pass does with the sky's descriptor set.
+#pragma once
+
+#include "render/shaders/spheres_push.h"
+#include "render/vulkan_device.h"
+
+namespace welkin::tools {
+
+class SpherePipeline {
+ public:
+  SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format);
+  ~SpherePipeline();
+  SpherePipeline(const SpherePipeline&) = delete;
+  SpherePipeline& operator=(const SpherePipeline&) = delete;
+
+  void record(VkCommandBuffer commands, VkDescriptorSet sky, const SpheresPush& push) const;
+
+ private:
+  VkDevice device_;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+}  // namespace welkin::tools

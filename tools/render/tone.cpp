@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exposure, tone mapping and encoding of pictures.
+#include "render/tone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared.h"
+
+namespace welkin::tools {
+namespace {
+
+/// Threshold of the 8 x 8 Bayer matrix at (x, y), in (-1/2, 1/2): bits of x ^ y and y interleaved, high bit last.
+double ditherAt(uint32_t x, uint32_t y) {
+  uint32_t rank = 0;
+  for (uint32_t bit = 0; bit < 3; ++bit) {
+    const uint32_t a = (x >> bit) & 1;
+    const uint32_t b = (y >> bit) & 1;
+    rank = rank << 2 | (a ^ b) << 1 | b;
+  }
+  return (rank + 0.5) / 64.0 - 0.5;
+}
+
+constexpr double kMiddleGrey = 0.18;
+constexpr double kAdaptation = 0.8;     // share of the stops between a picture and the day that exposure makes up for
+constexpr double kDarkestNight = 1e-4;  // of the day; below it exposure stays
+
+}  // namespace
+
+double logAverageLuminance(std::span<const FloatImage> images) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const FloatImage& image : images) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      const f64::Number3 rgb{double{image.rgba[i]}, double{image.rgba[i + 1]}, double{image.rgba[i + 2]}};
+      const double y = f64::luminanceOf(rgb);
+      if (!(y > 0.0) || !std::isfinite(y)) continue;
+      sum += std::log(y);
+      ++count;
+    }
+  }
+  return count == 0 ? 0.0 : std::exp(sum / static_cast<double>(count));
+}
+
+double automaticExposure(double luminance, double day_luminance) {
+  const double day = std::max(luminance, day_luminance);
+  if (!(day > 0.0)) return 1.0;
+  const double relative = std::max(luminance / day, kDarkestNight);
+  return kMiddleGrey / (day * std::pow(relative, kAdaptation));
+}
+
+double filmic(double x) {
+  const double bounded = std::min(x, 1e6);
+  return std::clamp(bounded * (2.51 * bounded + 0.03) / (bounded * (2.43 * bounded + 0.59) + 0.14), 0.0, 1.0);
+}
+
+double srgbEncode(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
+
+Picture tonemap(const FloatImage& image, double exposure) {
+  Picture picture{image.width, image.height, std::vector<uint8_t>(std::size_t{3} * image.width * image.height)};
+  uint8_t* out = picture.rgb.data();
+  for (uint32_t y = 0; y < image.height; ++y) {
+    for (uint32_t x = 0; x < image.width; ++x) {
+      for (int channel = 0; channel < 3; ++channel) {
+        const double radiance = double{image.pixel(x, y)[channel]};
+        const double exposed = radiance * exposure;  // NaN becomes black
+        const double code = 255.0 * srgbEncode(filmic(exposed > 0.0 ? exposed : 0.0));
+        const double dithered = radiance > 0.0 ? code + ditherAt(x, y) : code;
+        *out++ = static_cast<uint8_t>(std::clamp(std::floor(dithered + 0.5), 0.0, 255.0));
+      }
+    }
+  }
+  return picture;
+}
+
+}  // namespace welkin::tools

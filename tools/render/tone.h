@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// From radiance to 8-bit sRGB: exposure, filmic curve, encoding, dither.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/offscreen.h"
+
+namespace welkin::tools {
+
+/// sRGB-encoded, rows from the top, three bytes a pixel.
+struct Picture {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  std::vector<uint8_t> rgb;
+};
+
+/// Log-average luminance over the pixels that are not black (Reinhard et al., "Photographic Tone Reproduction for
+/// Digital Images", SIGGRAPH 2002, eq. 1); 0 when all are black.
+double logAverageLuminance(std::span<const FloatImage> images);
+
+/// Factor that takes `luminance`, a picture's log-average, to middle grey, 0.18, when it is that of the day's brightest
+/// instant, `day_luminance`. A darker picture is brightened by only four fifths of the stops it lacks, and by no more
+/// than it would be at 1e-4 of the day: night stays darker than day. Both 0: 1.
+double automaticExposure(double luminance, double day_luminance);
+
+/// The filmic curve by Narkowicz, "ACES Filmic Tone Mapping Curve" (2016): a rational fit, for a channel x >= 0.
+double filmic(double x);
+
+/// IEC 61966-2-1, x in [0, 1].
+double srgbEncode(double x);
+
+/// Exposes, maps, encodes and rounds with an 8 x 8 ordered dither of half a step (Bayer 1973), so that skies do not
+/// band. Pure black stays black.
+Picture tonemap(const FloatImage& image, double exposure);
+
+}  // namespace welkin::tools

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a baked sky at an hour, drawn by the runtime's own passes; radiance in scene units.
+#pragma once
+
+#include <welkin/welkin_vulkan.h>
+
+#include <memory>
+#include <welkin/welkin.hpp>
+
+#include "render/camera.h"
+#include "render/offscreen.h"
+#include "render/sphere_pipeline.h"
+
+namespace welkin::tools {
+
+/// Ambient light of the spheres; the values are those of spheres_push.h.
+enum class SkyLight : uint32_t {
+  flat = WELKIN_LIGHT_FLAT,  ///< one colour: the mean over all normals
+  sh = WELKIN_LIGHT_SH,
+  both = WELKIN_LIGHT_BOTH
+};
+
+class Views {
+ public:
+  /// Creates the runtime's Vulkan objects and uploads the sky. `sky` and `device` outlive the object.
+  Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source);
+
+  /// Sets the hour of the pictures that follow; throws Error(usage) when it is not finite.
+  void setTime(double time_h);
+  const WelkinSkySample& sample() const { return sample_; }
+
+  /// The upper hemisphere as welkinFisheyeDirection of view.glsl maps it.
+  FloatImage dome(uint32_t width, uint32_t height, bool discs);
+  FloatImage perspective(uint32_t width, uint32_t height, const Camera& camera, bool discs);
+  /// A row of spheres before the sky; see spheres.frag.
+  FloatImage spheres(uint32_t width, uint32_t height, const Camera& camera, SkyLight light);
+
+  const WelkinVulkanSky* runtime() const { return runtime_.get(); }
+
+  /// A camera that looks towards the sun, or towards the moon when it is up after nautical twilight; horizontal.
+  Camera towardsLight() const;
+
+ private:
+  FloatImage drawDome(uint32_t width, uint32_t height, const WelkinVulkanView& view);
+
+  struct Destroy {
+    void operator()(WelkinVulkanSky* object) const { welkin_vulkan_destroy(object); }
+  };
+
+  VulkanDevice& device_;
+  const Sky& sky_;
+  WelkinVulkanSource source_;
+  std::unique_ptr<WelkinVulkanSky, Destroy> runtime_;
+  std::unique_ptr<SpherePipeline> spheres_;
+  WelkinSkySample sample_{};
+};
+
+}  // namespace welkin::tools

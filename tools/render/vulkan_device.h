@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// A headless Vulkan 1.3 device: a real GPU where there is one, else a software rasteriser (lavapipe).
+#pragma once
+
+#include <volk.h>
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace welkin::tools {
+
+/// Throws Error(file) naming the call when `result` is not success.
+void require(VkResult result, const char* call);
+
+/// Instance, device, one graphics queue and one command pool. Uses volk's global function pointers: one at a time.
+class VulkanDevice {
+ public:
+  /// `validate`: with Khronos' validation layer, core and synchronisation checks; its messages go to stderr and are
+  /// counted. Throws Error(file) when there is no loader, driver, layer or device; it says why each was refused.
+  explicit VulkanDevice(bool validate);
+  ~VulkanDevice();
+  VulkanDevice(const VulkanDevice&) = delete;
+  VulkanDevice& operator=(const VulkanDevice&) = delete;
+
+  VkInstance instance() const { return instance_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkDevice device() const { return device_; }
+  const VkPhysicalDeviceProperties& properties() const { return properties_; }
+
+  /// Validation messages of severity warning or error until now; 0 without validation.
+  unsigned messageCount() const { return message_count_; }
+
+  /// Index of a memory type of `allowed` that has all of `needed`.
+  uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags needed) const;
+
+  /// Records, submits and waits.
+  void execute(const std::function<void(VkCommandBuffer)>& record);
+
+ private:
+  void createInstance(bool validate);
+  void chooseDevice();
+  void createDevice();
+  void destroy();
+
+  std::atomic<unsigned> message_count_ = 0;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkPhysicalDeviceProperties properties_{};
+  uint32_t queue_family_ = 0;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+};
+
+}  // namespace welkin::tools
