@@ -32,7 +32,7 @@ struct RenderOptions {
   std::string sky_light = "both";
   std::string exposure = "auto";
   std::optional<double> yaw_deg;  ///< else the sun's or the moon's azimuth
-  double pitch_deg = 12.0;
+  double pitch_deg = 18.0;
   double fov_deg = 60.0;
   bool validate = false;
 };

@@ -33,10 +33,9 @@ void main() {
     vec3 right = normalize(view[0].xyz);
     vec3 down = normalize(view[1].xyz);
     vec3 normal = normalize(right * p.x + down * p.y - view[3].xyz * sqrt(max(1.0 - dot(p, p), 0.0)));
-    int from_middle = column < WELKIN_SPHERE_COUNT / 2 ? WELKIN_SPHERE_COUNT / 2 - 1 - column : column - WELKIN_SPHERE_COUNT / 2;
     bool flat_light = push.light == WELKIN_LIGHT_FLAT || (push.light == WELKIN_LIGHT_BOTH && column < WELKIN_SPHERE_COUNT / 2);
     vec3 irradiance_over_pi = flat_light ? welkinFlatIrradianceOverPi() : welkinIrradianceOverPi(normal);
-    colour = mix(colour, WELKIN_SPHERE_ALBEDO(float(from_middle)) * irradiance_over_pi, coverage);
+    colour = mix(colour, WELKIN_SPHERE_ALBEDO * irradiance_over_pi, coverage);
   }
   radiance = vec4(colour, 1.0);
 }

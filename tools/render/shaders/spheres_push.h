@@ -26,11 +26,10 @@ push;
 
 #define WELKIN_LIGHT_FLAT 0
 #define WELKIN_LIGHT_SH 1
-#define WELKIN_LIGHT_BOTH 2  // flat on the left half of the row, SH on the right
+#define WELKIN_LIGHT_BOTH 2  // flat on the left sphere, SH on the right
 
-#define WELKIN_SPHERE_COUNT 6
-#define WELKIN_SPHERE_RADIUS 0.42  // of the distance between centres; of the picture's height where that is less
-// Albedo by the distance from the middle of the row: 0.2 in the middle, 0.8 at the ends.
-#define WELKIN_SPHERE_ALBEDO(from_middle) (0.2 + 0.3 * (from_middle))
+#define WELKIN_SPHERE_COUNT 2
+#define WELKIN_SPHERE_RADIUS 0.4   // of the distance between centres; of the picture's height where that is less
+#define WELKIN_SPHERE_ALBEDO 0.8   // a light probe, as in the notes' figures 10 and 11
 
 #endif
