@@ -40,7 +40,9 @@ Image readImage(const std::filesystem::path& path) {
   readFile(path);  // a file that is not there or may not be read is the system's refusal, not the image's
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
-  const auto input = OIIO::ImageInput::open(name);
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);  // colours as they are stored, not multiplied by alpha
+  const auto input = OIIO::ImageInput::open(name, &wanted);
   if (!input) throw invalid("not an image that can be read: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.width > kLargestSide || spec.height > kLargestSide || spec.depth > 1)

@@ -32,17 +32,22 @@ struct Reading {
     const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
     inputs.push_back({name, path, hash.low64, hash.high64});
   }
-  Image image(const std::string& name) {
+  Image image(const TomlTable& table, const std::string& key, const toml::node& at) {
+    const auto name = *at.value<std::string>();
     const std::filesystem::path path = folder / name;
-    record(name, path, readFile(path));
-    return readImage(path);
+    try {
+      record(name, path, readFile(path));
+      return readImage(path);
+    } catch (const Error& e) {
+      table.refuse(key, &at, e.what(), e.status());
+    }
   }
 };
 
 Gradient readGradient(TomlTable& table, const std::string& key, Reading& reading) {
   const toml::node* n = table.node(key);
   if (n == nullptr || !n->is_string()) return Gradient::constant(table.colour(key, kBrightness, Number3(1.0)));
-  Image image = reading.image(*n->value<std::string>());
+  const Image image = reading.image(table, key, *n);
   Gradient gradient{image.width, image.height, {}};
   const auto line = static_cast<std::size_t>(image.width) * 3;
   for (int row = image.height - 1; row >= 0; --row) {  // the file's last row is the horizon
@@ -56,7 +61,7 @@ Gradient readGradient(TomlTable& table, const std::string& key, Reading& reading
 Curve readTint(TomlTable& table, Reading& reading) {
   const toml::node* n = table.node("polarising_tint");
   if (n == nullptr || !n->is_string()) return table.colourCurve("polarising_tint", kBrightness, Number3(1.0));
-  const Image image = reading.image(*n->value<std::string>());
+  const Image image = reading.image(table, "polarising_tint", *n);
   Curve curve{3, {}, {}};
   for (int i = 0; i < image.width; ++i) {
     Number3 sum(0.0);

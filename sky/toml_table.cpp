@@ -9,8 +9,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "sky/error.h"
-
 namespace welkin::sky {
 namespace {
 
@@ -96,9 +94,9 @@ toml::table parseToml(const std::string& file, std::string_view text) {
 TomlTable::TomlTable(std::string file, const toml::table* table, std::string path)
     : file_(std::move(file)), table_(table), path_(std::move(path)) {}
 
-void TomlTable::refuse(const std::string& key, const toml::node* at, const std::string& must) const {
-  if (at == nullptr) throw Error(ExitStatus::content, fmt::format("{}: {}{}: {}", file_, path_, key, must));
-  throw Error(ExitStatus::content,
+void TomlTable::refuse(const std::string& key, const toml::node* at, const std::string& must, ExitStatus status) const {
+  if (at == nullptr) throw Error(status, fmt::format("{}: {}{}: {}", file_, path_, key, must));
+  throw Error(status,
               fmt::format("{}:{}: {}{} = {}: {}", file_, at->source().begin.line, path_, key, written(*at), must));
 }
 

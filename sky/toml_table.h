@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sky/curve.h"
+#include "sky/error.h"
 
 namespace welkin::sky {
 
@@ -51,7 +52,8 @@ class TomlTable {
   void exclude(const std::vector<std::string>& keys, const std::string& must);
   /// Throws for a key that was never asked for.
   void finish() const;
-  [[noreturn]] void refuse(const std::string& key, const toml::node* at, const std::string& must) const;
+  [[noreturn]] void refuse(const std::string& key, const toml::node* at, const std::string& must,
+                           ExitStatus status = ExitStatus::content) const;
 
  private:
   double numberOf(const std::string& key, const toml::node& node, Range range) const;

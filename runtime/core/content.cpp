@@ -84,6 +84,17 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
                "has a black colour");
 }
 
+/// The dome divides by the luminance of the normalising direction: positive at every minute of the day.
+void checkNorm(Check& check, const format::Sky& sky) {
+  const auto model = luminanceModel(*sky.luminance());
+  for (int minute = 0; minute < 1440; ++minute) {
+    const double norm = f64::luminanceNorm(model, directionAt(*sky.sun()->path(), minute / 60.0),
+                                           sky.luminance()->normalise_to_sun() != 0);
+    if (!check.that(within(norm, 1e-30, kAny), "luminance", "must be positive in the direction that it is relative to"))
+      return;
+  }
+}
+
 void checkGradient(Check& check, const format::Gradient* gradient, const char* name) {
   if (!check.that(gradient != nullptr && gradient->rgb() != nullptr, name, "is missing")) return;
   const auto rgb = spanOf(gradient->rgb());
@@ -154,6 +165,7 @@ WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
   checkCurve(check, sky->polarising_tint(), 3, kAny, "polarising_tint");
   if (check.that(sky->sun() != nullptr, "sun", "is missing")) checkLight(check, *sky->sun(), "sun");
   if (sky->moon() != nullptr) checkLight(check, *sky->moon(), "moon");
+  if (check.result == WELKIN_OK) checkNorm(check, *sky);
   checkGradient(check, sky->gradient_sun(), "gradient_sun");
   checkGradient(check, sky->gradient_anti(), "gradient_anti");
   checkTable(check, *sky);

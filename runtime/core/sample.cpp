@@ -15,6 +15,18 @@ float toFloat(double value) {
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
+f64::Number3 directionAt(const format::LightPath& path, double time_h) {
+  const auto times = spanOf(path.key_time_h());
+  if (times.empty())
+    return f64::celestialDirection(f64::kTwoPi * (time_h - path.transit_h()) / 24.0, path.declination_rad(),
+                                   path.latitude_rad(), path.north_offset_rad());
+  const auto azimuth = spanOf(path.key_azimuth_rad());
+  const auto elevation = spanOf(path.key_elevation_rad());
+  const auto s = format::findSegment(times, time_h);
+  return f64::directionOf(format::interpolateAngle(azimuth[s.first], azimuth[s.second], s.weight),
+                          (1.0 - s.weight) * elevation[s.first] + s.weight * elevation[s.second]);
+}
+
 namespace {
 
 using f64::Number3;
@@ -29,18 +41,6 @@ Number3 evaluate3(const format::Curve& curve, double time_h) {
   double v[3];
   format::interpolate(spanOf(curve.time_h()), spanOf(curve.value()), time_h, v);
   return {v[0], v[1], v[2]};
-}
-
-Number3 directionAt(const format::LightPath& path, double time_h) {
-  const auto times = spanOf(path.key_time_h());
-  if (times.empty())
-    return f64::celestialDirection(f64::kTwoPi * (time_h - path.transit_h()) / 24.0, path.declination_rad(),
-                                   path.latitude_rad(), path.north_offset_rad());
-  const auto azimuth = spanOf(path.key_azimuth_rad());
-  const auto elevation = spanOf(path.key_elevation_rad());
-  const auto s = format::findSegment(times, time_h);
-  return f64::directionOf(format::interpolateAngle(azimuth[s.first], azimuth[s.second], s.weight),
-                          (1.0 - s.weight) * elevation[s.first] + s.weight * elevation[s.second]);
 }
 
 void store(Number3 v, float out[3]) {

@@ -34,6 +34,9 @@ inline f64::LuminanceModel luminanceModel(const format::Luminance& l) {
   return {l.a(), l.b(), l.c(), l.d(), l.e(), l.k()};
 }
 
+/// Unit direction towards a light, at a time in [0, 24).
+f64::Number3 directionAt(const format::LightPath& path, double time_h);
+
 /// Stores a double in a float field: rounds, and keeps a value past float's range finite.
 float toFloat(double value);
 

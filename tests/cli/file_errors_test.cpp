@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files and folders that the system refuses: status 2, and the name of the one that is meant.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "run_tool.h"
+#include "sky_text.h"
+
+using namespace welkin::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+void requireRefused(const std::vector<std::string>& arguments, const std::string& said) {
+  const Run run = runTool(arguments, {{}, "", "", 0, 30.0});
+  INFO(arguments[0] << " " << arguments[1] << "\n" << run.err);
+  REQUIRE(run.status == 2);
+  REQUIRE(run.said(said));
+}
+
+/// Every command that reads a sky file.
+void requireSkyRefused(const Folder& folder, const std::string& sky, const std::string& said) {
+  requireRefused({"bake", sky, "-o", folder / "unused"}, said);
+  requireRefused({"plan", sky}, said);
+  requireRefused({"eval", sky, "--time", "1", "--direction", "0,1,0"}, said);
+  REQUIRE_FALSE(fs::exists(folder / "unused"));
+}
+
+/// Every command that reads a baked one.
+void requireBakedRefused(const std::string& path, const std::string& said) {
+  requireRefused({"inspect", path}, said);
+  requireRefused({"validate", path}, said);
+  requireRefused({"sample", path, "--time", "1"}, said);
+  requireRefused({"render", path, "--time", "1", "-o", "unused.png"}, said);
+}
+
+}  // namespace
+
+TEST_CASE("Files, MissingOnesAreNamed") {
+  const Folder folder;
+  requireSkyRefused(folder, folder / "none.toml", folder / "none.toml: cannot read: No such file");
+  requireBakedRefused(folder / "none.welkin", folder / "none.welkin");
+  folder.write("sky.toml", skyText(kUniform + "\ngradient_sun = \"none.png\""));
+  requireSkyRefused(folder, folder / "sky.toml", "sky.toml:4: sky.gradient_sun = 'none.png': " + (folder / "none.png"));
+  folder.write("sky.toml", skyText(kUniform + "\npolarising_tint = \"none.exr\""));
+  requireSkyRefused(folder, folder / "sky.toml", folder / "none.exr");
+}
+
+TEST_CASE("Files, FoldersAreNotFiles") {
+  const Folder folder;
+  fs::create_directory(folder / "empty");
+  requireSkyRefused(folder, folder / "empty", "Is a directory");
+  requireBakedRefused(folder / "empty", folder / "empty");
+  folder.write("sky.toml", skyText(kUniform + "\ngradient_anti = \"empty\""));
+  requireSkyRefused(folder, folder / "sky.toml", folder / "empty");
+  fs::create_directories(folder / "nested/sky.welkin");
+  requireBakedRefused(folder / "nested", "sky.welkin");
+}
+
+TEST_CASE("Files, PipesAreRefusedWithoutWaiting") {
+  const Folder folder;
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  requireSkyRefused(folder, folder / "pipe", folder / "pipe");
+  requireBakedRefused(folder / "pipe", folder / "pipe");
+  folder.write("sky.toml", skyText(kUniform + "\ngradient_sun = \"pipe\""));
+  requireSkyRefused(folder, folder / "sky.toml", folder / "pipe");
+}
+
+TEST_CASE("Files, UnreadableOnesAreNamed") {
+  if (::geteuid() == 0) return;  // root reads everything
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform));
+  REQUIRE(::chmod(sky.c_str(), 0) == 0);
+  requireSkyRefused(folder, sky, "Permission denied");
+  requireBakedRefused(sky, "Permission denied");
+}
+
+TEST_CASE("Files, OutputsThatCannotBeMadeAreNamed") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, "keys = 2\ncubemap_size = 2"));
+  const std::string wall = folder.write("wall", "in the way");
+  requireRefused({"bake", sky, "-o", wall}, wall);
+  requireRefused({"bake", sky, "-o", wall + "/deeper"}, wall);
+  requireRefused({"bake", sky, "-o", "/proc/welkin"}, "/proc/welkin");
+  requireRefused({"bake", sky, "-o", ""}, "cannot make the folder");
+  requireRefused({"init", wall}, wall);
+  requireRefused({"bake", sky, "-o", folder / "out", "--report", folder / "no/report.json"}, "no/report.json");
+  requireRefused({"bake", sky, "-o", folder / "out", "--depfile", wall + "/d"}, wall);
+  folder.write("a/cubemaps", "in the way");
+  requireRefused({"bake", sky, "-o", folder / "a"}, folder / "a/cubemaps");
+  fs::create_directories(folder / "b/sky.welkin");
+  requireRefused({"bake", sky, "-o", folder / "b"}, folder / "b/sky.welkin");
+  REQUIRE(readBytes(wall) == "in the way");
+  for (const auto& name : filesUnder(folder.path())) REQUIRE_FALSE(name.ends_with(".tmp"));
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bake that is told to stop.
+#include <signal.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "run_tool.h"
+#include "sky_text.h"
+
+using namespace welkin::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kSoon_s = 2.0;  // a second, and another for a machine that is busy with other tests
+
+bool anyTemporary(const fs::path& folder) {
+  for (const auto& name : filesUnder(folder))
+    if (name.ends_with(".tmp")) return true;
+  return false;
+}
+
+std::string bakeSection(int size, const std::string& times) {
+  return "keys = 2\ncubemap_size = " + std::to_string(size) + "\ncubemap_times = " + times;
+}
+
+}  // namespace
+
+TEST_CASE("Interrupt, EndsInTheMiddleOfALargeCubemap") {
+  const int signal = GENERATE(SIGINT, SIGTERM);
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText("", kStillSun, bakeSection(2048, "7")));
+  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none"});
+  while (!fs::exists(folder / "out/cubemaps")) REQUIRE_FALSE(tool.endsWithin(0.01));
+  REQUIRE_FALSE(tool.endsWithin(1.0));  // one cubemap of this size takes many seconds
+  tool.send(signal);
+  REQUIRE(tool.endsWithin(kSoon_s));
+  const Run run = tool.wait();
+  REQUIRE(run.status == 130);
+  REQUIRE(run.said("interrupted"));
+  REQUIRE_FALSE(fs::exists(folder / "out/sky.welkin"));
+  REQUIRE_FALSE(anyTemporary(folder / "out"));
+}
+
+TEST_CASE("Interrupt, KeepsWholeFilesAndTheOldSky") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, bakeSection(256, "[0, 3]")));
+  REQUIRE(runTool({"bake", sky, "-o", folder / "out", "--progress", "none"}).status == 0);
+  REQUIRE(runTool({"bake", sky, "-o", folder / "same", "--progress", "none"}).status == 0);
+  folder.write("sky.toml", skyText(kUniform, kStillSun, bakeSection(256, "200")));
+  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none"});
+  while (!fs::exists(folder / "out/cubemaps/sky_001424000.exr")) REQUIRE_FALSE(tool.endsWithin(0.01));
+  tool.send(SIGINT);
+  REQUIRE(tool.endsWithin(kSoon_s));
+  REQUIRE(tool.wait().status == 130);
+  REQUIRE_FALSE(anyTemporary(folder / "out"));
+  for (const auto& name : filesUnder(folder / "same"))
+    if (name != "timing.json")
+      REQUIRE(readBytes(folder.path() / "out" / name) == readBytes(folder.path() / "same" / name));
+  // A uniform sky looks the same at any hour: what was finished is that picture, whole.
+  REQUIRE(readBytes(folder / "out/cubemaps/sky_000712000.exr") ==
+          readBytes(folder / "same/cubemaps/sky_000000000.exr"));
+  REQUIRE(runTool({"validate", folder / "out"}).status == 0);
+}

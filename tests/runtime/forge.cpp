@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "forge.h"
+
+namespace welkin::test {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+Offset<format::Curve> build(FlatBufferBuilder& b, const CurveParts& c) {
+  return c.there ? format::CreateCurveDirect(b, c.components, &c.time_h, &c.value) : Offset<format::Curve>();
+}
+
+Offset<format::Light> build(FlatBufferBuilder& b, const LightParts& l) {
+  if (!l.there) return {};
+  const auto path = l.has_path ? format::CreateLightPathDirect(b, l.latitude, l.declination, l.transit, l.north,
+                                                               &l.time_h, &l.azimuth, &l.elevation)
+                               : Offset<format::LightPath>();
+  const auto illuminance = build(b, l.illuminance);
+  const auto colour = build(b, l.colour);
+  return format::CreateLight(b, path, illuminance, colour, l.disc);
+}
+
+Offset<format::Gradient> build(FlatBufferBuilder& b, const GradientParts& g) {
+  return g.there ? format::CreateGradientDirect(b, g.width, g.height, &g.rgb) : Offset<format::Gradient>();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> payloadOf(const Parts& p) {
+  FlatBufferBuilder b;
+  std::vector<Offset<format::Cubemap>> cubemaps;
+  for (const double time : p.cubemap_time_h) {
+    b.ForceVectorAlignment(p.cubemap.size() * 2, 1, 16);
+    const auto texels = b.CreateVector(reinterpret_cast<const std::uint8_t*>(p.cubemap.data()), p.cubemap.size() * 2);
+    cubemaps.push_back(
+        format::CreateCubemap(b, time, p.has_texels ? texels : Offset<flatbuffers::Vector<std::uint8_t>>()));
+  }
+  const auto intensity = build(b, p.intensity);
+  const auto saturation = build(b, p.saturation);
+  const auto tint = build(b, p.tint);
+  const auto sun = build(b, p.sun);
+  const auto moon = build(b, p.moon);
+  const auto gradient_sun = build(b, p.gradient_sun);
+  const auto gradient_anti = build(b, p.gradient_anti);
+  const double* m = p.model;
+  const format::Luminance luminance(m[0], m[1], m[2], m[3], m[4], m[5], p.normalise);
+  const auto sky =
+      format::CreateSkyDirect(b, p.has_luminance ? &luminance : nullptr, p.unit, p.has_albedo ? &p.albedo : nullptr,
+                              intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti, p.delta, p.bands,
+                              &p.key_time_h, &p.shape, &p.irradiance, p.cubemap_size, &cubemaps);
+  format::FinishFileBuffer(b, format::CreateFileDirect(b, p.has_settings ? "{}" : nullptr, nullptr,
+                                                       p.has_sky ? sky : Offset<format::Sky>()));
+  return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};
+}
+
+}  // namespace welkin::test

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// FlatBuffers of a sky made part by part, so that a test can leave one out or spoil it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "format/container.h"
+
+namespace welkin::test {
+
+struct CurveParts {
+  std::uint8_t components = 1;
+  std::vector<double> time_h = {0.0}, value = {1.0};
+  bool there = true;
+};
+
+struct LightParts {
+  double latitude = 0.3, declination = 0.4, transit = 12.0, north = 0.0, disc = 0.005;
+  std::vector<double> time_h, azimuth, elevation;
+  CurveParts illuminance, colour = {3, {0.0}, {1.0, 0.9, 0.8}};
+  bool there = true, has_path = true;
+};
+
+struct GradientParts {
+  std::uint32_t width = 1, height = 2;
+  std::vector<float> rgb = std::vector<float>(6, 0.5F);
+  bool there = true;
+};
+
+/// A valid file of two keys, two bands and two cubemaps; tests break one part of it.
+struct Parts {
+  double model[6] = {-1.0, -0.3, 10.0, -3.0, 0.45, 0.0};
+  std::uint8_t normalise = 0;
+  bool has_luminance = true, has_albedo = true, has_settings = true, has_sky = true;
+  double unit = 1.0, delta = 1e-4;
+  format::Rgb albedo{0.1F, 0.1F, 0.1F};
+  CurveParts intensity{1, {0.0, 12.0}, {1.0, 2.0}}, saturation, tint{3, {0.0}, {1.0, 1.0, 1.0}};
+  LightParts sun, moon{0, 0, 0, 0, 0.005, {0.0, 12.0}, {0.0, 3.0}, {-1.0, 1.0}, {}, {3, {0.0}, {1, 1, 1}}, true, true};
+  GradientParts gradient_sun, gradient_anti;
+  std::uint8_t bands = 2;
+  std::vector<double> key_time_h = {0.0, 12.0};
+  std::vector<float> shape = std::vector<float>(24, 0.5F), irradiance = std::vector<float>(6, 3.0F);
+  std::uint32_t cubemap_size = 1;
+  std::vector<double> cubemap_time_h = {6.0, 18.0};
+  std::vector<std::uint16_t> cubemap = std::vector<std::uint16_t>(24, 0x3c00);
+  bool has_texels = true;
+};
+
+/// The FlatBuffer, without the container's header.
+std::vector<std::uint8_t> payloadOf(const Parts& parts);
+
+}  // namespace welkin::test
