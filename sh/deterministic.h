@@ -33,6 +33,9 @@ inline Number pow(Number x, Number y) {
 inline Number sqrt(Number x) {
   return std::sqrt(x);
 }
+inline Number floor(Number x) {
+  return std::floor(x);
+}
 inline Number sin(Number x) {
   return Sleef_cinz_sind1_u10purec(x);
 }

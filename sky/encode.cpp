@@ -29,6 +29,13 @@ Offset<format::Gradient> encodeGradient(FlatBufferBuilder& b, const Gradient& gr
                                       static_cast<std::uint32_t>(gradient.height), &gradient.rgb);
 }
 
+Offset<format::Stars> encodeStars(FlatBufferBuilder& b, const Stars& stars) {
+  b.ForceVectorAlignment(stars.rgba.size(), 1, 16);
+  const auto texels = b.CreateVector(stars.rgba);
+  return format::CreateStars(b, static_cast<std::uint32_t>(stars.width), static_cast<std::uint32_t>(stars.height),
+                             texels, stars.intensity, stars.latitude_rad, stars.north_offset_rad, stars.midnight_h);
+}
+
 Offset<format::Cubemap> encodeCubemap(FlatBufferBuilder& b, double time_h, const DomeImage& image) {
   b.ForceVectorAlignment(image.rgb_half.size() / 3 * 8, 1, 16);
   std::uint8_t* out = nullptr;
@@ -64,12 +71,14 @@ std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, con
   const auto tint = encodeCurve(b, s.polarising_tint);
   const auto sun = encodeLight(b, s.sun);
   const auto moon = s.moon ? encodeLight(b, *s.moon) : Offset<format::Light>();
+  const auto stars = s.stars ? encodeStars(b, *s.stars) : Offset<format::Stars>();
   const auto gradient_sun = encodeGradient(b, s.gradient_sun);
   const auto gradient_anti = encodeGradient(b, s.gradient_anti);
   const auto sky = format::CreateSkyDirect(
       b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti,
       kGradientDelta, static_cast<std::uint8_t>(table.bands), &table.key_time_h, &table.shape_sh,
-      &table.shape_irradiance, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap);
+      &table.shape_irradiance, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap,
+      stars);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, file.settings.c_str(), &input, sky));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
 }

@@ -32,6 +32,10 @@ double srgbToLinear(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : det::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+double linearToSrgb(double linear) {
+  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * det::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
 Image readImage(const std::filesystem::path& path) {
   const std::string name = path.string();
   const auto invalid = [&](const std::string& why) {

@@ -2,13 +2,26 @@
 // The sky model: what an artist described, and its radiance at an instant, in double.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "sky/gradient.h"
 #include "sky/light.h"
 #include "sky/luminance.h"
 
 namespace welkin::sky {
+
+/// A star map, drawn on the dome only; shaders/shared/stars.glsl says how it lies.
+struct Stars {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< sRGB-encoded, rows from the celestial north pole, alpha 255
+  double intensity = 0.0;          ///< radiance of white, scene units
+  double latitude_rad = 0.0;
+  double north_offset_rad = 0.0;
+  double midnight_h = 0.0;  ///< clock time at which the middle column crosses the meridian
+};
 
 /// A sky over one day. See docs/conventions.md for every formula.
 struct Sky {
@@ -23,6 +36,7 @@ struct Sky {
   double luminance_unit = 1.0;  ///< cd/m2 of radiance 1
   Light sun;
   std::optional<Light> moon;
+  std::optional<Stars> stars;
 };
 
 /// The sky at one time. Radiances are RGB in scene units; directions are unit vectors.

@@ -163,6 +163,31 @@ Light readMoon(TomlTable table, const LightPath& sun) {
   return moon;
 }
 
+/// The map turns with the sun's daily circle; a path by hand turns about the zenith of latitude 0 and noon at 12 h.
+Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
+  const toml::node* n = table.node("image");
+  if (n == nullptr || !n->is_string()) table.refuse("image", n, "must be the name of a star map, an image");
+  const Image image = reading.image(table, "image", *n);
+  Stars stars;
+  stars.width = image.width;
+  stars.height = image.height;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const double linear = double{image.rgb[i]};
+    if (linear > 1.0)
+      table.refuse("image", n,
+                   fmt::format("a star map's values must be 0 to 1; one is {}: intensity scales them", linear));
+    stars.rgba.push_back(static_cast<std::uint8_t>(std::floor(linearToSrgb(linear) * 255.0 + 0.5)));
+    if (i % 3 == 2) stars.rgba.push_back(255);
+  }
+  stars.intensity = table.number("intensity", kBrightness, std::nullopt);
+  const bool sun_has_place = sun.key_time_h.empty();
+  stars.latitude_rad = sun_has_place ? sun.latitude_rad : 0.0;
+  stars.north_offset_rad = sun.north_offset_rad;
+  stars.midnight_h = format::wrapTime((sun_has_place ? sun.transit_h : 12.0) + 12.0);
+  table.finish();
+  return stars;
+}
+
 BakeSettings readBake(TomlTable table) {
   BakeSettings bake;
   bake.bands = table.integer("bands", 2, 5, 2);
@@ -222,6 +247,8 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
   sky.sun = readSun(sun);
   TomlTable moon = top.table("moon");
   if (top.has("moon")) sky.moon = readMoon(moon, sky.sun.path);
+  TomlTable stars = top.table("stars");
+  if (top.has("stars")) sky.stars = readStars(stars, sky.sun.path, reading);
   result.bake = readBake(top.table("bake"));
   top.finish();
 

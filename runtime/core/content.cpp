@@ -136,6 +136,16 @@ void checkCubemaps(Check& check, const format::Sky& sky) {
   }
 }
 
+void checkStars(Check& check, const format::Stars& stars) {
+  const std::uint64_t texels = std::uint64_t{stars.width()} * stars.height();
+  if (!check.that(stars.rgba8() != nullptr, "stars", "have no texels")) return;
+  check.that(texels > 0 && stars.width() <= 16384 && stars.height() <= 16384 && stars.rgba8()->size() == texels * 4,
+             "stars", "must have four bytes for every texel");
+  check.that(within(stars.intensity(), 0.0, kAny) && within(stars.latitude_rad(), -kPi / 2, kPi / 2) &&
+                 within(stars.north_offset_rad(), -kAny, kAny) && within(stars.midnight_h(), 0.0, 24.0),
+             "stars", "have a value out of its domain");
+}
+
 }  // namespace
 
 WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
@@ -164,6 +174,7 @@ WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
   checkCurve(check, sky->ambient_saturation(), 1, 1.0, "ambient_saturation");
   checkCurve(check, sky->polarising_tint(), 3, kAny, "polarising_tint");
   if (check.that(sky->sun() != nullptr, "sun", "is missing")) checkLight(check, *sky->sun(), "sun");
+  if (sky->stars() != nullptr) checkStars(check, *sky->stars());
   if (sky->moon() != nullptr) checkLight(check, *sky->moon(), "moon");
   if (check.result == WELKIN_OK) checkNorm(check, *sky);
   checkGradient(check, sky->gradient_sun(), "gradient_sun");

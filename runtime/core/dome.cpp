@@ -31,6 +31,27 @@ Number3 sampleGradient(const WelkinGradient& image, double time_h, double elevat
              mix(texel(image, c0, r1), texel(image, c1, r1), x - left), y - low);
 }
 
+double srgbToLinear(std::uint8_t code) {
+  const double x = code / 255.0;
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+/// Bilinear between texel centres, in linear light; columns wrap, rows clamp.
+Number3 sampleStars(const WelkinStars& map, double u, double v) {
+  const double x = u * map.width - 0.5;
+  const double y = std::clamp(v * map.height - 0.5, 0.0, map.height - 1.0);
+  const double left = std::floor(x);
+  const auto low = static_cast<std::uint32_t>(y);
+  const auto texelAt = [&](double column, std::uint32_t row) {
+    const double wrapped = column < 0.0 ? column + map.width : column >= map.width ? column - map.width : column;
+    const std::uint8_t* p = map.rgba8 + 4 * (std::size_t{row} * map.width + static_cast<std::uint32_t>(wrapped));
+    return Number3(srgbToLinear(p[0]), srgbToLinear(p[1]), srgbToLinear(p[2]));
+  };
+  const auto high = std::min(low + 1, map.height - 1);
+  return mix(mix(texelAt(left, low), texelAt(left + 1.0, low), x - left),
+             mix(texelAt(left, high), texelAt(left + 1.0, high), x - left), y - low);
+}
+
 }  // namespace
 }  // namespace welkin::core
 
@@ -57,6 +78,49 @@ WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* s
   const float* t = sample->polarising_tint;
   const Number3 tint{double{t[0]}, double{t[1]}, double{t[2]}};
   const Number3 value = f64::chromaticity(colour, double{gradients.delta}) * luminance * tint;
+  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(value[i]);
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float direction[3], float pixel_rad,
+                                  float radiance[3]) {
+  using namespace welkin;
+  using namespace welkin::core;
+  if (sample == nullptr || direction == nullptr || radiance == nullptr || !(pixel_rad >= 0.0F))
+    return WELKIN_ERROR_ARGUMENT;
+  const auto load = [](const float v[3]) { return Number3(double{v[0]}, double{v[1]}, double{v[2]}); };
+  const Number3 d = load(direction);
+  const Number3 sun = load(sample->sun.direction);
+  Number3 sum(0.0);
+  for (const WelkinLight* light : {&sample->sun, &sample->moon}) {
+    const double radius = double{light->disc_radius_rad};
+    if (!(radius > 0.0) || d.y < 0.0) continue;
+    const Number3 towards = load(light->direction);
+    const double coverage = f64::discCoverage(f64::angleBetween(d, towards), radius, double{pixel_rad});
+    const double phase = light == &sample->moon ? f64::moonPhase(d, towards, radius, sun) : 1.0;
+    const double sine = std::sin(radius);
+    if (coverage > 0.0) sum += load(light->normal_irradiance) * (coverage * phase / (f64::kPi * sine * sine));
+  }
+  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(sum[i]);
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_star_radiance(const WelkinSky* sky, const WelkinSkySample* sample, const float direction[3],
+                                  float radiance[3]) {
+  using namespace welkin;
+  using namespace welkin::core;
+  float dome[3];
+  if (const auto r = welkin_dome_radiance(sky, sample, direction, dome)) return r;
+  WelkinStars map;
+  welkin_sky_stars(sky, &map);
+  std::fill_n(radiance, 3, 0.0F);
+  if (map.width == 0 || !(map.intensity > 0.0F) || !(direction[1] >= 0.0F)) return WELKIN_OK;
+  const Number3 at =
+      f64::starCoordinates({double{direction[0]}, double{direction[1]}, double{direction[2]}}, double{map.latitude_rad},
+                           double{map.north_offset_rad}, f64::kTwoPi * (sample->time_h - map.midnight_h) / 24.0);
+  const double luminance = f64::luminanceOf({double{dome[0]}, double{dome[1]}, double{dome[2]}});
+  const Number3 value =
+      sampleStars(map, at.x, at.y) * (double{map.intensity} * f64::starFade(luminance, double{map.intensity}));
   for (int i = 0; i < 3; ++i) radiance[i] = toFloat(value[i]);
   return WELKIN_OK;
 }

@@ -3,6 +3,7 @@
 // did; only the shape of the sky's radiance is interpolated between the table's keys.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/sky.h"
@@ -47,6 +48,14 @@ void store(Number3 v, float out[3]) {
   for (int i = 0; i < 3; ++i) out[i] = toFloat(v[i]);
 }
 
+/// Share of a disc's area above the horizon: a circular segment. Without a disc, of one of a quarter of a degree.
+double visibleShare(const Number3& direction, double disc_radius_rad) {
+  constexpr double kQuarterDegree = 0.25 * f64::kPi / 180.0;
+  const double radius = disc_radius_rad > 0.0 ? disc_radius_rad : kQuarterDegree;
+  const double x = std::clamp(f64::elevationOf(direction) / radius, -1.0, 1.0);
+  return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / f64::kPi;
+}
+
 struct LightAt {
   Number3 direction, colour, normal_irradiance;
   double illuminance;
@@ -69,6 +78,7 @@ WelkinLight lightOf(const LightAt& at, double disc_radius_rad) {
   store(at.colour, light.colour);
   store(at.normal_irradiance, light.normal_irradiance);
   light.disc_radius_rad = toFloat(disc_radius_rad);
+  light.visible = toFloat(visibleShare(at.direction, disc_radius_rad));
   return light;
 }
 
@@ -76,10 +86,6 @@ Number3 lerpKeys(const float* first, const float* second, double weight) {
   Number3 v;
   for (int i = 0; i < 3; ++i) v[i] = (1.0 - weight) * double{first[i]} + weight * double{second[i]};
   return v;
-}
-
-int bandOf(std::uint32_t coefficient) {
-  return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
 }
 
 void blendTable(const format::Sky& sky, double time_h, double intensity, const LightAt& sun, const LightAt* moon,
@@ -132,7 +138,8 @@ WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySam
   using namespace welkin::core;
   if (sky == nullptr || sample == nullptr || !std::isfinite(time_h)) return WELKIN_ERROR_ARGUMENT;
   const auto& s = *sky->file->sky();
-  WelkinSkySample out{};
+  WelkinSkySample out;
+  std::memset(&out, 0, sizeof out);
   out.time_h = format::wrapTime(time_h);
   const double intensity = evaluate(*s.intensity(), out.time_h);
   out.intensity = toFloat(intensity);
@@ -150,21 +157,9 @@ WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySam
       f64::luminanceNorm(luminanceModel(*s.luminance()), sun.direction, s.luminance()->normalise_to_sun() != 0));
   blendTable(s, out.time_h, intensity, sun, s.moon() != nullptr ? &moon : nullptr, out);
   chooseCubemaps(s, out.time_h, out);
-  *sample = out;
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3], float irradiance[3]) {
-  using namespace welkin;
-  using namespace welkin::core;
-  if (sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
-  if (sample->coefficient_count > WELKIN_MAX_COEFFICIENTS) return WELKIN_ERROR_ARGUMENT;
-  const f64::ShBasis basis = f64::shBasis({double{normal[0]}, double{normal[1]}, double{normal[2]}});
-  Number3 sum(0.0);
-  for (std::uint32_t i = 0; i < sample->coefficient_count; ++i) {
-    const float* c = sample->ambient_sh[i];
-    sum += Number3(double{c[0]}, double{c[1]}, double{c[2]}) * (f64::cosineLobe(bandOf(i)) * basis.v[i]);
-  }
-  for (int i = 0; i < 3; ++i) irradiance[i] = toFloat(std::max(sum[i], 0.0));
+  out.unchanged = sample->unchanged;
+  const bool unchanged = std::memcmp(&out, sample, sizeof out) == 0;
+  if (!unchanged) std::memcpy(sample, &out, sizeof out);  // padding too, which the comparison sees
+  sample->unchanged = unchanged ? 1 : 0;
   return WELKIN_OK;
 }

@@ -154,6 +154,20 @@ WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCube
   return WELKIN_OK;
 }
 
+WelkinResult welkin_sky_stars(const WelkinSky* sky, WelkinStars* stars) {
+  if (sky == nullptr || stars == nullptr) return WELKIN_ERROR_ARGUMENT;
+  *stars = {};
+  if (const auto* s = sky->file->sky()->stars(); s != nullptr)
+    *stars = {s->width(),
+              s->height(),
+              s->rgba8()->data(),
+              toFloat(s->intensity()),
+              toFloat(s->latitude_rad()),
+              toFloat(s->north_offset_rad()),
+              s->midnight_h()};
+  return WELKIN_OK;
+}
+
 WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h) {
   if (sky == nullptr || time_h == nullptr) return WELKIN_ERROR_ARGUMENT;
   const auto keys = spanOf(sky->file->sky()->key_time_h());

@@ -34,6 +34,11 @@ inline f64::LuminanceModel luminanceModel(const format::Luminance& l) {
   return {l.a(), l.b(), l.c(), l.d(), l.e(), l.k()};
 }
 
+/// Degree l of the coefficient at an index.
+constexpr int bandOf(std::uint32_t coefficient) {
+  return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
+}
+
 /// Unit direction towards a light, at a time in [0, 24).
 f64::Number3 directionAt(const format::LightPath& path, double time_h);
 

@@ -49,10 +49,17 @@ WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& s
                      static_cast<float>(size[3])};
   c.gradient_column = {sun.left, sun.weight, anti.left, anti.weight};
   c.sun_disc = discOf(sample.sun);
-  c.moon = pack(sample.moon.direction, static_cast<float>(sample.coefficient_count));
+  c.moon = pack(sample.moon.direction, 0.0F);
   c.moon_disc = discOf(sample.moon);
-  for (uint32_t i = 0; i < sample.coefficient_count; ++i) c.ambient_sh[i] = pack(sample.ambient_sh[i], 0.0F);
+  const double turn = f64::kTwoPi * (sample.time_h - shape.stars.midnight_h) / 24.0;
+  c.stars = {shape.stars.latitude_rad, shape.stars.north_offset_rad, static_cast<float>(turn), shape.stars.intensity};
+  packAmbient(sample, c);
   return c;
+}
+
+void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
+  constants.moon.w = static_cast<float>(sample.coefficient_count);
+  for (uint32_t i = 0; i < sample.coefficient_count; ++i) constants.ambient_sh[i] = pack(sample.ambient_sh[i], 0.0F);
 }
 
 }  // namespace welkin::vulkan

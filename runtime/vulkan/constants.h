@@ -13,6 +13,7 @@ struct SkyShape {
   WelkinLuminance luminance{};
   uint32_t gradient_size[4]{};  ///< columns and rows of the sun's gradient, then of the opposite one
   float gradient_delta = 0.0F;
+  WelkinStars stars{};  ///< without its texels
 };
 
 /// Column left of the hour in [0, 24), and the weight of the next one; columns wrap. In double: the hour as a float
@@ -25,5 +26,8 @@ GradientColumn gradientColumnAt(double time_h, uint32_t width);
 
 /// The uniform block. `sample` has come from welkin_sky_sample.
 WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample);
+
+/// The ambient coefficients and their number alone.
+void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants);
 
 }  // namespace welkin::vulkan

@@ -7,15 +7,17 @@
 namespace welkin::vulkan {
 namespace {
 
-constexpr uint32_t kImageBindings = 4;
+constexpr uint32_t kImageBindings = 5;
 
-WelkinResult createSampler(const Device& device, VkFilter filter, VkSampler& sampler, WelkinMessage* message) {
+WelkinResult createSampler(const Device& device, VkFilter filter, VkSamplerAddressMode columns, VkSampler& sampler,
+                           WelkinMessage* message) {
   VkSamplerCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = filter;
   info.minFilter = filter;
-  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.mipmapMode = filter == VK_FILTER_LINEAR ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  info.addressModeU = columns;
   info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   return check(device.fn.CreateSampler(device.handle, &info, device.allocator, &sampler), "vkCreateSampler", message);
@@ -75,8 +77,11 @@ VkWriteDescriptorSet imageWrite(VkDescriptorSet set, uint32_t binding, const VkD
 
 WelkinResult createDescriptors(const Device& device, uint32_t frames, Descriptors& descriptors,
                                WelkinMessage* message) {
-  if (const auto r = createSampler(device, VK_FILTER_NEAREST, descriptors.fetch, message)) return r;
-  if (const auto r = createSampler(device, VK_FILTER_LINEAR, descriptors.filter, message)) return r;
+  constexpr auto kEdge = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  constexpr auto kWrap = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  if (const auto r = createSampler(device, VK_FILTER_NEAREST, kEdge, descriptors.fetch, message)) return r;
+  if (const auto r = createSampler(device, VK_FILTER_LINEAR, kEdge, descriptors.filter, message)) return r;
+  if (const auto r = createSampler(device, VK_FILTER_LINEAR, kWrap, descriptors.wrap, message)) return r;
   if (const auto r = createLayout(device, descriptors.layout, message)) return r;
   if (const auto r = createSets(device, frames, descriptors, message)) return r;
   device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, descriptors.layout, "welkin sky");
@@ -87,25 +92,30 @@ WelkinResult createDescriptors(const Device& device, uint32_t frames, Descriptor
 void destroy(const Device& device, Descriptors& descriptors) {
   device.fn.DestroyDescriptorPool(device.handle, descriptors.pool, device.allocator);
   device.fn.DestroyDescriptorSetLayout(device.handle, descriptors.layout, device.allocator);
+  device.fn.DestroySampler(device.handle, descriptors.wrap, device.allocator);
   device.fn.DestroySampler(device.handle, descriptors.filter, device.allocator);
   device.fn.DestroySampler(device.handle, descriptors.fetch, device.allocator);
   descriptors = {};
 }
 
 void writeFixedBindings(const Device& device, const Descriptors& descriptors, uint32_t frame,
-                        const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti) {
+                        const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti,
+                        VkImageView stars) {
   const VkDescriptorSet set = descriptors.sets[frame];
   const VkDescriptorImageInfo sun{descriptors.fetch, gradient_sun, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   const VkDescriptorImageInfo anti{descriptors.fetch, gradient_anti, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-  VkWriteDescriptorSet writes[3] = {
-      {}, imageWrite(set, WELKIN_BINDING_GRADIENT_SUN, sun), imageWrite(set, WELKIN_BINDING_GRADIENT_ANTI, anti)};
+  const VkDescriptorImageInfo map{descriptors.wrap, stars, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  VkWriteDescriptorSet writes[4] = {{},
+                                    imageWrite(set, WELKIN_BINDING_GRADIENT_SUN, sun),
+                                    imageWrite(set, WELKIN_BINDING_GRADIENT_ANTI, anti),
+                                    imageWrite(set, WELKIN_BINDING_STARS, map)};
   writes[0].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
   writes[0].dstSet = set;
   writes[0].dstBinding = WELKIN_BINDING_CONSTANTS;
   writes[0].descriptorCount = 1;
   writes[0].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   writes[0].pBufferInfo = &constants;
-  device.fn.UpdateDescriptorSets(device.handle, 3, writes, 0, nullptr);
+  device.fn.UpdateDescriptorSets(device.handle, 4, writes, 0, nullptr);
 }
 
 void writeCubemaps(const Device& device, const Descriptors& descriptors, uint32_t frame, VkImageView first,

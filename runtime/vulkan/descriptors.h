@@ -9,6 +9,7 @@ namespace welkin::vulkan {
 struct Descriptors {
   VkSampler fetch = VK_NULL_HANDLE;   ///< gradients; they are fetched, so it filters nothing
   VkSampler filter = VK_NULL_HANDLE;  ///< cubemaps
+  VkSampler wrap = VK_NULL_HANDLE;    ///< the star map, whose columns wrap
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   VkDescriptorSet sets[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT] = {};
@@ -18,9 +19,10 @@ struct Descriptors {
 WelkinResult createDescriptors(const Device& device, uint32_t frames, Descriptors& descriptors, WelkinMessage* message);
 void destroy(const Device& device, Descriptors& descriptors);
 
-/// Points a set at its slice of the uniform buffer and at the two gradients: once.
+/// Points a set at its slice of the uniform buffer, the two gradients and the star map: once.
 void writeFixedBindings(const Device& device, const Descriptors& descriptors, uint32_t frame,
-                        const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti);
+                        const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti,
+                        VkImageView stars);
 
 /// Points a set at its two cubemaps; the frame must not be in use.
 void writeCubemaps(const Device& device, const Descriptors& descriptors, uint32_t frame, VkImageView first,

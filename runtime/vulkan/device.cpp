@@ -75,6 +75,11 @@ WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, Welk
   device.physical = info.physical_device;
   device.handle = info.device;
   device.allocator = info.allocator;
+  if (info.memory != nullptr) {
+    if (info.memory->allocate == nullptr || info.memory->free == nullptr)
+      return fail(message, WELKIN_ERROR_ARGUMENT, "memory must give both allocate and free");
+    device.callbacks = *info.memory;
+  }
   if (const auto result = loadFunctions(info, device.fn, message)) return result;
   device.fn.GetPhysicalDeviceProperties(device.physical, &device.properties);
   device.fn.GetPhysicalDeviceMemoryProperties(device.physical, &device.memory);
@@ -82,7 +87,8 @@ WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, Welk
     return fail(message, WELKIN_ERROR_DEVICE, "%.100s has Vulkan %u.%u; 1.3 is needed", device.properties.deviceName,
                 VK_API_VERSION_MAJOR(device.properties.apiVersion), VK_API_VERSION_MINOR(device.properties.apiVersion));
   constexpr VkFormatFeatureFlags kFetch = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
-  constexpr VkFormatFeatureFlags kFilter = kFetch | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  constexpr VkFormatFeatureFlags kFilter = kFetch | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT |
+                                           VK_FORMAT_FEATURE_BLIT_SRC_BIT | VK_FORMAT_FEATURE_BLIT_DST_BIT;
   if (const auto result = checkFormat(device, VK_FORMAT_R32G32B32A32_SFLOAT, kFetch, "gradients", message))
     return result;
   if (const auto result = checkFormat(device, VK_FORMAT_R16G16B16A16_SFLOAT, kFilter, "cubemaps", message))

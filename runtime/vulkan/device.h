@@ -19,10 +19,12 @@ namespace welkin::vulkan {
   X(BindImageMemory)                      \
   X(CmdBindDescriptorSets)                \
   X(CmdBindPipeline)                      \
+  X(CmdBlitImage)                         \
   X(CmdCopyBufferToImage)                 \
   X(CmdDraw)                              \
   X(CmdPipelineBarrier2)                  \
   X(CmdPushConstants)                     \
+  X(CmdSetBlendConstants)                 \
   X(CreateBuffer)                         \
   X(CreateDescriptorPool)                 \
   X(CreateDescriptorSetLayout)            \
@@ -63,6 +65,7 @@ struct Device {
   const VkAllocationCallbacks* allocator = nullptr;
   VkPhysicalDeviceProperties properties{};
   VkPhysicalDeviceMemoryProperties memory{};
+  WelkinVulkanMemoryCallbacks callbacks{};  ///< without `allocate` the library allocates
 
   /// Names an object for debuggers and validation messages.
   template <typename Handle>

@@ -65,17 +65,26 @@ WelkinResult createPipelines(const Device& device, const WelkinVulkanCreateInfo&
   depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   depth.depthTestEnable = create.depth_format != VK_FORMAT_UNDEFINED ? VK_TRUE : VK_FALSE;
   depth.depthCompareOp = create.depth_compare;
-  VkPipelineColorBlendAttachmentState attachment{};
-  attachment.colorWriteMask =
-      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  VkPipelineColorBlendStateCreateInfo blend{};
-  blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-  blend.attachmentCount = 1;
-  blend.pAttachments = &attachment;
-  const VkDynamicState states[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineColorBlendAttachmentState attachments[2] = {};
+  for (auto& attachment : attachments)
+    attachment.colorWriteMask =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  attachments[1].blendEnable = VK_TRUE;
+  attachments[1].srcColorBlendFactor = VK_BLEND_FACTOR_CONSTANT_ALPHA;
+  attachments[1].dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_ALPHA;
+  attachments[1].srcAlphaBlendFactor = VK_BLEND_FACTOR_CONSTANT_ALPHA;
+  attachments[1].dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_ALPHA;
+  VkPipelineColorBlendStateCreateInfo blends[2] = {};
+  for (int i = 0; i < 2; ++i) {
+    blends[i].sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+    blends[i].attachmentCount = 1;
+    blends[i].pAttachments = &attachments[i];
+  }
+  const VkDynamicState states[3] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                    VK_DYNAMIC_STATE_BLEND_CONSTANTS};
   VkPipelineDynamicStateCreateInfo dynamic{};
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-  dynamic.dynamicStateCount = 2;
+  dynamic.dynamicStateCount = 3;
   dynamic.pDynamicStates = states;
   VkPipelineRenderingCreateInfo rendering{};
   rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
@@ -84,13 +93,14 @@ WelkinResult createPipelines(const Device& device, const WelkinVulkanCreateInfo&
   rendering.depthAttachmentFormat = create.depth_format;
   rendering.stencilAttachmentFormat = create.stencil_format;
 
-  VkPipelineShaderStageCreateInfo stages[2][2];
-  VkGraphicsPipelineCreateInfo infos[2] = {};
+  VkPipelineShaderStageCreateInfo stages[4][2];
+  VkGraphicsPipelineCreateInfo infos[4] = {};
   const VkBool32 from_cubemaps[2] = {VK_FALSE, VK_TRUE};
   const VkSpecializationMapEntry entry{0, 0, sizeof(VkBool32)};
-  VkSpecializationInfo specialization[2];
-  for (int i = 0; i < 2; ++i) {
-    specialization[i] = {1, &entry, sizeof(VkBool32), &from_cubemaps[i]};
+  VkSpecializationInfo specialization[4];
+  const uint32_t count = dome.blends ? 4 : 2;
+  for (uint32_t i = 0; i < count; ++i) {
+    specialization[i] = {1, &entry, sizeof(VkBool32), &from_cubemaps[i % 2]};
     stages[i][0] = stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex);
     stages[i][1] = stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment);
     stages[i][1].pSpecializationInfo = &specialization[i];
@@ -104,11 +114,11 @@ WelkinResult createPipelines(const Device& device, const WelkinVulkanCreateInfo&
     infos[i].pRasterizationState = &raster;
     infos[i].pMultisampleState = &samples;
     infos[i].pDepthStencilState = &depth;
-    infos[i].pColorBlendState = &blend;
+    infos[i].pColorBlendState = &blends[i / 2];
     infos[i].pDynamicState = &dynamic;
     infos[i].layout = dome.layout;
   }
-  return check(device.fn.CreateGraphicsPipelines(device.handle, create.pipeline_cache, 2, infos, device.allocator,
+  return check(device.fn.CreateGraphicsPipelines(device.handle, create.pipeline_cache, count, infos, device.allocator,
                                                  dome.pipelines),
                "vkCreateGraphicsPipelines", message);
 }
@@ -117,6 +127,9 @@ WelkinResult createPipelines(const Device& device, const WelkinVulkanCreateInfo&
 
 WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateInfo& info, VkDescriptorSetLayout set,
                                 DomePipeline& dome, WelkinMessage* message) {
+  VkFormatProperties format;
+  device.fn.GetPhysicalDeviceFormatProperties(device.physical, info.colour_format, &format);
+  dome.blends = (format.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) != 0;
   if (const auto r = createLayout(device, set, dome.layout, message)) return r;
   VkShaderModule vertex = VK_NULL_HANDLE;
   VkShaderModule fragment = VK_NULL_HANDLE;
@@ -138,8 +151,11 @@ void destroy(const Device& device, DomePipeline& dome) {
 }
 
 void recordDome(const Device& device, const DomePipeline& dome, VkCommandBuffer commands, VkDescriptorSet set,
-                WelkinVulkanSource source, const DomePush& push) {
-  device.fn.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, dome.pipelines[source]);
+                WelkinVulkanSource source, float opacity, const DomePush& push) {
+  const bool blend = opacity > 0.0F && opacity < 1.0F;
+  const float constants[4] = {0.0F, 0.0F, 0.0F, opacity};
+  device.fn.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, dome.pipelines[source + (blend ? 2 : 0)]);
+  device.fn.CmdSetBlendConstants(commands, constants);
   device.fn.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, dome.layout, 0, 1, &set, 0, nullptr);
   device.fn.CmdPushConstants(commands, dome.layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                              sizeof(push), &push);

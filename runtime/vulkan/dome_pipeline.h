@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graphics pipelines of the dome: one for each source of radiance.
+// The graphics pipelines of the dome: one for each source of radiance, that replaces or blends.
 #pragma once
 
 #include "passes/dome_push.h"
@@ -9,7 +9,8 @@ namespace welkin::vulkan {
 
 struct DomePipeline {
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  VkPipeline pipelines[2] = {};  ///< indexed by WelkinVulkanSource
+  VkPipeline pipelines[4] = {};  ///< indexed by WelkinVulkanSource, plus 2 for the blending ones
+  bool blends = false;           ///< whether the colour format lets the latter exist
 };
 
 WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateInfo& info, VkDescriptorSetLayout set,
@@ -17,6 +18,6 @@ WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateIn
 void destroy(const Device& device, DomePipeline& dome);
 
 void recordDome(const Device& device, const DomePipeline& dome, VkCommandBuffer commands, VkDescriptorSet set,
-                WelkinVulkanSource source, const DomePush& push);
+                WelkinVulkanSource source, float opacity, const DomePush& push);
 
 }  // namespace welkin::vulkan

@@ -7,6 +7,10 @@ namespace {
 
 constexpr uint32_t kNoMemoryType = ~0U;
 
+VkDeviceSize roundUp(VkDeviceSize bytes, VkDeviceSize to) {
+  return (bytes + to - 1) / to * to;
+}
+
 /// First memory type of `allowed` with all of `needed`; one with `preferred` too where there is one.
 uint32_t findMemoryType(const Device& device, uint32_t allowed, VkMemoryPropertyFlags needed,
                         VkMemoryPropertyFlags preferred) {
@@ -20,14 +24,30 @@ uint32_t findMemoryType(const Device& device, uint32_t allowed, VkMemoryProperty
   return found;
 }
 
-WelkinResult allocate(const Device& device, VkDeviceSize bytes, uint32_t type, const char* what, VkDeviceMemory& memory,
+WelkinResult allocate(const Device& device, const VkMemoryRequirements& needs, VkMemoryPropertyFlags required,
+                      VkMemoryPropertyFlags preferred, const char* what, WelkinVulkanAllocation& allocation,
                       WelkinMessage* message) {
-  if (type == kNoMemoryType) return fail(message, WELKIN_ERROR_DEVICE, "no memory type fits %s", what);
+  const bool mapped = (required & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
+  if (device.callbacks.allocate != nullptr) {
+    const VkResult result = device.callbacks.allocate(device.callbacks.user, &needs, required, preferred, &allocation);
+    if (result != VK_SUCCESS) allocation = {};
+    if (const auto r = check(result, what, message)) return r;
+    if (allocation.memory == VK_NULL_HANDLE || (mapped && allocation.mapped == nullptr))
+      return fail(message, WELKIN_ERROR_ARGUMENT, "the caller's memory for %s is null or not mapped", what);
+    return WELKIN_OK;
+  }
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-  info.allocationSize = bytes;
-  info.memoryTypeIndex = type;
-  return check(device.fn.AllocateMemory(device.handle, &info, device.allocator, &memory), what, message);
+  info.allocationSize = needs.size;
+  info.memoryTypeIndex = findMemoryType(device, needs.memoryTypeBits, required, preferred);
+  if (info.memoryTypeIndex == kNoMemoryType) return fail(message, WELKIN_ERROR_DEVICE, "no memory type fits %s", what);
+  if (const auto r =
+          check(device.fn.AllocateMemory(device.handle, &info, device.allocator, &allocation.memory), what, message))
+    return r;
+  device.name(VK_OBJECT_TYPE_DEVICE_MEMORY, allocation.memory, what);
+  if (!mapped) return WELKIN_OK;
+  return check(device.fn.MapMemory(device.handle, allocation.memory, 0, VK_WHOLE_SIZE, 0, &allocation.mapped), what,
+               message);
 }
 
 }  // namespace
@@ -46,27 +66,55 @@ WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsag
   device.fn.GetBufferMemoryRequirements(device.handle, buffer.buffer, &needs);
   const VkMemoryPropertyFlags preferred =
       (usage & VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT) != 0 ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT : 0;
-  const uint32_t type =
-      findMemoryType(device, needs.memoryTypeBits,
-                     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT, preferred);
-  if (const auto r = allocate(device, needs.size, type, name, buffer.memory, message)) return r;
+  constexpr VkMemoryPropertyFlags kMapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  if (const auto r = allocate(device, needs, kMapped, preferred, name, buffer.allocation, message)) return r;
   buffer.bytes = needs.size;
-  if (const auto r = check(device.fn.BindBufferMemory(device.handle, buffer.buffer, buffer.memory, 0), name, message))
+  buffer.mapped = static_cast<unsigned char*>(buffer.allocation.mapped);
+  if (const auto r = check(
+          device.fn.BindBufferMemory(device.handle, buffer.buffer, buffer.allocation.memory, buffer.allocation.offset),
+          name, message))
     return r;
-  void* mapped = nullptr;
-  if (const auto r =
-          check(device.fn.MapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &mapped), name, message))
-    return r;
-  buffer.mapped = static_cast<unsigned char*>(mapped);
   device.name(VK_OBJECT_TYPE_BUFFER, buffer.buffer, name);
-  device.name(VK_OBJECT_TYPE_DEVICE_MEMORY, buffer.memory, name);
   return WELKIN_OK;
 }
 
 void destroy(const Device& device, MappedBuffer& buffer) {
   device.fn.DestroyBuffer(device.handle, buffer.buffer, device.allocator);
-  device.fn.FreeMemory(device.handle, buffer.memory, device.allocator);  // unmaps it
+  freeMemory(device, buffer.allocation);
   buffer = {};
+}
+
+void freeMemory(const Device& device, WelkinVulkanAllocation& allocation) {
+  if (device.callbacks.allocate == nullptr)
+    device.fn.FreeMemory(device.handle, allocation.memory, device.allocator);  // unmaps it
+  else if (allocation.memory != VK_NULL_HANDLE)
+    device.callbacks.free(device.callbacks.user, &allocation);
+  allocation = {};
+}
+
+uint32_t mipCount(uint32_t edge) {
+  uint32_t mips = 1;
+  while (edge >> mips != 0) ++mips;
+  return mips;
+}
+
+VkImageCreateInfo imageInfo(const Image& image) {
+  const bool cube = image.layers == 6;
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.flags = cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0;
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = image.format;
+  info.extent = {image.extent.width, image.extent.height, 1};
+  info.mipLevels = image.mips;
+  info.arrayLayers = image.layers;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  if (image.mips > 1) info.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+  info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+  return info;
 }
 
 namespace {
@@ -78,19 +126,7 @@ WelkinResult createImage(const Device& device, Image& image, WelkinMessage* mess
   if (image.extent.width > limit || image.extent.height > limit)
     return fail(message, WELKIN_ERROR_DEVICE, "a %s of %u x %u texels: the device allows %u",
                 cube ? "cubemap" : "gradient", image.extent.width, image.extent.height, limit);
-  VkImageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.flags = cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0;
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = image.format;
-  info.extent = {image.extent.width, image.extent.height, 1};
-  info.mipLevels = 1;
-  info.arrayLayers = image.layers;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+  const VkImageCreateInfo info = imageInfo(image);
   return check(device.fn.CreateImage(device.handle, &info, device.allocator, &image.image), "vkCreateImage", message);
 }
 
@@ -100,7 +136,7 @@ WelkinResult createView(const Device& device, Image& image, WelkinMessage* messa
   info.image = image.image;
   info.viewType = image.layers == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
   info.format = image.format;
-  info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, image.layers};
+  info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mips, 0, image.layers};
   const char* name = image.layers == 6 ? "welkin cubemap" : "welkin gradient";
   device.name(VK_OBJECT_TYPE_IMAGE, image.image, name);
   return check(device.fn.CreateImageView(device.handle, &info, device.allocator, &image.view), name, message);
@@ -108,30 +144,36 @@ WelkinResult createView(const Device& device, Image& image, WelkinMessage* messa
 
 }  // namespace
 
-WelkinResult createImages(const Device& device, Image* images, uint32_t count, VkDeviceMemory& memory,
+WelkinResult createImages(const Device& device, Image* images, uint32_t count, WelkinVulkanAllocation& allocation,
                           VkDeviceSize& memory_bytes, WelkinMessage* message) {
-  uint32_t allowed = ~0U;
-  VkDeviceSize total = 0;
+  VkMemoryRequirements block{0, 1, ~0U};
   for (uint32_t i = 0; i < count; ++i) {
+    if (images[i].borrowed) continue;
     if (const auto r = createImage(device, images[i], message)) return r;
     VkMemoryRequirements needs;
     device.fn.GetImageMemoryRequirements(device.handle, images[i].image, &needs);
-    allowed &= needs.memoryTypeBits;
-    total = (total + needs.alignment - 1) / needs.alignment * needs.alignment + needs.size;
+    block.memoryTypeBits &= needs.memoryTypeBits;
+    block.alignment = needs.alignment > block.alignment ? needs.alignment : block.alignment;
+    block.size = roundUp(block.size, needs.alignment) + needs.size;
   }
-  const uint32_t type = findMemoryType(device, allowed, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  if (const auto r = allocate(device, total, type, "the memory of the images", memory, message)) return r;
-  memory_bytes = total;
-  device.name(VK_OBJECT_TYPE_DEVICE_MEMORY, memory, "welkin images");
+  if (block.size > 0) {
+    if (const auto r =
+            allocate(device, block, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, "welkin images", allocation, message))
+      return r;
+  }
+  memory_bytes = block.size;
   VkDeviceSize offset = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    VkMemoryRequirements needs;
-    device.fn.GetImageMemoryRequirements(device.handle, images[i].image, &needs);
-    offset = (offset + needs.alignment - 1) / needs.alignment * needs.alignment;
-    if (const auto r = check(device.fn.BindImageMemory(device.handle, images[i].image, memory, offset),
-                             "vkBindImageMemory", message))
-      return r;
-    offset += needs.size;
+    if (!images[i].borrowed) {
+      VkMemoryRequirements needs;
+      device.fn.GetImageMemoryRequirements(device.handle, images[i].image, &needs);
+      offset = roundUp(offset, needs.alignment);
+      if (const auto r = check(
+              device.fn.BindImageMemory(device.handle, images[i].image, allocation.memory, allocation.offset + offset),
+              "vkBindImageMemory", message))
+        return r;
+      offset += needs.size;
+    }
     if (const auto r = createView(device, images[i], message)) return r;
   }
   return WELKIN_OK;
@@ -139,19 +181,20 @@ WelkinResult createImages(const Device& device, Image* images, uint32_t count, V
 
 void destroy(const Device& device, Image& image) {
   device.fn.DestroyImageView(device.handle, image.view, device.allocator);
-  device.fn.DestroyImage(device.handle, image.image, device.allocator);
+  if (!image.borrowed) device.fn.DestroyImage(device.handle, image.image, device.allocator);
   image = {};
 }
 
 namespace {
 
-void recordTransition(const Device& device, VkCommandBuffer commands, const Image& image,
-                      VkImageMemoryBarrier2 barrier) {
+/// Barrier of a range of mips; `barrier` holds stages, accesses and layouts.
+void recordTransition(const Device& device, VkCommandBuffer commands, const Image& image, uint32_t first_mip,
+                      uint32_t mips, VkImageMemoryBarrier2 barrier) {
   barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = image.image;
-  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, image.layers};
+  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, first_mip, mips, 0, image.layers};
   VkDependencyInfo dependency{};
   dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   dependency.imageMemoryBarrierCount = 1;
@@ -159,33 +202,62 @@ void recordTransition(const Device& device, VkCommandBuffer commands, const Imag
   device.fn.CmdPipelineBarrier2(commands, &dependency);
 }
 
+constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_BLIT_BIT;
+
+VkImageMemoryBarrier2 barrierOf(VkPipelineStageFlags2 from, VkAccessFlags2 written, VkImageLayout before,
+                                VkPipelineStageFlags2 to, VkAccessFlags2 read, VkImageLayout after) {
+  VkImageMemoryBarrier2 barrier{};
+  barrier.srcStageMask = from;
+  barrier.srcAccessMask = written;
+  barrier.dstStageMask = to;
+  barrier.dstAccessMask = read;
+  barrier.oldLayout = before;
+  barrier.newLayout = after;
+  return barrier;
+}
+
+/// Fills the mips after the first, each from the one before; leaves all but the last as a transfer's source.
+void recordMips(const Device& device, VkCommandBuffer commands, const Image& image) {
+  const auto to_source =
+      barrierOf(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  auto edge = static_cast<int32_t>(image.extent.width);
+  for (uint32_t mip = 1; mip < image.mips; ++mip) {
+    recordTransition(device, commands, image, mip - 1, 1, to_source);
+    const int32_t half = edge > 1 ? edge / 2 : 1;
+    VkImageBlit blit{};
+    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, image.layers};
+    blit.srcOffsets[1] = {edge, edge, 1};
+    blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, image.layers};
+    blit.dstOffsets[1] = {half, half, 1};
+    device.fn.CmdBlitImage(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.image,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
+    edge = half;
+  }
+}
+
 }  // namespace
 
 void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer staging, const Image* images,
                        uint32_t count) {
-  VkImageMemoryBarrier2 to_copy{};
-  to_copy.srcStageMask = VK_PIPELINE_STAGE_2_NONE;
-  to_copy.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  to_copy.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  to_copy.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-  to_copy.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-  VkImageMemoryBarrier2 to_read{};
-  to_read.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  to_read.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  // All commands: the same commands are then valid on a queue family that has no graphics stages.
-  to_read.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  to_read.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-  to_read.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-  to_read.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  const auto to_copy = barrierOf(VK_PIPELINE_STAGE_2_NONE, 0, VK_IMAGE_LAYOUT_UNDEFINED, kTransfer,
+                                 VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  const auto to_read = [](VkImageLayout before) {
+    return barrierOf(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, before, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  };
   for (uint32_t i = 0; i < count; ++i) {
-    recordTransition(device, commands, images[i], to_copy);
+    const Image& image = images[i];
+    recordTransition(device, commands, image, 0, image.mips, to_copy);
     VkBufferImageCopy region{};
-    region.bufferOffset = images[i].staging_offset;
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, images[i].layers};
-    region.imageExtent = {images[i].extent.width, images[i].extent.height, 1};
-    device.fn.CmdCopyBufferToImage(commands, staging, images[i].image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                                   &region);
-    recordTransition(device, commands, images[i], to_read);
+    region.bufferOffset = image.staging_offset;
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, image.layers};
+    region.imageExtent = {image.extent.width, image.extent.height, 1};
+    device.fn.CmdCopyBufferToImage(commands, staging, image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    recordMips(device, commands, image);
+    const uint32_t last = image.mips - 1;
+    if (last > 0) recordTransition(device, commands, image, 0, last, to_read(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
+    recordTransition(device, commands, image, last, 1, to_read(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
   }
 }
 

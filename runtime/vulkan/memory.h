@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Device memory: mapped buffers, and one block for all images.
+// Device memory, the library's or the caller's: mapped buffers, and one block for all images.
 #pragma once
 
 #include "vulkan/device.h"
@@ -9,7 +9,7 @@ namespace welkin::vulkan {
 /// A buffer in host-visible, coherent memory, mapped as long as it lives.
 struct MappedBuffer {
   VkBuffer buffer = VK_NULL_HANDLE;
-  VkDeviceMemory memory = VK_NULL_HANDLE;
+  WelkinVulkanAllocation allocation{};
   VkDeviceSize bytes = 0;  ///< allocated
   unsigned char* mapped = nullptr;
 };
@@ -27,16 +27,27 @@ struct Image {
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkDeviceSize texel_bytes = 0;
   VkDeviceSize staging_offset = 0;
+  uint32_t mips = 1;
+  bool borrowed = false;  ///< the caller's image
 
+  /// Of the first mip.
   VkDeviceSize bytes() const { return texel_bytes * extent.width * extent.height * layers; }
 };
 
-/// Creates the images from extent, layers, format, their memory as one allocation, and their views.
-WelkinResult createImages(const Device& device, Image* images, uint32_t count, VkDeviceMemory& memory,
+/// Mips of a square of `edge` texels down to one.
+uint32_t mipCount(uint32_t edge);
+
+/// What vkCreateImage is asked for.
+VkImageCreateInfo imageInfo(const Image& image);
+
+/// Creates the images that are not borrowed, their memory as one allocation, and the views of all.
+WelkinResult createImages(const Device& device, Image* images, uint32_t count, WelkinVulkanAllocation& allocation,
                           VkDeviceSize& memory_bytes, WelkinMessage* message);
 void destroy(const Device& device, Image& image);
+void freeMemory(const Device& device, WelkinVulkanAllocation& allocation);
 
-/// Records the copy of every image from `staging`; leaves them in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
+/// Records the copy of every image from `staging` and fills their mips, each from the one before by a linear blit;
+/// leaves them in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
 void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer staging, const Image* images,
                        uint32_t count);
 

@@ -16,7 +16,8 @@ struct Frame {
   bool updated = false;
 };
 
-constexpr uint32_t kGradients = 2;  ///< images before the cubemaps
+constexpr uint32_t kStars = 2;  ///< image after the two gradients
+constexpr uint32_t kFixed = 3;  ///< images before the cubemaps
 
 }  // namespace welkin::vulkan
 
@@ -25,10 +26,10 @@ struct WelkinVulkanSky {
   welkin::vulkan::SkyShape shape;
   welkin::vulkan::Descriptors descriptors;
   welkin::vulkan::DomePipeline dome;
-  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, then cubemaps (a black one when there is none)
+  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, cubemaps (black ones when there are none)
   uint32_t image_count = 0;
   uint32_t cubemap_count = 0;  ///< of the file
-  VkDeviceMemory image_memory = VK_NULL_HANDLE;
+  WelkinVulkanAllocation image_memory{};
   VkDeviceSize image_bytes = 0;
   welkin::vulkan::MappedBuffer staging;
   welkin::vulkan::MappedBuffer uniforms;
@@ -53,35 +54,60 @@ void copyGradient(const WelkinGradient& gradient, unsigned char* to) {
   }
 }
 
-void setGradientImage(Image& image, const WelkinGradient& gradient) {
-  image.extent = {gradient.width, gradient.height};
-  image.layers = 1;
-  image.format = VK_FORMAT_R32G32B32A32_SFLOAT;
-  image.texel_bytes = 16;
+/// Two gradients, the stars, then the cubemaps; a black texel and a black cubemap where there are none.
+uint32_t imageCount(const WelkinSkyInfo& info) {
+  return kFixed + (info.cubemap_count > 0 ? info.cubemap_count : 1);
 }
 
-WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinSky* sky, WelkinMessage* message) {
+Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const WelkinStars& stars, uint32_t index) {
+  Image image;
+  if (index == kStars) {
+    image.extent = {stars.width > 0 ? stars.width : 1, stars.height > 0 ? stars.height : 1};
+    image.layers = 1;
+    image.format = VK_FORMAT_R8G8B8A8_SRGB;
+    image.texel_bytes = 4;
+    return image;
+  }
+  if (index < kStars) {
+    const WelkinGradient& gradient = index == 0 ? gradients.sun : gradients.anti;
+    image.extent = {gradient.width, gradient.height};
+    image.layers = 1;
+    image.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    image.texel_bytes = 16;
+    return image;
+  }
+  const uint32_t edge = info.cubemap_count > 0 ? info.cubemap_size : 1;
+  image.extent = {edge, edge};
+  image.layers = 6;
+  image.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+  image.texel_bytes = 8;
+  image.mips = mipCount(edge);
+  return image;
+}
+
+WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& create, const WelkinSky* sky,
+                             WelkinMessage* message) {
   WelkinSkyInfo info;
   WelkinGradients gradients;
+  WelkinStars stars;
   if (welkin_sky_info(sky, &info) != WELKIN_OK || welkin_sky_gradients(sky, &gradients) != WELKIN_OK ||
-      welkin_sky_luminance(sky, &o.shape.luminance) != WELKIN_OK)
+      welkin_sky_stars(sky, &stars) != WELKIN_OK || welkin_sky_luminance(sky, &o.shape.luminance) != WELKIN_OK)
     return fail(message, WELKIN_ERROR_ARGUMENT, "the sky is null");
   const uint32_t sizes[4] = {gradients.sun.width, gradients.sun.height, gradients.anti.width, gradients.anti.height};
   std::memcpy(o.shape.gradient_size, sizes, sizeof(sizes));
   o.shape.gradient_delta = gradients.delta;
+  o.shape.stars = stars;
+  o.shape.stars.rgba8 = nullptr;  // the sky may be closed after this call
   o.cubemap_count = info.cubemap_count;
-  const uint32_t cubes = info.cubemap_count > 0 ? info.cubemap_count : 1;
-  const uint32_t edge = info.cubemap_count > 0 ? info.cubemap_size : 1;
-  o.images.reset(new (std::nothrow) Image[kGradients + cubes]);
+  o.image_count = imageCount(info);
+  o.images.reset(new (std::nothrow) Image[o.image_count]);
   if (o.images == nullptr) return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
-  o.image_count = kGradients + cubes;
-  setGradientImage(o.images[0], gradients.sun);
-  setGradientImage(o.images[1], gradients.anti);
-  for (uint32_t i = kGradients; i < o.image_count; ++i) {
-    o.images[i].extent = {edge, edge};
-    o.images[i].layers = 6;
-    o.images[i].format = VK_FORMAT_R16G16B16A16_SFLOAT;
-    o.images[i].texel_bytes = 8;
+  for (uint32_t i = 0; i < o.image_count; ++i) o.images[i] = imageOf(info, gradients, stars, i);
+  if (create.images != nullptr && create.image_count != o.image_count)
+    return fail(message, WELKIN_ERROR_ARGUMENT, "image_count is %u, the sky has %u", create.image_count, o.image_count);
+  for (uint32_t i = 0; create.images != nullptr && i < o.image_count; ++i) {
+    o.images[i].image = create.images[i];
+    o.images[i].borrowed = true;
   }
   if (const auto r = createImages(o.device, o.images.get(), o.image_count, o.image_memory, o.image_bytes, message))
     return r;
@@ -98,10 +124,14 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinSky* sky, WelkinMes
     return r;
   copyGradient(gradients.sun, o.staging.mapped + o.images[0].staging_offset);
   copyGradient(gradients.anti, o.staging.mapped + o.images[1].staging_offset);
-  if (info.cubemap_count == 0) std::memset(o.staging.mapped + o.images[2].staging_offset, 0, o.images[2].bytes());
+  std::memset(o.staging.mapped + o.images[kStars].staging_offset, 0, o.images[kStars].bytes());
+  if (stars.width > 0)
+    std::memcpy(o.staging.mapped + o.images[kStars].staging_offset, stars.rgba8, o.images[kStars].bytes());
+  if (info.cubemap_count == 0)
+    std::memset(o.staging.mapped + o.images[kFixed].staging_offset, 0, o.images[kFixed].bytes());
   for (uint32_t i = 0; i < info.cubemap_count; ++i) {
     WelkinCubemap cubemap;
-    const Image& image = o.images[kGradients + i];
+    const Image& image = o.images[kFixed + i];
     if (welkin_sky_cubemap(sky, i, &cubemap) != WELKIN_OK || cubemap.bytes != image.bytes())
       return fail(message, WELKIN_ERROR_CONTENT, "cubemap %u cannot be read", i);
     std::memcpy(o.staging.mapped + image.staging_offset, cubemap.rgba16f, cubemap.bytes);
@@ -110,7 +140,7 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinSky* sky, WelkinMes
 }
 
 void selectCubemaps(WelkinVulkanSky& o, uint32_t frame, uint32_t first, uint32_t second) {
-  writeCubemaps(o.device, o.descriptors, frame, o.images[kGradients + first].view, o.images[kGradients + second].view);
+  writeCubemaps(o.device, o.descriptors, frame, o.images[kFixed + first].view, o.images[kFixed + second].view);
   o.frames[frame].cubemap[0] = first;
   o.frames[frame].cubemap[1] = second;
 }
@@ -123,7 +153,7 @@ WelkinResult createFrames(WelkinVulkanSky& o, WelkinMessage* message) {
   std::memset(o.uniforms.mapped, 0, o.slice_bytes * o.frame_count);
   for (uint32_t i = 0; i < o.frame_count; ++i) {
     const VkDescriptorBufferInfo slice{o.uniforms.buffer, i * o.slice_bytes, sizeof(WelkinSkyConstants)};
-    writeFixedBindings(o.device, o.descriptors, i, slice, o.images[0].view, o.images[1].view);
+    writeFixedBindings(o.device, o.descriptors, i, slice, o.images[0].view, o.images[1].view, o.images[kStars].view);
     selectCubemaps(o, i, 0, 0);
   }
   return WELKIN_OK;
@@ -135,7 +165,7 @@ WelkinResult create(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& info, cons
     return fail(message, WELKIN_ERROR_ARGUMENT, "frames_in_flight is %u, must be 1 to %d", info.frames_in_flight,
                 WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT);
   o.frame_count = info.frames_in_flight;
-  if (const auto r = createSkyImages(o, sky, message)) return r;
+  if (const auto r = createSkyImages(o, info, sky, message)) return r;
   if (const auto r = createDescriptors(o.device, o.frame_count, o.descriptors, message)) return r;
   if (const auto r = createFrames(o, message)) return r;
   return createDomePipeline(o.device, info, o.descriptors.layout, o.dome, message);
@@ -176,7 +206,7 @@ void welkin_vulkan_destroy(WelkinVulkanSky* object) {
   destroy(device, object->uniforms);
   destroy(device, object->staging);
   for (uint32_t i = 0; i < object->image_count; ++i) destroy(device, object->images[i]);
-  device.fn.FreeMemory(device.handle, object->image_memory, device.allocator);
+  freeMemory(device, object->image_memory);
   delete object;
 }
 
@@ -196,7 +226,7 @@ WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const
   if (object == nullptr || sample == nullptr || frame >= object->frame_count) return WELKIN_ERROR_ARGUMENT;
   const uint32_t first = sample->cubemap[0];
   const uint32_t second = sample->cubemap[1];
-  const uint32_t count = object->image_count - kGradients;
+  const uint32_t count = object->image_count - kFixed;
   if (first >= count || second >= count || sample->coefficient_count > WELKIN_MAX_COEFFICIENTS ||
       !(sample->time_h >= 0.0 && sample->time_h < 24.0))
     return WELKIN_ERROR_ARGUMENT;
@@ -205,6 +235,32 @@ WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const
   Frame& f = object->frames[frame];
   if (f.cubemap[0] != first || f.cubemap[1] != second) selectCubemaps(*object, frame, first, second);
   f.updated = true;
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* blended) {
+  if (object == nullptr || blended == nullptr || frame >= object->frame_count || !object->frames[frame].updated ||
+      blended->coefficient_count > WELKIN_MAX_COEFFICIENTS)
+    return WELKIN_ERROR_ARGUMENT;
+  WelkinSkyConstants constants{};
+  packAmbient(*blended, constants);
+  unsigned char* slice = object->uniforms.mapped + frame * object->slice_bytes;  // written only: reading it is slow
+  std::memcpy(slice + offsetof(WelkinSkyConstants, moon) + offsetof(WelkinFloat4, w), &constants.moon.w, sizeof(float));
+  std::memcpy(slice + offsetof(WelkinSkyConstants, ambient_sh), constants.ambient_sh, sizeof(constants.ambient_sh));
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_vulkan_image_infos(const WelkinSky* sky, uint32_t* count, VkImageCreateInfo* infos) {
+  WelkinSkyInfo info;
+  WelkinGradients gradients;
+  WelkinStars stars;
+  if (count == nullptr || welkin_sky_info(sky, &info) != WELKIN_OK ||
+      welkin_sky_gradients(sky, &gradients) != WELKIN_OK || welkin_sky_stars(sky, &stars) != WELKIN_OK)
+    return WELKIN_ERROR_ARGUMENT;
+  const uint32_t total = imageCount(info);
+  for (uint32_t i = 0; infos != nullptr && i < total && i < *count; ++i)
+    infos[i] = imageInfo(imageOf(info, gradients, stars, i));
+  *count = total;
   return WELKIN_OK;
 }
 
@@ -226,9 +282,12 @@ WelkinResult welkin_vulkan_draw_dome(const WelkinVulkanSky* object, VkCommandBuf
     push.fisheye_scale[1] = view->aspect < 1.0F ? 1.0F / view->aspect : 1.0F;
     push.flags |= WELKIN_DOME_FISHEYE;
   }
+  const float opacity = view->opacity;
+  if (!(opacity >= 0.0F && opacity <= 1.0F)) return WELKIN_ERROR_ARGUMENT;
+  if (opacity > 0.0F && opacity < 1.0F && !object->dome.blends) return WELKIN_ERROR_DEVICE;
   push.depth = view->depth;
   if (view->discs != 0) push.flags |= WELKIN_DOME_DISCS;
-  recordDome(object->device, object->dome, commands, object->descriptors.sets[frame], view->source, push);
+  recordDome(object->device, object->dome, commands, object->descriptors.sets[frame], view->source, opacity, push);
   return WELKIN_OK;
 }
 

@@ -6,6 +6,7 @@
 #include "../welkin/sky_bindings.h"
 #include "../welkin/discs.glsl"
 #include "../welkin/dome.glsl"
+#include "../welkin/stars.glsl"
 #include "../welkin/view.glsl"
 #include "dome_push.h"
 
@@ -14,16 +15,14 @@ layout(constant_id = 0) const bool kFromCubemaps = false;
 layout(location = 0) in vec2 ndc;
 layout(location = 0) out vec4 radiance;
 
+// No branch depends on uniforms alone: lavapipe compiles a shader anew at every draw for such a branch.
 void main() {
   bool fisheye = (push.flags & WELKIN_DOME_FISHEYE) != 0;
   vec2 p = ndc * push.fisheye_scale;
-  vec3 direction = fisheye ? welkinFisheyeDirection(p) : welkinPerspectiveDirection(push.inverse_view_projection, ndc);
+  vec3 direction = mix(welkinPerspectiveDirection(push.inverse_view_projection, ndc), welkinFisheyeDirection(p), bvec3(fisheye));
   float pixel_rad = max(length(dFdx(direction)), length(dFdy(direction)));
-  if (fisheye && dot(p, p) > 1.0) {
-    radiance = vec4(0.0);
-    return;
-  }
+  float shown = float(!fisheye || dot(p, p) <= 1.0);
+  float discs = float((push.flags & WELKIN_DOME_DISCS) != 0);
   vec3 sky = kFromCubemaps ? welkinDomeFromCubemaps(direction) : welkinDomeRadiance(direction);
-  if ((push.flags & WELKIN_DOME_DISCS) != 0) sky += welkinDiscs(direction, pixel_rad);
-  radiance = vec4(sky, 1.0);
+  radiance = vec4(sky + discs * (welkinDiscs(direction, pixel_rad) + welkinStars(direction, sky)), 1.0) * shown;
 }

@@ -37,3 +37,14 @@ INLINE Number3 celestialDirection(Number hour_angle_rad, Number declination_rad,
   Number s = sin(north_offset_rad);
   return Number3(east * c + north * s, up, -(north * c - east * s));
 }
+
+// The inverse of celestialDirection: (cos dec cos H, sin dec, cos dec sin H) of a unit direction's declination and hour
+// angle.
+INLINE Number3 equatorialOf(Number3 direction, Number latitude_rad, Number north_offset_rad) {
+  Number c = cos(north_offset_rad);
+  Number s = sin(north_offset_rad);
+  Number east = direction.x * c + direction.z * s;
+  Number north = direction.x * s - direction.z * c;
+  return Number3(cos(latitude_rad) * direction.y - sin(latitude_rad) * north,
+                 sin(latitude_rad) * direction.y + cos(latitude_rad) * north, -east);
+}

@@ -5,4 +5,6 @@
 #include "direction.glsl"
 #include "luminance.glsl"
 #include "gradient.glsl"
+#include "disc.glsl"
+#include "stars.glsl"
 #include "sh.glsl"

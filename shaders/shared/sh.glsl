@@ -2,6 +2,13 @@
 // Real spherical harmonics up to 5 bands: orthonormal, no Condon-Shortley phase, world axes, index l (l + 1) + m.
 // Sloan, "Stupid Spherical Harmonics Tricks" (GDC 2008), appendix A2, with the signs of odd m made positive.
 
+// Constants of the first three bands: of 1; of x, y, z; of xy, yz, zx; of 3 z^2 - 1; of x^2 - y^2.
+CONSTANT Number kShConstant = NUMBER(0.28209479177387814347);
+CONSTANT Number kShLinear = NUMBER(0.48860251190291992159);
+CONSTANT Number kShProduct = NUMBER(1.09254843059207907054);
+CONSTANT Number kShZonal = NUMBER(0.31539156525252000603);
+CONSTANT Number kShDifference = NUMBER(0.54627421529603953527);
+
 // Values of the 25 basis functions of bands l = 0..4.
 struct ShBasis {
   Number v[25];
@@ -12,15 +19,15 @@ INLINE ShBasis shBasis(Number3 n) {
   Number y2 = n.y * n.y;
   Number z2 = n.z * n.z;
   ShBasis basis;
-  basis.v[0] = NUMBER(0.28209479177387814347);
-  basis.v[1] = NUMBER(0.48860251190291992159) * n.y;
-  basis.v[2] = NUMBER(0.48860251190291992159) * n.z;
-  basis.v[3] = NUMBER(0.48860251190291992159) * n.x;
-  basis.v[4] = NUMBER(1.09254843059207907054) * n.x * n.y;
-  basis.v[5] = NUMBER(1.09254843059207907054) * n.y * n.z;
-  basis.v[6] = NUMBER(0.31539156525252000603) * (NUMBER(3.0) * z2 - NUMBER(1.0));
-  basis.v[7] = NUMBER(1.09254843059207907054) * n.x * n.z;
-  basis.v[8] = NUMBER(0.54627421529603953527) * (x2 - y2);
+  basis.v[0] = kShConstant;
+  basis.v[1] = kShLinear * n.y;
+  basis.v[2] = kShLinear * n.z;
+  basis.v[3] = kShLinear * n.x;
+  basis.v[4] = kShProduct * n.x * n.y;
+  basis.v[5] = kShProduct * n.y * n.z;
+  basis.v[6] = kShZonal * (NUMBER(3.0) * z2 - NUMBER(1.0));
+  basis.v[7] = kShProduct * n.x * n.z;
+  basis.v[8] = kShDifference * (x2 - y2);
   basis.v[9] = NUMBER(0.59004358992664351035) * n.y * (NUMBER(3.0) * x2 - y2);
   basis.v[10] = NUMBER(2.89061144264055405539) * n.x * n.y * n.z;
   basis.v[11] = NUMBER(0.45704579946446573616) * n.y * (NUMBER(5.0) * z2 - NUMBER(1.0));

@@ -27,6 +27,9 @@
   inline Number cos(Number x) {            \
     return std::cos(x);                    \
   }                                        \
+  inline Number floor(Number x) {          \
+    return std::floor(x);                  \
+  }                                        \
   inline Number atan(Number y, Number x) { \
     return std::atan2(y, x);               \
   }

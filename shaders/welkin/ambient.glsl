@@ -8,12 +8,17 @@
 #include "constants.glsl"
 #include "formulas.glsl"
 
+// Bands to evaluate, 1 to 5. The default fits every bake, since the coefficients that a bake lacks are 0; a game that
+// knows its bake defines fewer before it includes this file.
+#ifndef WELKIN_BANDS
+#define WELKIN_BANDS 5
+#endif
+
 // Irradiance E, pi included, clamped at 0: a truncated series can dip below it.
 vec3 welkinIrradiance(vec3 normal) {
   ShBasis basis = shBasis(normal);
-  int count = int(welkinSky.moon.w);
   vec3 sum = vec3(0.0);
-  for (int band = 0; band * band < count; ++band) {
+  for (int band = 0; band < WELKIN_BANDS; ++band) {
     vec3 of_band = vec3(0.0);
     for (int i = band * band; i < (band + 1) * (band + 1); ++i) of_band += welkinSky.ambient_sh[i].rgb * basis.v[i];
     sum += cosineLobe(band) * of_band;

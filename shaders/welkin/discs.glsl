@@ -7,19 +7,18 @@
 #include "constants.glsl"
 #include "formulas.glsl"
 
-// Radiance of one disc in `direction`, its edge softened over `pixel_rad`, the angle between neighbouring pixels. Where
-// the disc is smaller than a pixel its radiance is scaled so that the energy stays about the same.
-vec3 welkinDisc(vec3 direction, vec3 light, vec4 disc, float pixel_rad) {
-  if (disc.w <= 0.0 || direction.y < 0.0) return vec3(0.0);
-  float coverage = clamp((disc.w - angleBetween(direction, light)) / max(pixel_rad, 1e-6) + 0.5, 0.0, 1.0);
-  float smaller = min(2.0 * disc.w / max(pixel_rad, 1e-6), 1.0);
-  return disc.rgb * (coverage * smaller * smaller);
-}
-
-// Both discs; nothing below the horizon.
+// Both discs in `direction`, their edges softened over `pixel_rad`, the angle between neighbouring pixels; the moon in
+// its phase; nothing below the horizon.
 vec3 welkinDiscs(vec3 direction, float pixel_rad) {
-  return welkinDisc(direction, welkinSky.sun.xyz, welkinSky.sun_disc, pixel_rad) +
-         welkinDisc(direction, welkinSky.moon.xyz, welkinSky.moon_disc, pixel_rad);
+  vec3 sum = vec3(0.0);
+  if (direction.y < 0.0) return sum;
+  float sun_coverage = discCoverage(angleBetween(direction, welkinSky.sun.xyz), welkinSky.sun_disc.w, pixel_rad);
+  float moon_coverage = discCoverage(angleBetween(direction, welkinSky.moon.xyz), welkinSky.moon_disc.w, pixel_rad);
+  sum += welkinSky.sun_disc.rgb * sun_coverage;
+  if (moon_coverage > 0.0)
+    sum += welkinSky.moon_disc.rgb *
+           (moon_coverage * moonPhase(direction, welkinSky.moon.xyz, welkinSky.moon_disc.w, welkinSky.sun.xyz));
+  return sum;
 }
 
 #endif

@@ -32,7 +32,7 @@ layout(set = WELKIN_SET, binding = WELKIN_BINDING_CUBEMAP_SECOND) uniform sample
 vec3 welkinGradient(sampler2D gradient, vec2 size, vec2 column, float elevation_rad) {
   float row = gradientRow(elevation_rad, size.y);
   int left = int(column.x);
-  int right = left + 1 == int(size.x) ? 0 : left + 1;
+  int right = left + 1 - int(size.x) * int(left + 1 == int(size.x));
   int low = int(row);
   int high = min(low + 1, int(size.y) - 1);
   vec3 below = mix(texelFetch(gradient, ivec2(left, low), 0).rgb, texelFetch(gradient, ivec2(right, low), 0).rgb, column.y);

@@ -9,5 +9,6 @@
 #define WELKIN_BINDING_GRADIENT_ANTI 2   // sampler2D, RGBA32F, fetched, never filtered
 #define WELKIN_BINDING_CUBEMAP_FIRST 3   // samplerCube, RGBA16F, linear
 #define WELKIN_BINDING_CUBEMAP_SECOND 4  // samplerCube, RGBA16F, linear
+#define WELKIN_BINDING_STARS 5           // sampler2D, sRGB, linear
 
 #endif

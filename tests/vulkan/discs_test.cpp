@@ -7,6 +7,7 @@
 #include "render/views.h"
 #include "shared.h"
 #include "test_sky.h"
+#include "worst.h"
 
 namespace welkin::tests {
 namespace {
@@ -71,6 +72,55 @@ TEST_CASE("VulkanDiscs, EndAtTheHorizon", "[vulkan]") {
       (y < kSize / 2 ? above : below) += double{with.pixel(x, y)[2]} - double{without.pixel(x, y)[2]};
   CHECK(above > 0.0);
   CHECK(below == 0.0);
+  CHECK(device.messageCount() == 0);
+}
+
+TEST_CASE("VulkanDiscs, EqualTheRuntimePerPixel", "[vulkan]") {
+  constexpr uint32_t kSize = 96;
+  constexpr double kFov = 0.3;
+  const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
+  const Sky sky = openTestSky(bytes);
+  tools::VulkanDevice device(true);
+  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  // The edge is a ramp over a pixel: an error of the angle counts by its share of that.
+  const double tolerance = shaderTolerance(device) * (1.0 + kDiscRadius * kSize / kFov);
+  for (const double time_h : {8.0, 11.0, 20.0, 23.0})
+    for (const bool moon : {false, true}) {
+      views.setTime(time_h);
+      const WelkinLight& light = moon ? views.sample().moon : views.sample().sun;
+      if (light.direction[1] < 0.2F) continue;
+      const tools::Camera camera = towards(light.direction, kFov);
+      const auto with = views.perspective(kSize, kSize, camera, true);
+      const auto without = views.perspective(kSize, kSize, camera, false);
+      const f64::Number3 forward = f64::directionOf(camera.yaw_rad, camera.pitch_rad);
+      const f64::Number3 right = f64::directionOf(camera.yaw_rad + f64::kHalfPi, 0.0);
+      const f64::Number3 up = cross(right, forward);
+      const double step = 2.0 * std::tan(0.5 * kFov) / kSize;
+      const auto ray = [&](double x, double y) {
+        const auto d = forward + right * ((x + 0.5 - 0.5 * kSize) * step) - up * ((y + 0.5 - 0.5 * kSize) * step);
+        return d / std::sqrt(dot(d, d));
+      };
+      Worst worst;
+      double brightest = 0.0;
+      for (uint32_t y = 0; y < kSize; ++y)
+        for (uint32_t x = 0; x < kSize; ++x) {
+          const auto d = ray(x, y);
+          // The shader's pixel is the derivative over its 2 x 2 quad.
+          const double qx = x & ~1U, qy = y & ~1U;
+          const auto dx = ray(qx + 1, y) - ray(qx, y), dy = ray(x, qy + 1) - ray(x, qy);
+          const double pixel = std::max(std::sqrt(dot(dx, dx)), std::sqrt(dot(dy, dy)));
+          const float direction[3] = {float(d.x), float(d.y), float(d.z)};
+          float expected[3];
+          REQUIRE(welkin_disc_radiance(&views.sample(), direction, float(pixel), expected) == WELKIN_OK);
+          const double scale = double{light.normal_irradiance[1]} / (f64::kPi * std::pow(std::sin(kDiscRadius), 2.0));
+          brightest = std::max(brightest, double{expected[1]} / scale);
+          worst.compare(double{with.pixel(x, y)[1]} - double{without.pixel(x, y)[1]}, double{expected[1]}, scale,
+                        [&] { return "pixel " + std::to_string(x) + "," + std::to_string(y); });
+        }
+      INFO("hour " << time_h << (moon ? " moon" : " sun") << " worst " << worst.error << " at " << worst.where);
+      CHECK(worst.error < tolerance);
+      CHECK(brightest > 0.0);
+    }
   CHECK(device.messageCount() == 0);
 }
 

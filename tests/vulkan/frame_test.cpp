@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "object.h"
 #include "render/views.h"
 #include "test_sky.h"
 
@@ -32,27 +33,6 @@ void operator delete(void* p, std::size_t) noexcept {
 
 namespace welkin::tests {
 namespace {
-
-WelkinVulkanCreateInfo createInfo(const tools::VulkanDevice& device, uint32_t frames) {
-  WelkinVulkanCreateInfo info{};
-  info.struct_size = sizeof(info);
-  info.api_version = VK_API_VERSION_1_3;
-  info.get_instance_proc_addr = vkGetInstanceProcAddr;
-  info.instance = device.instance();
-  info.physical_device = device.physical();
-  info.device = device.device();
-  info.frames_in_flight = frames;
-  info.colour_format = tools::Offscreen::kFormat;
-  return info;
-}
-
-WelkinVulkanView fisheye(WelkinVulkanSource source) {
-  WelkinVulkanView view{};
-  view.source = source;
-  view.projection = WELKIN_VULKAN_FISHEYE;
-  view.aspect = 1.0F;
-  return view;
-}
 
 std::string refusal(const WelkinVulkanCreateInfo& info, const Sky& sky, WelkinResult expected) {
   WelkinVulkanSky* object = nullptr;

@@ -59,8 +59,8 @@ std::vector<std::string> joinSignedValues(int argc, char** argv) {
   std::vector<std::string> joined;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
-    const bool takes_numbers =
-        argument == "--time" || argument == "--direction" || argument == "--normal" || argument == "--position";
+    const bool takes_numbers = argument == "--time" || argument == "--direction" || argument == "--normal" ||
+                               argument == "--position" || argument == "--camera";
     if (takes_numbers && i + 1 < argc && argv[i + 1][0] == '-' && argv[i + 1][1] != '-')
       joined.push_back(argument + "=" + argv[++i]);
     else

@@ -41,6 +41,10 @@ path = [[0.0, 180.0, 62.0], [6.0, 268.0, -4.0], [12.0, 0.0, -60.0], [18.5, 92.0,
 illuminance = [[4.0, 0.012], [5.0, 0.0], [19.5, 0.0], [20.5, 0.012]]
 colour = [0.75, 0.85, 1.0]
 
+[stars]
+image = "stars.png"      # turns with the day; an equirectangular map, the celestial north pole on top
+intensity = 0.01         # radiance of its white; a brighter sky hides the stars
+
 [bake]
 bands = 2                # 2, 3, 4 or 5 bands of spherical harmonics: 4, 9, 16 or 25 coefficients
 keys = "auto"            # or a number of keys spread over the day, or a list of hours
@@ -49,7 +53,7 @@ cubemap_times = 8        # a number spread over the day, or a list of hours
 )";
 
 void init(const std::filesystem::path& folder) {
-  for (const char* name : {"sky.toml", "gradient_sun.png", "gradient_anti.png"}) {
+  for (const char* name : {"sky.toml", "gradient_sun.png", "gradient_anti.png", "stars.png"}) {
     std::error_code error;
     if (std::filesystem::exists(folder / name, error))
       throw Error(ExitStatus::file,
@@ -58,6 +62,7 @@ void init(const std::filesystem::path& folder) {
   makeFolder(folder);
   writeStartingGradient(GradientSide::sun, folder / "gradient_sun.png");
   writeStartingGradient(GradientSide::anti, folder / "gradient_anti.png");
+  writeStartingStars(folder / "stars.png");
   writeFile(folder / "sky.toml", kSky);
   fmt::print("{}\n", (folder / "sky.toml").string());
 }

@@ -94,12 +94,17 @@ void writeStartingGradient(GradientSide side, const std::filesystem::path& path)
           paint(side == GradientSide::sun ? kSunSide : kAntiSide, 24.0 * (column + 0.5) / kWidth, elevation);
       for (int i = 0; i < 3; ++i) texels.push_back(static_cast<std::uint16_t>(std::floor(c[i] * 65535.0 + 0.5)));
     }
+  writePaintedPng(path, kWidth, kHeight, 16, texels);
+}
+
+void writePaintedPng(const std::filesystem::path& path, int width, int height, int bits,
+                     const std::vector<std::uint16_t>& rgb) {
   OIIO::Filesystem::IOVecOutput memory;
   auto output = OIIO::ImageOutput::create("png");
-  OIIO::ImageSpec spec(kWidth, kHeight, 3, OIIO::TypeDesc::UINT16);
+  OIIO::ImageSpec spec(width, height, 3, bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  if (!output || !output->set_ioproxy(&memory) || !output->open("gradient.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT16, texels.data()) || !output->close())
+  if (!output || !output->set_ioproxy(&memory) || !output->open("painted.png", spec) ||
+      !output->write_image(OIIO::TypeDesc::UINT16, rgb.data()) || !output->close())
     throw Error(ExitStatus::internal, fmt::format("{}: PNG encoding failed: {}", path.string(), OIIO::geterror()));
   writeFile(path, std::as_bytes(std::span(memory.buffer())));
 }

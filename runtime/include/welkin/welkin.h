@@ -75,9 +75,11 @@ typedef struct WelkinLight {
   float colour[3];            /* as the artist gave it: only hue and saturation count */
   float normal_irradiance[3]; /* illuminance colour / luminance(colour): RGB irradiance of a surface facing the light */
   float disc_radius_rad;      /* what the dome draws; 0: no disc */
+  float visible;              /* 0..1: share of the disc above the horizon, or of half a degree without a disc; factor
+                                 on the light's irradiance that lets it rise and set without a jump */
 } WelkinLight;
 
-/* The sky at an instant: what a frame needs. */
+/* The sky at an instant: what a frame needs. Zero-initialise it before its first use. */
 typedef struct WelkinSkySample {
   double time_h;                                 /* wrapped into [0, 24) */
   WelkinLight sun;
@@ -92,7 +94,22 @@ typedef struct WelkinSkySample {
   float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: what lights the scene */
   uint32_t cubemap[2];                           /* the two cubemaps to blend; equal when there is one, 0 when none */
   float cubemap_weight;                          /* of the second: sky = mix(first, second, weight), in [0, 1) */
+  uint32_t unchanged;                            /* 1: the call found here, bit for bit, what it was about to write */
 } WelkinSkySample;
+
+/* Irradiance over pi (what an albedo multiplies) as Filament's IndirectLight::Builder::irradiance takes it, pre-scaled:
+ * sh0 + sh1 y + sh2 z + sh3 x + sh4 yx + sh5 yz + sh6 (3 z2 - 1) + sh7 zx + sh8 (x2 - y2), RGB, world axes. */
+typedef struct WelkinFilamentIrradianceOverPi {
+  float sh[9][3];
+} WelkinFilamentIrradianceOverPi;
+
+/* Irradiance over pi in Unity's seven constants, in the world axes of this library (negate z of normals that come from a
+ * left-handed world): for a channel, dot(SHA, (n, 1)) + dot(SHB, n.xyzz * n.yzzx) + SHC (x2 - y2). */
+typedef struct WelkinUnityIrradianceOverPi {
+  float shar[4], shag[4], shab[4]; /* x, y, z, constant */
+  float shbr[4], shbg[4], shbb[4]; /* xy, yz, zz, zx */
+  float shc[4];                    /* x2 - y2: red, green, blue, and 1 */
+} WelkinUnityIrradianceOverPi;
 
 /* Coefficients of the relative luminance; see shaders/shared/luminance.glsl. */
 typedef struct WelkinLuminance {
@@ -121,6 +138,17 @@ typedef struct WelkinCubemap {
   size_t bytes;
 } WelkinCubemap;
 
+/* A star map: width x height texels, sRGB-encoded RGBA, rows from the celestial north pole; how it lies in the sky:
+ * shaders/shared/stars.glsl. Borrowed from the sky. */
+typedef struct WelkinStars {
+  uint32_t width, height; /* 0 x 0: no stars */
+  const uint8_t* rgba8;
+  float intensity; /* radiance of white, scene units */
+  float latitude_rad;
+  float north_offset_rad;
+  double midnight_h; /* clock time at which the middle column crosses the meridian */
+} WelkinStars;
+
 /* What a result means, in a few words. Never null. */
 WELKIN_API const char* welkin_result_string(WelkinResult result);
 
@@ -139,21 +167,50 @@ WELKIN_API WelkinResult welkin_sky_luminance(const WelkinSky* sky, WelkinLuminan
 WELKIN_API WelkinResult welkin_sky_gradients(const WelkinSky* sky, WelkinGradients* gradients);
 /* index < cubemap_count; cubemaps are in the order of their times. */
 WELKIN_API WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCubemap* cubemap);
+/* The star map; all zero when there is none. */
+WELKIN_API WelkinResult welkin_sky_stars(const WelkinSky* sky, WelkinStars* stars);
 /* The hour of key `index` < key_count, ascending. */
 WELKIN_API WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h);
 /* The settings that the file was baked with, as JSON; terminated, borrowed from the sky. */
 WELKIN_API WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** json);
 
-/* The sky at `time_h`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. */
+/* The sky at `time_h`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. When `sample` holds the result already, bit for bit,
+ * it stays as it is with `unchanged` 1, and an upload that followed the last call need not be repeated. */
 WELKIN_API WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample);
 
 /* Irradiance E (pi included) of a surface with unit `normal`, from the sample's ambient coefficients, RGB, clamped at 0. */
 WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3],
                                                  float irradiance[3]);
 
+/* Cross-blend of two skies (weather): lights, tint, ambient coefficients and ground, `weight` in [0, 1] of the second.
+ * Directions are blended and normalised. What only makes sense with one sky's file (luminance_norm, intensity, cubemaps)
+ * stays the first's: draw both domes, the second with the weight as opacity. Both must have the same coefficient count. */
+WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
+                                            WelkinSkySample* blended);
+
+/* The one directional light of a renderer that shadows one: the sun or the moon, whichever lights a facing surface more
+ * (`visible` counts). Its irradiance is lessened by the other's, so that it is 0 where they change places and nothing
+ * jumps when its direction does. `visible` is in it and then 1. */
+WELKIN_API WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight* light);
+
+/* The first three bands of the ambient light, ready for Filament's and Unity's shaders. Bands beyond are left out: their
+ * irradiance is at most a few percent (band 3 has none). */
+WELKIN_API WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed);
+WELKIN_API WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed);
+
 /* Radiance of the sky dome in unit `direction`, from the formulas and gradients (not the cubemaps), RGB: tint and ground
  * in it, sun and moon not. Evaluated in double; the GPU's dome is compared with it. */
 WELKIN_API WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* sample,
+                                             const float direction[3], float radiance[3]);
+
+/* Radiance of the discs of the sun and the moon in unit `direction`, RGB, softened over `pixel_rad` radians: to be added
+ * to the dome's. The moon shows its phase under the sample's sun. Nothing below the horizon. */
+WELKIN_API WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float direction[3], float pixel_rad,
+                                             float radiance[3]);
+
+/* Radiance of the star map in unit `direction`, RGB, bilinear, faded by the dome's luminance there: to be added to it.
+ * 0 below the horizon and without a map. */
+WELKIN_API WelkinResult welkin_star_radiance(const WelkinSky* sky, const WelkinSkySample* sample,
                                              const float direction[3], float radiance[3]);
 
 #ifdef __cplusplus

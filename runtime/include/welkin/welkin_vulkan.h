@@ -34,6 +34,23 @@ extern "C" {
 
 typedef struct WelkinVulkanSky WelkinVulkanSky;
 
+/* Memory that the caller gives. */
+typedef struct WelkinVulkanAllocation {
+  VkDeviceMemory memory;
+  VkDeviceSize offset; /* multiple of the requirements' alignment */
+  void* mapped;        /* host address of `offset`, for as long as the allocation lives, where host-visible was required */
+  void* user;          /* for the caller */
+} WelkinVulkanAllocation;
+
+/* Lets the caller own device memory (VMA or an engine's own): at most three allocations, of the images, the uniforms and
+ * the staging buffer, made by welkin_vulkan_create; nothing is allocated later. */
+typedef struct WelkinVulkanMemoryCallbacks {
+  void* user;
+  VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags required,
+                       VkMemoryPropertyFlags preferred, WelkinVulkanAllocation* allocation);
+  void (*free)(void* user, const WelkinVulkanAllocation* allocation);
+} WelkinVulkanMemoryCallbacks;
+
 /* Zero-initialise, then set what is needed. */
 typedef struct WelkinVulkanCreateInfo {
   uint32_t struct_size; /* sizeof(WelkinVulkanCreateInfo) */
@@ -50,6 +67,10 @@ typedef struct WelkinVulkanCreateInfo {
   VkFormat stencil_format;                /* of that pass; VK_FORMAT_UNDEFINED: none */
   VkCompareOp depth_compare;              /* of the dome's depth test, which never writes; unused without depth */
   VkSampleCountFlagBits samples;          /* 0 counts as 1 */
+  const WelkinVulkanMemoryCallbacks* memory; /* null: the library allocates; copied, not kept */
+  const VkImage* images; /* null: the library makes its images; else the caller's, of welkin_vulkan_image_infos, bound to
+                            memory, alive until the object is destroyed */
+  uint32_t image_count;  /* of `images`; unused without */
 } WelkinVulkanCreateInfo;
 
 /* Which radiance the dome shows. */
@@ -72,7 +93,9 @@ typedef struct WelkinVulkanView {
                                         convention */
   float aspect;                      /* fisheye: width / height of the viewport, > 0 */
   float depth;                       /* of the dome, in [0, 1]: 1, or 0 with a reversed depth */
-  uint32_t discs;                    /* 1: with the discs of the sun and the moon */
+  uint32_t discs;                    /* 1: with the discs of the sun and the moon, and the stars */
+  float opacity;                     /* in (0, 1): blended over what is there, for the second sky of a cross-blend; 0 and
+                                        1: replaces it. Needs a colour format that blends */
 } WelkinVulkanView;
 
 /* Bytes of device memory that the object holds now. */
@@ -87,11 +110,15 @@ typedef struct WelkinVulkanMemory {
 WELKIN_API WelkinResult welkin_vulkan_create(const WelkinVulkanCreateInfo* info, const WelkinSky* sky,
                                              WelkinVulkanSky** out, WelkinMessage* message);
 
+/* What the images of a sky must be when the caller makes them: writes up to *count infos and sets *count to their number;
+ * infos may be null to ask for it. */
+WELKIN_API WelkinResult welkin_vulkan_image_infos(const WelkinSky* sky, uint32_t* count, VkImageCreateInfo* infos);
+
 /* Destroys it; no command buffer that uses it may still be running. Null is allowed. */
 WELKIN_API void welkin_vulkan_destroy(WelkinVulkanSky* object);
 
-/* Records the upload of the images, once, outside a render pass, on the queue family that will read them. Leaves them
- * readable by every later shader on that queue. A second call is WELKIN_ERROR_ARGUMENT. */
+/* Records the upload of the images and makes the cubemaps' mips, once, outside a render pass, on the graphics queue
+ * family that will read them. Leaves them readable by every later shader on that queue. A second call is WELKIN_ERROR_ARGUMENT. */
 WELKIN_API WelkinResult welkin_vulkan_record_upload(WelkinVulkanSky* object, VkCommandBuffer commands);
 
 /* Frees the memory behind the upload, once its submission has finished. */
@@ -100,6 +127,11 @@ WELKIN_API void welkin_vulkan_free_staging(WelkinVulkanSky* object);
 /* Writes the constants of frame index `frame` < frames_in_flight and points its descriptor set at the sample's
  * cubemaps. No command buffer that uses this frame index may be running, or be recorded and not yet submitted. */
 WELKIN_API WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* sample);
+
+/* Puts the ambient light of another sample, a cross-blend of welkin_sample_blend, into the constants of a frame index
+ * that welkin_vulkan_update has just written. */
+WELKIN_API WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t frame,
+                                                     const WelkinSkySample* blended);
 
 /* Records one triangle that covers the viewport, inside dynamic rendering with the formats of the create info. The
  * caller has set viewport and scissor. Leaves its pipeline, its set 0 and push constants bound. */

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a renderer makes of samples: irradiance, cross-blends, one key light, other engines' packings. All pure
+// functions.
+#include <algorithm>
+#include <cmath>
+
+#include "core/sky.h"
+
+namespace welkin::core {
+namespace {
+
+using f64::Number3;
+
+Number3 load(const float v[3]) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+void store(const Number3& v, float out[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = toFloat(v[i]);
+}
+
+float lerp(float a, float b, float weight) {
+  return toFloat((1.0 - double{weight}) * double{a} + double{weight} * double{b});
+}
+
+void lerp3(const float a[3], const float b[3], float weight, float out[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = lerp(a[i], b[i], weight);
+}
+
+WelkinLight blendLights(const WelkinLight& a, const WelkinLight& b, float weight) {
+  WelkinLight light = a;
+  const Number3 between = mix(load(a.direction), load(b.direction), double{weight});
+  const double length = std::sqrt(dot(between, between));
+  if (length > 1e-6) store(between / length, light.direction);  // opposite ones have no middle: the first's stays
+  light.illuminance = lerp(a.illuminance, b.illuminance, weight);
+  lerp3(a.colour, b.colour, weight, light.colour);
+  lerp3(a.normal_irradiance, b.normal_irradiance, weight, light.normal_irradiance);
+  light.disc_radius_rad = lerp(a.disc_radius_rad, b.disc_radius_rad, weight);
+  light.visible = lerp(a.visible, b.visible, weight);
+  return light;
+}
+
+/// Luminance of the irradiance that a surface facing the light has from it.
+double facing(const WelkinLight& light) {
+  return f64::luminanceOf(load(light.normal_irradiance)) * double{light.visible};
+}
+
+/// Coefficient of a polynomial term of irradiance over pi: radiance coefficient x A_l / pi x the basis' own constant.
+double scaled(const WelkinSkySample& sample, std::uint32_t i, int channel) {
+  constexpr double kBasis[9] = {f64::kShConstant, f64::kShLinear, f64::kShLinear,  f64::kShLinear,    f64::kShProduct,
+                                f64::kShProduct,  f64::kShZonal,  f64::kShProduct, f64::kShDifference};
+  if (i >= sample.coefficient_count) return 0.0;
+  return double{sample.ambient_sh[i][channel]} * f64::cosineLobe(bandOf(i)) / f64::kPi * kBasis[i];
+}
+
+}  // namespace
+}  // namespace welkin::core
+
+WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3], float irradiance[3]) {
+  using namespace welkin;
+  using namespace welkin::core;
+  if (sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (sample->coefficient_count > WELKIN_MAX_COEFFICIENTS) return WELKIN_ERROR_ARGUMENT;
+  const f64::ShBasis basis = f64::shBasis(load(normal));
+  Number3 sum(0.0);
+  for (std::uint32_t i = 0; i < sample->coefficient_count; ++i)
+    sum += load(sample->ambient_sh[i]) * (f64::cosineLobe(bandOf(i)) * basis.v[i]);
+  for (int i = 0; i < 3; ++i) irradiance[i] = toFloat(std::max(sum[i], 0.0));
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
+                                 WelkinSkySample* blended) {
+  using namespace welkin::core;
+  if (first == nullptr || second == nullptr || blended == nullptr || !(weight >= 0.0F && weight <= 1.0F) ||
+      first->coefficient_count != second->coefficient_count || first->coefficient_count > WELKIN_MAX_COEFFICIENTS)
+    return WELKIN_ERROR_ARGUMENT;
+  WelkinSkySample out = *first;
+  out.sun = blendLights(first->sun, second->sun, weight);
+  out.moon = blendLights(first->moon, second->moon, weight);
+  out.ambient_saturation = lerp(first->ambient_saturation, second->ambient_saturation, weight);
+  lerp3(first->polarising_tint, second->polarising_tint, weight, out.polarising_tint);
+  lerp3(first->ground_radiance, second->ground_radiance, weight, out.ground_radiance);
+  for (std::uint32_t i = 0; i < out.coefficient_count; ++i) {
+    lerp3(first->radiance_sh[i], second->radiance_sh[i], weight, out.radiance_sh[i]);
+    lerp3(first->ambient_sh[i], second->ambient_sh[i], weight, out.ambient_sh[i]);
+  }
+  out.unchanged = 0;
+  *blended = out;
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight* light) {
+  using namespace welkin::core;
+  if (sample == nullptr || light == nullptr) return WELKIN_ERROR_ARGUMENT;
+  const double sun = facing(sample->sun);
+  const double moon = facing(sample->moon);
+  const bool is_sun = sun >= moon;
+  WelkinLight out = is_sun ? sample->sun : sample->moon;
+  const double strong = std::max(sun, moon);
+  const double share = strong > 0.0 ? (strong - std::min(sun, moon)) / strong * double{out.visible} : 0.0;
+  store(load(out.normal_irradiance) * share, out.normal_irradiance);
+  out.illuminance = toFloat(double{out.illuminance} * share);
+  out.visible = 1.0F;
+  *light = out;
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed) {
+  if (sample == nullptr || packed == nullptr) return WELKIN_ERROR_ARGUMENT;
+  for (std::uint32_t i = 0; i < 9; ++i)
+    for (int c = 0; c < 3; ++c) packed->sh[i][c] = welkin::core::toFloat(welkin::core::scaled(*sample, i, c));
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed) {
+  using namespace welkin::core;
+  if (sample == nullptr || packed == nullptr) return WELKIN_ERROR_ARGUMENT;
+  float* const linear[3] = {packed->shar, packed->shag, packed->shab};
+  float* const quadratic[3] = {packed->shbr, packed->shbg, packed->shbb};
+  for (int c = 0; c < 3; ++c) {
+    const auto k = [&](std::uint32_t i) { return scaled(*sample, i, c); };
+    const double a[4] = {k(3), k(1), k(2), k(0) - k(6)};
+    const double b[4] = {k(4), k(5), 3.0 * k(6), k(7)};
+    for (int i = 0; i < 4; ++i) {
+      linear[c][i] = toFloat(a[i]);
+      quadratic[c][i] = toFloat(b[i]);
+    }
+    packed->shc[c] = toFloat(k(8));
+  }
+  packed->shc[3] = 1.0F;
+  return WELKIN_OK;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pictures that examples/island keeps are what `welkin init` paints.
+#include <catch2/catch.hpp>
+
+#include "run_tool.h"
+#include "sky/image.h"
+
+namespace welkin::test {
+
+TEST_CASE("Init, PaintsTheIslandsPictures") {
+  const Folder folder;
+  REQUIRE(runTool({"init", folder / "sky"}).status == 0);
+  for (const char* name : {"gradient_sun.png", "gradient_anti.png", "stars.png"}) {
+    const auto painted = sky::readImage(folder / (std::string("sky/") + name));
+    const auto kept = sky::readImage(std::string(WELKIN_ISLAND) + "/" + name);
+    CAPTURE(name);
+    CHECK(painted.width == kept.width);
+    CHECK(painted.rgb == kept.rgb);
+  }
+}
+
+}  // namespace welkin::test

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts every allocation of the process over a day of frames: none after opening.
+#include <welkin/welkin.h>
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cstddef>
+
+#include "sky/encode.h"
+
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* __libc_calloc(std::size_t, std::size_t);
+extern "C" void* __libc_realloc(void*, std::size_t);
+
+namespace {
+std::atomic<std::size_t> allocations = 0;
+}
+
+// glibc lets a program put its own in the place of these; operator new uses them.
+extern "C" void* malloc(std::size_t bytes) {
+  ++allocations;
+  return __libc_malloc(bytes);
+}
+extern "C" void* calloc(std::size_t count, std::size_t bytes) {
+  ++allocations;
+  return __libc_calloc(count, bytes);
+}
+extern "C" void* realloc(void* p, std::size_t bytes) {
+  ++allocations;
+  return __libc_realloc(p, bytes);
+}
+
+namespace welkin {
+
+TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
+  sky::SkyFile file;
+  file.sky.sun.path.latitude_rad = 0.3;
+  file.sky.moon = file.sky.sun;
+  file.settings = "{}";
+  file.bake.key_time_h = {0.0, 6.0, 12.0, 18.0};
+  const auto bytes =
+      sky::encodeSky(file, sky::bakeDayTable(file.sky, 5, file.bake.key_time_h, [] { return true; }), {});
+  const std::size_t before_opening = allocations;
+  WelkinSky* sky = nullptr;
+  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  CHECK(allocations > before_opening);  // the counter counts
+
+  WelkinSkySample first{}, second{}, blended{};
+  std::size_t failures = 0;
+  const std::size_t before = allocations;
+  constexpr int kFrames = 24 * 60 * 60;
+  for (int i = 0; i < kFrames; ++i) {
+    const float direction[3] = {0.0F, 0.6F, 0.8F};
+    float rgb[3];
+    WelkinLight key;
+    WelkinFilamentIrradianceOverPi filament;
+    WelkinUnityIrradianceOverPi unity;
+    const double time_h = 24.0 * i / kFrames;
+    failures += welkin_sky_sample(sky, time_h, &first) != WELKIN_OK;
+    failures += welkin_sky_sample(sky, time_h + 1.0, &second) != WELKIN_OK;
+    failures += welkin_sample_blend(&first, &second, 0.5F, &blended) != WELKIN_OK;
+    failures += welkin_sample_irradiance(&blended, direction, rgb) != WELKIN_OK;
+    failures += welkin_sample_key_light(&blended, &key) != WELKIN_OK;
+    failures += welkin_pack_filament(&blended, &filament) != WELKIN_OK;
+    failures += welkin_pack_unity(&blended, &unity) != WELKIN_OK;
+    failures += welkin_dome_radiance(sky, &first, direction, rgb) != WELKIN_OK;
+    failures += welkin_disc_radiance(&first, direction, 0.001F, rgb) != WELKIN_OK;
+    failures += welkin_star_radiance(sky, &first, direction, rgb) != WELKIN_OK;
+  }
+  const std::size_t after = allocations;
+  CHECK(after - before == 0);
+  CHECK(failures == 0);
+  welkin_sky_close(sky);
+}
+
+TEST_CASE("Runtime, SaysUnchanged") {
+  sky::SkyFile file;
+  file.sky.sun.path.latitude_rad = 0.3;
+  file.settings = "{}";
+  file.bake.key_time_h = {0.0};
+  const auto bytes =
+      sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
+  WelkinSky* sky = nullptr;
+  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  WelkinSkySample sample{};
+  REQUIRE(welkin_sky_sample(sky, 8.0, &sample) == WELKIN_OK);
+  CHECK(sample.unchanged == 0);
+  REQUIRE(welkin_sky_sample(sky, 32.0, &sample) == WELKIN_OK);  // the same hour of the next day
+  CHECK(sample.unchanged == 1);
+  REQUIRE(welkin_sky_sample(sky, 32.0, &sample) == WELKIN_OK);
+  CHECK(sample.unchanged == 1);
+  REQUIRE(welkin_sky_sample(sky, 8.001, &sample) == WELKIN_OK);
+  CHECK(sample.unchanged == 0);
+  welkin_sky_close(sky);
+}
+
+TEST_CASE("Runtime, LightsRiseWithoutAJump") {
+  sky::SkyFile file;
+  file.sky.sun.path.key_time_h = {0.0, 12.0};
+  file.sky.sun.path.key_azimuth_rad = {0.0, 0.0};
+  file.sky.sun.path.key_elevation_rad = {-0.1, 0.1};
+  file.sky.sun.illuminance = sky::Curve::constant(1.0);
+  file.sky.sun.disc_radius_rad = 0.01;
+  file.settings = "{}";
+  file.bake.key_time_h = {0.0};
+  const auto bytes =
+      sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
+  WelkinSky* sky = nullptr;
+  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  WelkinSkySample sample{};
+  float last = 0.0F;
+  for (int i = 0; i <= 1000; ++i) {
+    REQUIRE(welkin_sky_sample(sky, 5.0 + 2.0 * i / 1000.0, &sample) == WELKIN_OK);
+    REQUIRE(sample.sun.visible >= last);
+    REQUIRE(sample.sun.visible - last < 0.003F);  // 1000 steps over 3.3 radii; the middle is 2 / pi steep a radius
+    last = sample.sun.visible;
+  }
+  CHECK(last == 1.0F);
+  REQUIRE(welkin_sky_sample(sky, 6.0, &sample) == WELKIN_OK);
+  CHECK(double{sample.sun.visible} == Approx(0.5).margin(1e-5));
+  REQUIRE(welkin_sky_sample(sky, 5.0, &sample) == WELKIN_OK);
+  CHECK(sample.sun.visible == 0.0F);
+  welkin_sky_close(sky);
+}
+
+}  // namespace welkin
