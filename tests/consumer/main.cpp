@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// The integration sample and the test of the installed package: a headless game that draws a day of a baked sky with
+// two frames in flight. A wrong pixel, a message of the validation layer or an allocation in the loop makes it fail.
+#include <welkin/welkin_vulkan.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+#include <welkin/welkin.hpp>
+
+#include "ball.frag.h"
+#include "ball.vert.h"
+
+static std::size_t allocations = 0;  // of the game and of Welkin; see CMakeLists.txt
+static unsigned messages = 0;        // of the validation layer
+static double worst = -1.0;          // relative error of a pixel; -1: none was compared
+
+void* operator new(std::size_t bytes) {
+  ++allocations;
+  if (void* p = std::malloc(bytes == 0 ? 1 : bytes)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+
+namespace {
+constexpr uint32_t kWidth = 64, kHeight = 32, kFramesInFlight = 2;
+constexpr vk::Format kFormat = vk::Format::eR32G32B32A32Sfloat;
+constexpr vk::DeviceSize kFloats = kWidth * kHeight * 4, kBytes = kFloats * sizeof(float);  // of a picture
+constexpr auto kHostMemory = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
+constexpr vk::ImageSubresourceRange kWhole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+constexpr vk::ImageCreateInfo kImage({}, vk::ImageType::e2D, kFormat, {kWidth, kHeight, 1}, 1, 1,
+                                     vk::SampleCountFlagBits::e1, {},
+                                     vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
+// Looking north, a quarter turn from top to bottom: the direction of a point is (2 x, -y, -1).
+constexpr WelkinVulkanView kView{{}, {}, {float(kWidth) / kHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0}};
+constexpr float kBallRadius = 0.75F;  // of half the picture's height, as in ball.vert
+constexpr double kTolerance = 1e-4;   // relative; the driver's atan alone is good for 4e-5
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+using Layout = vk::ImageLayout;
+
+void require(WelkinResult result, const char* call) {
+  if (result != WELKIN_OK) throw std::runtime_error(std::string(call) + ": " + welkin_result_string(result));
+}
+#define REQUIRE(call) require(call, #call)
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+  ++messages;
+  std::fprintf(stderr, "vulkan: %s\n", data->pMessage);
+  return VK_FALSE;
+}
+constexpr vk::DebugUtilsMessengerCreateInfoEXT kMessenger(
+    {}, vk::DebugUtilsMessageSeverityFlagBitsEXT::eWarning | vk::DebugUtilsMessageSeverityFlagBitsEXT::eError,
+    vk::DebugUtilsMessageTypeFlagBitsEXT::eValidation | vk::DebugUtilsMessageTypeFlagBitsEXT::ePerformance, onMessage);
+
+vk::raii::Instance createInstance(const vk::raii::Context& context) {
+  const auto synchronisation = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+  const vk::ValidationFeaturesEXT validation(synchronisation, {}, &kMessenger);
+  const vk::ApplicationInfo application("game", 1, nullptr, 0, VK_API_VERSION_1_3);
+  const char *const layers = "VK_LAYER_KHRONOS_validation", *const extensions = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  return {context, vk::InstanceCreateInfo({}, &application, layers, extensions, &validation)};
+}
+
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical) {
+  vk::PhysicalDeviceVulkan13Features features;  // what Welkin needs, and nothing else
+  features.dynamicRendering = features.synchronization2 = VK_TRUE;
+  const float priority = 1.0F;
+  const vk::DeviceQueueCreateInfo queue({}, 0, 1, &priority);
+  return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, {}, &features)};
+}
+
+/// The game's own pass: its shaders read Welkin's descriptor set as set 0.
+vk::raii::Pipeline createBall(const vk::raii::Device& device, vk::PipelineLayout layout) {
+  const vk::raii::ShaderModule vertex(device, {{}, sizeof(ball_vert), ball_vert});
+  const vk::raii::ShaderModule fragment(device, {{}, sizeof(ball_frag), ball_frag});
+  const vk::PipelineShaderStageCreateInfo stages[]{{{}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"},
+                                                   {{}, vk::ShaderStageFlagBits::eFragment, *fragment, "main"}};
+  const vk::PipelineVertexInputStateCreateInfo input;
+  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
+  const vk::PipelineRasterizationStateCreateInfo raster({}, 0, 0, {}, {}, {}, 0, 0.0F, 0.0F, 0.0F, 1.0F);
+  const vk::PipelineMultisampleStateCreateInfo samples;
+  const vk::PipelineColorBlendAttachmentState attachment(0, {}, {}, {}, {}, {}, {}, vk::ColorComponentFlags(0xF));
+  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, {}, attachment);
+  const vk::DynamicState states[]{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+  const vk::PipelineDynamicStateCreateInfo dynamic({}, states);
+  const vk::PipelineRenderingCreateInfo rendering(0, kFormat);
+  return {device, nullptr,
+          vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, nullptr,
+                                         &blend, &dynamic, layout, {}, 0, {}, 0, &rendering)};
+}
+
+struct Frame {
+  vk::raii::CommandBuffer commands;
+  vk::raii::Fence done;
+  WelkinSkySample sample;
+};
+
+/// Members in the order of creation; the device outlives everything on it.
+class Game {
+ public:
+  explicit Game(const char* path) {
+    if (const welkin::Status status = sky_.open(path); !status) throw std::runtime_error(status.message);
+    WelkinVulkanCreateInfo info{sizeof(info), VK_API_VERSION_1_3, context_.getDispatcher()->vkGetInstanceProcAddr};
+    info.instance = *instance_;
+    info.physical_device = *physical_;
+    info.device = *device_;
+    info.frames_in_flight = kFramesInFlight;
+    info.colour_format = static_cast<VkFormat>(kFormat);
+    WelkinVulkanSky* dome = nullptr;
+    REQUIRE(welkin_vulkan_create(&info, sky_.get(), &dome, nullptr));
+    dome_.reset(dome);
+    const vk::DescriptorSetLayout set = welkin_vulkan_descriptor_set_layout(dome);
+    layout_ = {device_, vk::PipelineLayoutCreateInfo({}, set)};
+    ball_ = createBall(device_, *layout_);
+    image_.bindMemory(*image_memory_, 0);
+    copies_.bindMemory(*copies_memory_, 0);
+    view_ = {device_, vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D, kFormat, {}, kWhole)};
+    rgba_ = static_cast<const float*>(copies_memory_.mapMemory(0, VK_WHOLE_SIZE));
+    for (auto& commands : vk::raii::CommandBuffers(device_, {*pool_, {}, kFramesInFlight}))
+      frames_.push_back({std::move(commands), {device_, {vk::FenceCreateFlagBits::eSignaled}}, {}});
+    submit(frames_[0], [&](const auto& commands) { REQUIRE(welkin_vulkan_record_upload(dome, *commands)); });
+    queue_.waitIdle();
+    welkin_vulkan_free_staging(dome);
+  }
+  ~Game() { device_.waitIdle(); }  // on the way out of an exception as well
+
+  /// A day in `count` frames; returns how often it allocated.
+  std::size_t run(uint32_t count) {
+    const std::size_t before = allocations;
+    for (uint32_t i = 0; i < count + kFramesInFlight; ++i) {
+      const uint32_t index = i % kFramesInFlight;
+      Frame& frame = frames_[index];
+      (void)device_.waitForFences(*frame.done, VK_TRUE, UINT64_MAX);
+      if (i >= kFramesInFlight) compare(frame, rgba_ + index * kFloats);
+      if (i >= count) continue;
+      REQUIRE(welkin_sky_sample(sky_.get(), 24.0 * i / count, &frame.sample));
+      REQUIRE(welkin_vulkan_update(dome_.get(), index, &frame.sample));
+      submit(frame, [&](const auto& commands) { record(commands, index); });
+    }
+    return allocations - before;
+  }
+
+ private:
+  template <typename Record>
+  void submit(const Frame& frame, Record&& record_commands) {
+    frame.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    record_commands(frame.commands);
+    frame.commands.end();
+    device_.resetFences(*frame.done);
+    queue_.submit(vk::SubmitInfo({}, {}, *frame.commands), *frame.done);
+  }
+
+  void move(const auto& c, Layout from, Layout to, Stage first, vk::AccessFlags2 wrote, Stage next, Access use) {
+    const vk::ImageMemoryBarrier2 image(first, wrote, next, use, from, to, 0, 0, *image_, kWhole);
+    c.pipelineBarrier2({{}, {}, {}, image});
+  }
+
+  void record(const auto& commands, uint32_t index) {
+    const vk::Rect2D area({}, {kWidth, kHeight});
+    move(commands, Layout::eUndefined, Layout::eColorAttachmentOptimal, Stage::eCopy, {}, Stage::eColorAttachmentOutput,
+         Access::eColorAttachmentWrite);
+    const vk::RenderingAttachmentInfo colour(*view_, Layout::eColorAttachmentOptimal);
+    commands.beginRendering({{}, area, 1, 0, colour});
+    commands.setViewport(0, vk::Viewport(0, 0, kWidth, kHeight, 0, 1));
+    commands.setScissor(0, area);
+    REQUIRE(welkin_vulkan_draw_dome(dome_.get(), *commands, index, &kView));
+    const vk::DescriptorSet set = welkin_vulkan_descriptor_set(dome_.get(), index);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *ball_);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, set, {});
+    commands.draw(3, 1, 0, 0);
+    commands.endRendering();
+    move(commands, Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal, Stage::eColorAttachmentOutput,
+         Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead);
+    const vk::BufferImageCopy region(index * kBytes, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                     {kWidth, kHeight, 1});
+    commands.copyImageToBuffer(*image_, Layout::eTransferSrcOptimal, *copies_, region);
+    const vk::MemoryBarrier2 to_host(Stage::eCopy, Access::eTransferWrite, Stage::eHost, Access::eHostRead);
+    commands.pipelineBarrier2({{}, to_host});
+  }
+
+  /// Every seventh pixel against the runtime's own evaluation on the CPU.
+  void compare(const Frame& frame, const float* rgba) {
+    for (uint32_t i = 0; i < kWidth * kHeight; i += 7) {
+      const float x = (float(i % kWidth) + 0.5F) * 2.0F / kHeight - float(kWidth) / kHeight;
+      const float y = 1.0F - (float(i / kWidth) + 0.5F) * 2.0F / kHeight;
+      const float square = (x * x + y * y) / (kBallRadius * kBallRadius);
+      const bool on_ball = square < 1.0F;
+      if (std::abs(square - 1.0F) < 0.05F) continue;  // its edge
+      const float scale = on_ball ? 1.0F / kBallRadius : 1.0F / std::sqrt(x * x + y * y + 1.0F);
+      const float direction[3]{x * scale, y * scale, on_ball ? std::sqrt(1.0F - square) : -scale};
+      float dome[3], irradiance[3];
+      REQUIRE(welkin_dome_radiance(sky_.get(), &frame.sample, direction, dome));
+      REQUIRE(welkin_sample_irradiance(&frame.sample, direction, irradiance));
+      for (int c = 0; c < 3; ++c) {
+        const float value = on_ball ? 0.5F * (dome[c] + irradiance[c] / float(M_PI)) : dome[c];
+        const double error = std::abs(double(rgba[4 * i + c]) / value - 1.0);
+        if (!(error <= worst)) worst = error;
+      }
+    }
+  }
+
+  vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags flags) {
+    const auto types = physical_.getMemoryProperties().memoryTypes;
+    for (uint32_t i = 0;; ++i)
+      if (((needs.memoryTypeBits >> i) & 1U) != 0 && (types.at(i).propertyFlags & flags) == flags)
+        return {device_, vk::MemoryAllocateInfo(needs.size, i)};
+  }
+
+  vk::raii::Context context_;
+  vk::raii::Instance instance_ = createInstance(context_);
+  vk::raii::DebugUtilsMessengerEXT messenger_{instance_, kMessenger};
+  vk::raii::PhysicalDevice physical_ = std::move(vk::raii::PhysicalDevices(instance_).at(0));
+  vk::raii::Device device_ = createDevice(physical_);
+  vk::raii::Queue queue_{device_, 0, 0};
+  vk::raii::CommandPool pool_{device_, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, 0}};
+  vk::raii::Image image_{device_, kImage};
+  vk::raii::DeviceMemory image_memory_ = allocate(image_.getMemoryRequirements(), {});
+  vk::raii::ImageView view_{nullptr};
+  vk::raii::Buffer copies_{device_, {{}, kFramesInFlight* kBytes, vk::BufferUsageFlagBits::eTransferDst}};
+  vk::raii::DeviceMemory copies_memory_ = allocate(copies_.getMemoryRequirements(), kHostMemory);
+  const float* rgba_ = nullptr;
+  welkin::Sky sky_;
+  std::unique_ptr<WelkinVulkanSky, decltype(&welkin_vulkan_destroy)> dome_{nullptr, welkin_vulkan_destroy};
+  vk::raii::PipelineLayout layout_{nullptr};
+  vk::raii::Pipeline ball_{nullptr};
+  std::vector<Frame> frames_;
+};
+}  // namespace
+
+int main(int argc, char** argv) try {  // game SKY.welkin [FRAMES]
+  const uint32_t count = argc > 2 ? static_cast<uint32_t>(std::atoi(argv[2])) : 48;
+  const std::size_t during = Game(argc > 1 ? argv[1] : "sky.welkin").run(count);
+  std::printf("%u frames: largest error %.2g, %zu allocations (%zu before), %u messages of validation\n", count, worst,
+              during, allocations - during, messages);
+  return worst >= 0.0 && worst <= kTolerance && during == 0 && allocations > 0 && messages == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "game: %s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts where: three components, each usable alone (vulkan needs runtime); nothing in it names
+# the folder that it was built in or installed to.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(WELKIN_INSTALL_SHADERDIR ${CMAKE_INSTALL_DATADIR}/welkin/shaders)
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Welkin)
+set(pkgconfig_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set_target_properties(welkin_runtime PROPERTIES EXPORT_NAME runtime)
+set_target_properties(welkin_vulkan PROPERTIES EXPORT_NAME vulkan)
+set(components runtime vulkan)
+if(TARGET welkin)
+  set_target_properties(welkin PROPERTIES EXPORT_NAME bake)
+  install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
+  list(APPEND components bake)
+endif()
+foreach(component runtime vulkan)
+  install(TARGETS welkin_${component} EXPORT WelkinTargets-${component}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endforeach()
+
+install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "welkin_vulkan*" EXCLUDE)
+install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT vulkan
+  FILES_MATCHING PATTERN "welkin_vulkan*.h*")
+# Of shared/ only the GLSL: its *.h are for compiling it as C++.
+install(DIRECTORY shaders/welkin DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime
+  FILES_MATCHING PATTERN "*.glsl" PATTERN "*.h")
+install(DIRECTORY shaders/shared DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime
+  FILES_MATCHING PATTERN "*.glsl")
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/WelkinConfig.cmake.in ${PROJECT_BINARY_DIR}/WelkinConfig.cmake
+  INSTALL_DESTINATION ${config_folder} PATH_VARS WELKIN_INSTALL_SHADERDIR NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/WelkinConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+foreach(component IN LISTS components)
+  install(EXPORT WelkinTargets-${component} NAMESPACE welkin:: DESTINATION ${config_folder} COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/WelkinConfig.cmake ${PROJECT_BINARY_DIR}/WelkinConfigVersion.cmake
+    DESTINATION ${config_folder} COMPONENT ${component})
+endforeach()
+
+# A static C++ library in a C program needs the C++ library after it.
+set(WELKIN_PC_LIBS "")
+foreach(library IN LISTS CMAKE_CXX_IMPLICIT_LINK_LIBRARIES)
+  if(library MATCHES "^(stdc\\+\\+|c\\+\\+|c\\+\\+abi|m)$")
+    string(APPEND WELKIN_PC_LIBS " -l${library}")
+  endif()
+endforeach()
+string(STRIP "${WELKIN_PC_LIBS}" WELKIN_PC_LIBS)
+file(RELATIVE_PATH WELKIN_PC_PREFIX /prefix/${pkgconfig_folder} /prefix)
+string(REGEX REPLACE "/$" "" WELKIN_PC_PREFIX ${WELKIN_PC_PREFIX})
+foreach(component runtime vulkan)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/welkin-${component}.pc.in ${PROJECT_BINARY_DIR}/welkin-${component}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/welkin-${component}.pc DESTINATION ${pkgconfig_folder} COMPONENT ${component})
+endforeach()
