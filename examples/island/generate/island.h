@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The island, put together.
+#pragma once
+
+#include "generate/scene.h"
+
+namespace welkin::island {
+
+/// The level as the files island.gltf and island.bin; always the same bytes.
+GltfFiles islandFiles();
+
+}  // namespace welkin::island

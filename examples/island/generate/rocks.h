@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boulders, and the cave: a tunnel of rock that ends in a chamber.
+#pragma once
+
+#include "generate/mesh.h"
+
+namespace welkin::island {
+
+inline constexpr int kRockVariants = 3;
+
+/// A boulder about 2 m across, its middle at the origin.
+Mesh rock(int variant);
+
+/// The cave's inside and the collar of rock round its mouth; the way in is -z, the origin the floor's middle at the
+/// mouth.
+Mesh cave();
+
+}  // namespace welkin::island
