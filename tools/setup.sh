@@ -11,7 +11,7 @@ libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libvulkan-dev
 # what pictures need: a Vulkan device for machines without one, and a font for their labels
 draw="mesa-vulkan-drivers fonts-dejavu-core"
 # what only the tests need
-test="catch2 vulkan-validationlayers openexr"
+test="catch2 libbenchmark-dev vulkan-validationlayers openexr"
 
 missing=""
 for package in $build $link $draw $test; do

@@ -53,6 +53,10 @@ WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& s
   c.moon_disc = discOf(sample.moon);
   const double turn = f64::kTwoPi * (sample.time_h - shape.stars.midnight_h) / 24.0;
   c.stars = {shape.stars.latitude_rad, shape.stars.north_offset_rad, static_cast<float>(turn), shape.stars.intensity};
+  WelkinLight key{};
+  welkin_sample_key_light(&sample, &key);
+  c.key_direction = pack(key.direction, 0.0F);
+  c.key_irradiance = pack(key.normal_irradiance, 0.0F);
   packAmbient(sample, c);
   return c;
 }

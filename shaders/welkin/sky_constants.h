@@ -27,15 +27,17 @@ struct WelkinSkyConstants {
   WELKIN_FLOAT4 moon;             // xyz: direction of the moon; w: how many ambient coefficients are set, 4..25
   WELKIN_FLOAT4 moon_disc;        // as sun_disc
   WELKIN_FLOAT4 stars;            // latitude, north offset, turn since midnight, radians; radiance of the map's white
+  WELKIN_FLOAT4 key_direction;    // xyz: towards the one light that casts shadows, the sun or the moon; w: 0
+  WELKIN_FLOAT4 key_irradiance;   // rgb: irradiance of a surface that faces it, pi included; 0 below the horizon; w: 0
   WELKIN_FLOAT4 ambient_sh[25];   // rgb: radiance coefficients of the ambient light; w: 0
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(WelkinSkyConstants) == 36 * 16);
+static_assert(sizeof(WelkinSkyConstants) == 38 * 16);
 static_assert(offsetof(WelkinSkyConstants, luminance_ek) == 2 * 16);
 static_assert(offsetof(WelkinSkyConstants, gradient_column) == 6 * 16);
 static_assert(offsetof(WelkinSkyConstants, moon_disc) == 9 * 16);
-static_assert(offsetof(WelkinSkyConstants, ambient_sh) == 11 * 16);
+static_assert(offsetof(WelkinSkyConstants, ambient_sh) == 13 * 16);
 #endif
 
 #undef WELKIN_FLOAT4
