@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh clone to pictures: installs what is missing, builds, bakes examples/island, draws its sky over the day.
+# From a fresh clone to pictures: installs what is missing, builds, bakes examples/island, draws it over the day.
 #   tools/demo.sh [FOLDER]      FOLDER of the outputs, build/demo when left out
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,8 +14,17 @@ welkin=build/release/welkin
 "$welkin" bake examples/island/sky.toml -o "$out/island"
 "$welkin" render "$out/island" -o "$out/sky.png" --view sheet \
   --time 1 --time 5.3 --time 6.2 --time 8.5 --time 12 --time 17 --time 18.5 --time 19.2
-for hour in 6.2 12 18.5 22; do
-  "$welkin" render "$out/island" -o "$out/horizon_$hour.png" --view horizon --time "$hour" --size 960x540
-done
-echo "pictures: $out/sky.png (eight times of day: the dome, the horizon, spheres under flat and SH ambient light)"
+level="--level examples/island/level.toml"
+# shellcheck disable=SC2086  # two words
+"$welkin" render "$out/island" $level -o "$out/island.png" --size 480x270 --camera=-28,2.6,62 --yaw 20 --pitch 2 --fov 55 \
+  --time 5.4 --time 6.4 --time 9 --time 12 --time 16.3 --time 18.2 --time 18.8 --time 23
+# shellcheck disable=SC2086
+"$welkin" render "$out/island" $level -o "$out/beach.png" --size 960x540 --camera=-24,3.2,58 --yaw 32 --pitch 1 --fov 55 --time 16.3
+# shellcheck disable=SC2086
+"$welkin" render "$out/island" $level -o "$out/sunset.png" --size 960x540 --camera=10,5,70 --yaw -65 --pitch 1 --time 18.1
+# shellcheck disable=SC2086
+"$welkin" render "$out/island" $level -o "$out/wreck.png" --size 960x540 --camera=-48,3,-8 --yaw 42 --pitch 6 --fov 48 --time 18.3
+echo "pictures:"
+echo "  $out/island.png  the island at eight times of day"
+echo "  $out/sky.png     the same sky: the dome, the horizon, a sphere under flat and under SH ambient light"
 ls "$out"/*.png

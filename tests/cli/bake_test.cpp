@@ -43,7 +43,7 @@ TEST_CASE("Init, WritesASkyThatValidatesAndOverwritesNothing") {
   REQUIRE(first.status == 0);
   REQUIRE(first.out == folder / "new/level/sky.toml\n");
   REQUIRE(filesUnder(folder / "new/level") ==
-          std::vector<std::string>{"gradient_anti.png", "gradient_sun.png", "sky.toml"});
+          std::vector<std::string>{"gradient_anti.png", "gradient_sun.png", "sky.toml", "stars.png"});
   REQUIRE(runTool({"validate", folder / "new/level/sky.toml"}).out == folder / "new/level/sky.toml: ok\n");
   folder.write("new/level/sky.toml", "mine");
   const Run second = runTool({"init", folder / "new/level"});
@@ -79,7 +79,7 @@ TEST_CASE("Bake, ReportDescribesTheOutputsWithoutTimesHostsAndPaths") {
        {folder.path().string(), std::string("/level"), std::string(host), std::string("_s\"")})
     REQUIRE((leak.empty() || text.find(leak) == std::string::npos));
   const json report = json::parse(text);
-  REQUIRE(report["inputs"].size() == 3);
+  REQUIRE(report["inputs"].size() == 4);
   REQUIRE(report["inputs"][0]["name"] == "sky.toml");
   REQUIRE(report["settings"]["bake"]["cubemap_size"] == 8);
   REQUIRE(report["table"]["bands"] == 3);
@@ -126,7 +126,8 @@ TEST_CASE("Bake, DepfileIsAMakeRuleOfTheInputs") {
   bake(sky, folder / "my out", {"--depfile", folder / "sky.d"});
   const std::string level = folder / "level/";
   REQUIRE(readBytes(folder / "sky.d") == folder / "my\\ out/sky.welkin: " + level + "sky.toml " + level +
-                                             "gradient_sun.png " + level + "gradient_anti.png\n");
+                                             "gradient_sun.png " + level + "gradient_anti.png " + level +
+                                             "stars.png\n");
 }
 
 TEST_CASE("Bake, ProgressIsLinesOfJsonOrNothing") {

@@ -48,3 +48,32 @@ TEST_CASE("Render, WithoutADeviceIsARefusalOfTheSystem") {
   REQUIRE(run.said("Vulkan"));
   REQUIRE_FALSE(fs::exists(folder / "a.png"));
 }
+
+TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
+  const Folder folder;
+  const std::string sky = bakedFolder(folder);
+  const auto check = [&](const std::vector<std::string>& more, int status, const std::string& says) {
+    std::vector<std::string> arguments = {"render", sky, "--time", "12", "-o", folder / "a.png"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = runTool(arguments, kNoDevice);
+    INFO(run.err);
+    CHECK(run.status == status);
+    CHECK(run.said(says));
+  };
+  const std::string level = "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"a.gltf\"\n";
+  const std::string path = folder.write("level.toml", level);
+  check({"--level", path}, 2, "a.gltf");  // it is not there
+  folder.write("a.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"extensionsRequired\": [\"KHR_draco\"]}");
+  check({"--level", path}, 3, "KHR_draco");
+  folder.write("a.gltf", "{\"asset\": {\"ver");
+  check({"--level", path}, 3, "a.gltf");
+  folder.write("a.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
+  check({"--level", path, "--camera=-1,2,3"}, 3, "nothing to draw");
+  check({"--level", folder.write("b.toml", level + "colour = 1\n")}, 3, "geometry[0].colour");
+  check({"--level", folder / "none.toml"}, 2, "none.toml");
+  check({"--level", path, "--camera", "1,2"}, 1, "--camera");
+  check({"--level", path, "--view", "dome"}, 1, "--level");
+  check({"--level", path, "--sky-light", "both"}, 1, "--sky-light");
+  check({"--view", "level"}, 1, "--level");
+  check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");
+}

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/buffer.h"
+#include "render/image.h"
 
 namespace welkin::tools {
 
@@ -23,25 +24,25 @@ class Offscreen {
  public:
   static constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-  /// Throws Error(usage) when the device has no image of that size.
-  Offscreen(VulkanDevice& device, uint32_t width, uint32_t height);
-  ~Offscreen();
-  Offscreen(const Offscreen&) = delete;
-  Offscreen& operator=(const Offscreen&) = delete;
+  /// `more` is added to the image's usage. Throws Error(usage) when the device has no image of that size.
+  Offscreen(VulkanDevice& device, uint32_t width, uint32_t height, VkImageUsageFlags more = 0);
+
+  Image& image() { return image_; }
 
   /// Clears to 0, calls `draw` inside dynamic rendering with viewport and scissor set, waits and reads back.
   FloatImage render(const std::function<void(VkCommandBuffer)>& draw);
 
- private:
-  void createImage();
+  /// Calls `record`, which leaves the image drawn, waits and reads back.
+  FloatImage read(const std::function<void(VkCommandBuffer)>& record);
 
+ private:
   VulkanDevice& device_;
-  uint32_t width_;
-  uint32_t height_;
-  VkImage image_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  VkImageView view_ = VK_NULL_HANDLE;
+  Image image_;
   Buffer readback_;
 };
+
+/// Begins dynamic rendering over the whole extent, with viewport and scissor set. `depth` may be null.
+void beginRendering(VkCommandBuffer commands, VkExtent2D extent, uint32_t colour_count,
+                    const VkRenderingAttachmentInfo* colours, const VkRenderingAttachmentInfo* depth);
 
 }  // namespace welkin::tools

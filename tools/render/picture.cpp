@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr uint32_t kMostAcross = 4;  // single pictures a row; columns of several stay beside each other
 constexpr uint32_t kMargin = 8;
 constexpr uint32_t kLabelHeight = 24;
 constexpr int kLabelSize = 18;
@@ -64,32 +65,33 @@ OIIO::ImageSpec specOf(const Picture& picture) {
 Picture contactSheet(const std::vector<SheetColumn>& columns) {
   const std::string font = findFont();
   const uint32_t header = font.empty() ? 0 : kLabelHeight;
+  const auto count = static_cast<uint32_t>(columns.size());
+  const uint32_t rows = columns.front().pictures.size() == 1 ? (count + kMostAcross - 1) / kMostAcross : 1;
+  const uint32_t across = (count + rows - 1) / rows;
+  const uint32_t cell_width = columns.front().pictures.front().width + kMargin;
+  uint32_t cell_height = header;
+  for (const Picture& picture : columns.front().pictures) cell_height += picture.height + kMargin;
   Picture sheet;
-  sheet.width = kMargin;
-  sheet.height = kMargin + header;
-  for (const SheetColumn& column : columns) sheet.width += column.pictures.front().width + kMargin;
-  for (const Picture& picture : columns.front().pictures) sheet.height += picture.height + kMargin;
+  sheet.width = kMargin + across * cell_width;
+  sheet.height = kMargin + rows * cell_height;
   sheet.rgb.assign(std::size_t{3} * sheet.width * sheet.height, kGround);
-  uint32_t left = kMargin;
-  for (const SheetColumn& column : columns) {
-    uint32_t top = kMargin + header;
-    for (const Picture& picture : column.pictures) {
-      paste(picture, sheet, left, top);
+  const auto leftOf = [&](uint32_t i) { return kMargin + i % across * cell_width; };
+  const auto topOf = [&](uint32_t i) { return kMargin + i / across * cell_height; };
+  for (uint32_t i = 0; i < count; ++i) {
+    uint32_t top = topOf(i) + header;
+    for (const Picture& picture : columns[i].pictures) {
+      paste(picture, sheet, leftOf(i), top);
       top += picture.height + kMargin;
     }
-    left += column.pictures.front().width + kMargin;
   }
   if (font.empty()) return sheet;
 
   OIIO::ImageBuf buffer(specOf(sheet), sheet.rgb.data());
-  left = kMargin;
-  for (const SheetColumn& column : columns) {
-    const int centre = static_cast<int>(left + column.pictures.front().width / 2);
-    OIIO::ImageBufAlgo::render_text(buffer, centre, static_cast<int>(kMargin + header / 2), column.label, kLabelSize,
-                                    font, {0.8F, 0.8F, 0.8F}, OIIO::ImageBufAlgo::TextAlignX::Center,
+  for (uint32_t i = 0; i < count; ++i)
+    OIIO::ImageBufAlgo::render_text(buffer, static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2),
+                                    static_cast<int>(topOf(i) + header / 2), columns[i].label, kLabelSize, font,
+                                    {0.8F, 0.8F, 0.8F}, OIIO::ImageBufAlgo::TextAlignX::Center,
                                     OIIO::ImageBufAlgo::TextAlignY::Center);
-    left += column.pictures.front().width + kMargin;
-  }
   return sheet;
 }
 

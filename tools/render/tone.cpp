@@ -10,17 +10,6 @@
 namespace welkin::tools {
 namespace {
 
-/// Threshold of the 8 x 8 Bayer matrix at (x, y), in (-1/2, 1/2): bits of x ^ y and y interleaved, high bit last.
-double ditherAt(uint32_t x, uint32_t y) {
-  uint32_t rank = 0;
-  for (uint32_t bit = 0; bit < 3; ++bit) {
-    const uint32_t a = (x >> bit) & 1;
-    const uint32_t b = (y >> bit) & 1;
-    rank = rank << 2 | (a ^ b) << 1 | b;
-  }
-  return (rank + 0.5) / 64.0 - 0.5;
-}
-
 constexpr double kMiddleGrey = 0.18;
 constexpr double kAdaptation = 0.8;     // share of the stops between a picture and the day that exposure makes up for
 constexpr double kDarkestNight = 1e-4;  // of the day; below it exposure stays
@@ -58,16 +47,24 @@ double srgbEncode(double x) {
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
 }
 
-Picture tonemap(const FloatImage& image, double exposure) {
-  Picture picture{image.width, image.height, std::vector<uint8_t>(std::size_t{3} * image.width * image.height)};
+Picture tonemap(const FloatImage& image, double exposure, uint32_t samples) {
+  const uint32_t width = image.width / samples;
+  const uint32_t height = image.height / samples;
+  Picture picture{width, height, std::vector<uint8_t>(std::size_t{3} * width * height)};
   uint8_t* out = picture.rgb.data();
-  for (uint32_t y = 0; y < image.height; ++y) {
-    for (uint32_t x = 0; x < image.width; ++x) {
+  for (uint32_t y = 0; y < height; ++y) {
+    for (uint32_t x = 0; x < width; ++x) {
       for (int channel = 0; channel < 3; ++channel) {
-        const double radiance = double{image.pixel(x, y)[channel]};
-        const double exposed = radiance * exposure;  // NaN becomes black
-        const double code = 255.0 * srgbEncode(filmic(exposed > 0.0 ? exposed : 0.0));
-        const double dithered = radiance > 0.0 ? code + ditherAt(x, y) : code;
+        double sum = 0.0;
+        bool black = true;
+        for (uint32_t s = 0; s < samples * samples; ++s) {
+          const double radiance = double{image.pixel(samples * x + s % samples, samples * y + s / samples)[channel]};
+          const double exposed = radiance * exposure;  // NaN becomes black
+          sum += filmic(exposed > 0.0 ? exposed : 0.0);
+          black = black && !(radiance > 0.0);
+        }
+        const double code = 255.0 * srgbEncode(sum / (samples * samples));
+        const double dithered = black ? code : code + f64::ditherAt(static_cast<int>(x), static_cast<int>(y));
         *out++ = static_cast<uint8_t>(std::clamp(std::floor(dithered + 0.5), 0.0, 255.0));
       }
     }

@@ -33,7 +33,8 @@ double filmic(double x);
 double srgbEncode(double x);
 
 /// Exposes, maps, encodes and rounds with an 8 x 8 ordered dither of half a step (Bayer 1973), so that skies do not
-/// band. Pure black stays black.
-Picture tonemap(const FloatImage& image, double exposure);
+/// band. Pure black stays black. Every pixel is the mean of `samples` x `samples` of the image, taken after the filmic
+/// curve, so that edges against the sun are as soft as others; its sides are multiples of `samples`.
+Picture tonemap(const FloatImage& image, double exposure, uint32_t samples = 1);
 
 }  // namespace welkin::tools

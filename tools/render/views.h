@@ -2,13 +2,9 @@
 // Pictures of a baked sky at an hour, drawn by the runtime's own passes; radiance in scene units.
 #pragma once
 
-#include <welkin/welkin_vulkan.h>
-
-#include <memory>
-#include <welkin/welkin.hpp>
-
 #include "render/camera.h"
 #include "render/offscreen.h"
+#include "render/runtime_sky.h"
 #include "render/sphere_pipeline.h"
 
 namespace welkin::tools {
@@ -26,8 +22,8 @@ class Views {
   Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source);
 
   /// Sets the hour of the pictures that follow; throws Error(usage) when it is not finite.
-  void setTime(double time_h);
-  const WelkinSkySample& sample() const { return sample_; }
+  void setTime(double time_h, bool tint = true) { runtime_.setTime(time_h, tint); }
+  const WelkinSkySample& sample() const { return runtime_.sample(); }
 
   /// The upper hemisphere as welkinFisheyeDirection of view.glsl maps it.
   FloatImage dome(uint32_t width, uint32_t height, bool discs);
@@ -37,22 +33,16 @@ class Views {
 
   const WelkinVulkanSky* runtime() const { return runtime_.get(); }
 
-  /// A camera that looks towards the sun, or towards the moon when it is up after nautical twilight; horizontal.
-  Camera towardsLight() const;
-
  private:
   FloatImage drawDome(uint32_t width, uint32_t height, const WelkinVulkanView& view);
 
-  struct Destroy {
-    void operator()(WelkinVulkanSky* object) const { welkin_vulkan_destroy(object); }
-  };
-
   VulkanDevice& device_;
-  const Sky& sky_;
   WelkinVulkanSource source_;
-  std::unique_ptr<WelkinVulkanSky, Destroy> runtime_;
-  std::unique_ptr<SpherePipeline> spheres_;
-  WelkinSkySample sample_{};
+  RuntimeSky runtime_;
+  SpherePipeline spheres_;
 };
+
+/// A camera that looks towards the sun, or towards the moon when it is up after nautical twilight; horizontal.
+Camera towardsLight(const WelkinSkySample& sample);
 
 }  // namespace welkin::tools

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF: transforms, instances, colours and roles; and no read outside a buffer, whatever the file says.
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "level/scene.h"
+#include "sky/error.h"
+#include "tests/folder.h"
+#include "tests/gltf_text.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace tools;
+using f64::Number3;
+using nlohmann::json;
+using test::boxMesh;
+using test::Folder;
+using test::GltfText;
+using test::squareMesh;
+
+Scene sceneOf(const std::string& text, const std::function<void(GeometryEntry&)>& change = nullptr,
+              const char* name = "a.gltf") {
+  const Folder folder;
+  LevelFile level;
+  level.geometry.push_back({folder.write(name, text), {}, Role::fixed, {}});
+  if (change) change(level.geometry[0]);
+  return readScene(level);
+}
+
+void checkRefused(const std::string& text, ExitStatus status, const std::string& says, const char* name = "a.gltf") {
+  INFO(says);
+  try {
+    sceneOf(text, nullptr, name);
+    FAIL("it was read");
+  } catch (const Error& e) {
+    INFO(e.what());
+    CHECK(e.status() == status);
+    CHECK_THAT(e.what(), Catch::Contains(name) && Catch::Contains(says));
+  }
+}
+
+/// A square; `change` makes it wrong.
+std::string squareText(const std::function<void(json&)>& change) {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()));
+  change(gltf.json);
+  return gltf.text();
+}
+
+void checkWrong(const std::function<void(json&)>& change, const std::string& says) {
+  checkRefused(squareText(change), ExitStatus::content, says);
+}
+
+}  // namespace
+
+TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
+  GltfText gltf;
+  const int square = gltf.addMesh(squareMesh(), gltf.addMaterial({0.1, 0.2, 0.3}));
+  gltf.addNode(square, {{"translation", {1, 2, 3}}});
+  gltf.addNode(square, {{"scale", {-1, 1, 1}}});  // mirrored
+  const double h = std::sqrt(0.5);
+  gltf.addNode(square, {{"rotation", {0, 0, h, h}}, {"scale", {2, 1, 1}}, {"children", {3}}});  // +x turns to +y
+  gltf.json["nodes"].push_back({{"mesh", square}, {"translation", {1, 0, 0}}});
+  const Scene scene = sceneOf(gltf.text(), [](GeometryEntry& e) { e.transform.translation = {0, 0, 10}; });
+  CHECK(scene.vertices.size() == 4);
+  CHECK(scene.indices.size() == 6);
+  REQUIRE(scene.instances.size() == 4);
+  REQUIRE(scene.draws.size() == 2);
+  CHECK(scene.draws[0].instance_count == 3);
+  CHECK_FALSE(scene.draws[0].mirrored);
+  CHECK(scene.draws[1].instance_count == 1);
+  CHECK(scene.draws[1].first_instance == 3);
+  CHECK(scene.draws[1].mirrored);
+  CHECK(scene.instances[0].row[1][3] == 2.0F);
+  CHECK(scene.instances[0].row[2][3] == 13.0F);
+  CHECK(scene.instances[0].albedo[1] == 0.2F);
+  const Instance& child = scene.instances[2];
+  CHECK(child.row[1][3] == Approx(2.0));   // moved along its parent's x, which is twice up
+  CHECK(child.row[1][0] == Approx(2.0));   // and its own x is up as well
+  CHECK(child.row[0][1] == Approx(-1.0));  // its y west
+  CHECK(scene.bounds.high.y == Approx(4.0));
+  CHECK(scene.bounds.low.z == Approx(9.0));
+}
+
+TEST_CASE("Gltf, RolesComeFromExtrasThenNamesThenTheFile") {
+  GltfText gltf;
+  const int square = gltf.addMesh(squareMesh());
+  gltf.addNode(square, {{"name", "palm_1"}});
+  gltf.addNode(square, {{"name", "a palm"}});
+  gltf.addNode(square, {{"name", "palm_2"}, {"extras", {{"role", "static"}}}});
+  gltf.addNode(square, {{"name", "lagoon"}, {"extras", {{"role", "water"}}}, {"translation", {0, -1, 0}}});
+  gltf.addNode(square, {{"name", "hull"}, {"extras", {{"role", "ignore"}}}});
+  const Scene scene = sceneOf(gltf.text(), [](GeometryEntry& e) { e.vegetation_nodes = {"palm*"}; });
+  REQUIRE(scene.draws.size() == 3);
+  CHECK(scene.draws[0].role == Role::fixed);
+  CHECK(scene.draws[0].instance_count == 2);
+  CHECK(scene.draws[1].role == Role::vegetation);
+  CHECK(scene.draws[2].role == Role::water);
+  CHECK(scene.water.high.y == -1.0);
+  CHECK(scene.bounds.low.y == 0.0);
+  CHECK(scene.instances[0].albedo[0] == 0.5F);  // level.toml's, as there is no material
+}
+
+TEST_CASE("Gltf, ColoursAreFloatsOrNormalisedIntegers") {
+  GltfText gltf;
+  auto mesh = squareMesh();
+  mesh.colours = {0.25F, 0.5F, 1.0F, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  gltf.addNode(gltf.addMesh(mesh));
+  const Scene scene = sceneOf(gltf.text());
+  CHECK(scene.vertices[0].colour[1] == 0.5F);
+  CHECK(scene.instances[0].albedo[0] == 1.0F);
+  for (const auto& [type, expected] : {std::pair{5121, 205.0F / 255.0F}, {5123, 52429.0F / 65535.0F}}) {
+    // The bytes cd cc 4c 3e .. of 0.2, read as bytes and shorts.
+    mesh.colours.assign(12, 0.2F);
+    GltfText integers;
+    integers.addNode(integers.addMesh(mesh));
+    auto& accessor = integers.json["accessors"].back();
+    accessor["componentType"] = type;
+    accessor["normalized"] = true;
+    accessor["type"] = "VEC4";
+    const Scene read = sceneOf(integers.text());
+    CHECK(read.vertices[0].colour[0] == expected);
+  }
+}
+
+TEST_CASE("Gltf, WithoutNormalsTrianglesAreFlat") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(boxMesh()));
+  const Scene scene = sceneOf(gltf.text());
+  REQUIRE(scene.vertices.size() == 36);
+  for (const Vertex& v : scene.vertices) {
+    float outward = 0.0F;
+    for (int i = 0; i < 3; ++i) outward += v.normal[i] * v.position[i];
+    CHECK(outward == Approx(1.0));
+  }
+}
+
+TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
+  checkWrong([](json& j) { j["accessors"][0]["count"] = 5; }, "5 elements of 12 bytes");
+  checkWrong([](json& j) { j["accessors"][0]["count"] = 4000000000U; }, "elements of 12 bytes");
+  checkWrong([](json& j) { j["accessors"][0]["byteOffset"] = 4; }, "from byte 4");
+  checkWrong([](json& j) { j["accessors"][0]["byteOffset"] = 1; }, "not aligned");
+  checkWrong([](json& j) { j["bufferViews"][0]["byteStride"] = 16; }, "stride 16");
+  checkWrong([](json& j) { j["bufferViews"][0]["byteStride"] = 8; }, "byteStride of 8");
+  checkWrong([](json& j) { j["bufferViews"][2]["byteLength"] = 4000; }, "bufferView 2");
+  checkWrong([](json& j) { j["bufferViews"][0]["byteOffset"] = 1000000; }, "bufferView 0");
+  checkWrong([](json& j) { j["bufferViews"][0]["buffer"] = 7; }, "buffer");
+  checkWrong([](json& j) { j["accessors"][0]["bufferView"] = 9; }, "bufferView");
+  checkWrong([](json& j) { j["accessors"][0]["type"] = "VEC2"; }, "2 components");
+  checkWrong([](json& j) { j["accessors"][0]["componentType"] = 5123; }, "componentType 5123");
+  checkWrong([](json& j) { j["accessors"][1]["componentType"] = 5126; }, "indices");
+  checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 40; }, "accessor 40");
+  checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["indices"] = 12; }, "accessor");
+  checkWrong([](json& j) { j["accessors"][1]["count"] = 5; }, "5 indices make no triangles");
+  checkWrong([](json& j) { j["accessors"][2]["count"] = 3; }, "4 positions and 3 normals");
+  GltfText beyond;
+  auto mesh = squareMesh();
+  mesh.indices[4] = 4;
+  beyond.addNode(beyond.addMesh(mesh));
+  checkRefused(beyond.text(), ExitStatus::content, "index 4 is 4, and there are 4 vertices");
+  GltfText not_finite;
+  mesh = squareMesh();
+  mesh.positions[5] = std::numeric_limits<float>::quiet_NaN();
+  not_finite.addNode(not_finite.addMesh(mesh));
+  checkRefused(not_finite.text(), ExitStatus::content, "element 1 is not finite");
+}
+
+TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
+  checkWrong([](json& j) { j["extensionsRequired"] = {"KHR_mesh_quantization"}; }, "KHR_mesh_quantization");
+  checkWrong([](json& j) { j["asset"]["version"] = "1.0"; }, "asset.version = \"1.0\"");
+  checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["mode"] = 5; }, "mode 5");
+  checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["material"] = 3; }, "material 3");
+  checkWrong([](json& j) { j["nodes"][0]["mesh"] = 3; }, "mesh 3");
+  checkWrong([](json& j) { j["nodes"][0]["children"] = {0}; }, "node 0");
+  checkWrong([](json& j) { j["nodes"][0]["children"] = {8}; }, "8 is none");
+  checkWrong([](json& j) { j["nodes"][0]["extras"] = {{"role", "lava"}}; }, "lava");
+  checkWrong([](json& j) { j["nodes"][0]["rotation"] = {0, 0, 0, 0}; }, "rotation is zero");
+  checkWrong(
+      [](json& j) {
+        j["accessors"][0]["sparse"] = {
+            {"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}};
+      },
+      "sparse");
+  GltfText textured;
+  textured.addMaterial({1, 1, 1});
+  textured.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  textured.addNode(textured.addMesh(squareMesh(), 0));
+  checkRefused(textured.text(), ExitStatus::content, "baseColorTexture");
+}
+
+TEST_CASE("Gltf, CutForeignAndMissingFiles") {
+  const std::string whole = squareText([](json&) {});
+  for (std::size_t size = 0; size < whole.size(); size += 37)
+    checkRefused(whole.substr(0, size), ExitStatus::content, "not a whole glTF file");
+  checkRefused("\x89PNG\r\n\x1a\n", ExitStatus::content, "not a whole glTF file");
+  checkRefused("{}", ExitStatus::content, "not a whole glTF file");
+  checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), ExitStatus::content, "not a whole glTF file", "a.glb");
+  checkRefused("o box\n", ExitStatus::content, "glTF 2.0", "a.obj");
+  // Buffers beside the file: missing is the system's refusal, cut is the file's fault.
+  const Folder folder;
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()));
+  json outside = json::parse(gltf.text());
+  outside["buffers"][0]["uri"] = "a.bin";
+  LevelFile level;
+  level.geometry.push_back({folder.write("a.gltf", outside.dump()), {}, Role::fixed, {}});
+  const auto statusNow = [&] {
+    try {
+      readScene(level);
+      return ExitStatus::done;
+    } catch (const Error& e) {
+      CHECK_THAT(e.what(), Catch::Contains("a.bin") || Catch::Contains(".gltf"));
+      return e.status();
+    }
+  };
+  CHECK(statusNow() == ExitStatus::file);
+  const std::string bytes(gltf.bytes().begin(), gltf.bytes().end());
+  folder.write("a.bin", bytes.substr(0, bytes.size() - 1));
+  CHECK(statusNow() == ExitStatus::content);
+  folder.write("a.bin", bytes);
+  CHECK(statusNow() == ExitStatus::done);
+  level.geometry[0].path = folder.path() / "none.gltf";
+  CHECK(statusNow() == ExitStatus::file);
+}
+
+}  // namespace welkin::tests

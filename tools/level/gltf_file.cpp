@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parses glTF with tinygltf.
+#include "level/gltf_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+
+namespace welkin::tools {
+namespace {
+
+/// What happened to the files that tinygltf asked for; it reports every failure with the same result.
+struct Reading {
+  std::string unreadable;  ///< message of the first file that could not be read
+};
+
+bool exists(const std::string& path, void*) {
+  (void)path;
+  return true;  // let the reading say what is wrong
+}
+
+std::string unchanged(const std::string& path, void*) {
+  return path;
+}
+
+bool readWhole(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* user) {
+  try {
+    const std::vector<std::byte> bytes = readFile(path);
+    const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+    out->assign(first, first + bytes.size());
+    return true;
+  } catch (const Error& e) {
+    auto* reading = static_cast<Reading*>(user);
+    if (e.status() == ExitStatus::file && reading->unreadable.empty()) reading->unreadable = e.what();
+    if (error != nullptr) *error += e.what();
+    return false;
+  }
+}
+
+bool writeNothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+  return false;
+}
+
+bool skipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
+
+std::string oneLine(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return text.size() > 300 ? text.substr(0, 297) + "..." : text;
+}
+
+}  // namespace
+
+tinygltf::Model readGltf(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  const std::vector<std::byte> bytes = readFile(path, std::numeric_limits<unsigned int>::max());
+  Reading reading;
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks({exists, unchanged, readWhole, writeNothing, &reading});
+  loader.SetImageLoader(skipImage, nullptr);
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  const std::string folder = path.parent_path().string();
+  const auto size = static_cast<unsigned int>(bytes.size());
+  const bool binary = bytes.size() >= 4 && std::string(reinterpret_cast<const char*>(bytes.data()), 4) == "glTF";
+  bool parsed = false;
+  try {
+    parsed = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                  reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
+                    : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
+                                                 size, folder);
+  } catch (const std::exception& e) {  // of the JSON library, for types that glTF does not have there
+    error = e.what();
+  }
+  if (!parsed && !reading.unreadable.empty())
+    throw Error(ExitStatus::file, fmt::format("{}: {}", name, reading.unreadable));
+  if (!parsed) throw Error(ExitStatus::content, fmt::format("{}: not a whole glTF file: {}", name, oneLine(error)));
+  if (!model.asset.version.starts_with("2."))
+    throw Error(ExitStatus::content,
+                fmt::format("{}: asset.version = \"{}\": must be 2.0", name, model.asset.version.substr(0, 20)));
+  if (!model.extensionsRequired.empty())
+    throw Error(ExitStatus::content, fmt::format("{}: extensionsRequired = [\"{}\"]: no extension is supported", name,
+                                                 fmt::join(model.extensionsRequired, "\", \"")));
+  return model;
+}
+
+}  // namespace welkin::tools

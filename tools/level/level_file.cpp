@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads level.toml.
+#include "level/level_file.h"
+
+#include <fmt/format.h>
+
+#include "sky/atomic_file.h"
+#include "sky/toml_table.h"
+
+namespace welkin::tools {
+namespace {
+
+using f64::Number3;
+using sky::Range;
+using sky::TomlTable;
+
+constexpr Range kMetres{-1e6, 1e6};
+constexpr Range kDegrees{-36000.0, 36000.0};
+constexpr Range kFraction{0.0, 1.0};
+constexpr Range kScale{1e-6, 1e6};  // a mirrored level would mirror its sky
+constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;
+constexpr double kRadians = f64::kPi / 180.0;
+
+std::string requiredName(TomlTable& table, const std::string& key) {
+  const std::string name = table.string(key, {}, "");
+  if (name.empty()) table.refuse(key, table.node(key), "is missing or empty; it must be the name of a file");
+  return name;
+}
+
+Number3 readScale(TomlTable& table) {
+  const toml::node* n = table.node("scale");
+  if (n == nullptr || n->is_array()) return table.colour("scale", kScale, Number3(1.0));
+  return Number3(table.number("scale", kScale, 1.0));
+}
+
+std::vector<std::string> readPatterns(TomlTable& table) {
+  std::vector<std::string> patterns;
+  const toml::node* n = table.node("vegetation_nodes");
+  if (n == nullptr) return patterns;
+  if (!n->is_array()) table.refuse("vegetation_nodes", n, "must be a list of node names, * for any characters");
+  for (const toml::node& entry : *n->as_array()) {
+    const auto name = entry.value<std::string>();
+    if (!name) table.refuse("vegetation_nodes", &entry, "must be a node name, * for any characters");
+    patterns.push_back(*name);
+  }
+  return patterns;
+}
+
+GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder) {
+  GeometryEntry entry;
+  entry.path = folder / requiredName(table, "file");
+  const Number3 translation = table.colour("translation", kMetres, Number3(0.0));
+  const Number3 rotation_deg = table.colour("rotation_deg", kDegrees, Number3(0.0));
+  entry.transform = fromEuler(translation, rotation_deg * kRadians, readScale(table));
+  entry.role = *roleOf(table.string("role", {"static", "vegetation", "ignore"}, "static"));
+  entry.vegetation_nodes = readPatterns(table);
+  entry.albedo = table.colour("albedo", kFraction, entry.albedo);
+  table.finish();
+  return entry;
+}
+
+}  // namespace
+
+std::optional<Role> roleOf(const std::string& name) {
+  if (name == "static") return Role::fixed;
+  if (name == "vegetation") return Role::vegetation;
+  if (name == "water") return Role::water;
+  if (name == "ignore") return Role::ignored;
+  return std::nullopt;
+}
+
+LevelFile readLevelFile(const std::filesystem::path& path) {
+  const std::vector<std::byte> bytes = readFile(path, kLargestLevelFile);
+  const std::string name = path.string();
+  const toml::table root =
+      sky::parseToml(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  TomlTable top(name, &root, "");
+  LevelFile file;
+  TomlTable level = top.table("level");
+  file.sky = path.parent_path() / requiredName(level, "sky");
+  level.finish();
+  for (const char* of_the_bake : {"probes", "transfer", "scale"}) top.table(of_the_bake);
+  const toml::node* geometry = top.node("geometry");
+  if (geometry == nullptr || !geometry->is_array_of_tables())
+    top.refuse("geometry", geometry, "must be one or more tables, [[geometry]]");
+  for (const toml::node& entry : *geometry->as_array())
+    file.geometry.push_back(readGeometry(
+        TomlTable(name, entry.as_table(), fmt::format("geometry[{}].", file.geometry.size())), path.parent_path()));
+  top.finish();
+  return file;
+}
+
+}  // namespace welkin::tools

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// level.toml: the sky and the geometry of a level.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/affine.h"
+
+namespace welkin::tools {
+
+/// What a surface is to the bake and to the picture. Water is drawn as such and casts no shadow; what is ignored is
+/// neither baked nor drawn.
+enum class Role { fixed, vegetation, water, ignored };
+
+/// The role of its name ("static", "vegetation", "water", "ignore"); nothing for another name.
+std::optional<Role> roleOf(const std::string& name);
+
+/// One [[geometry]].
+struct GeometryEntry {
+  std::filesystem::path path;  ///< level.toml's folder is in it
+  Affine transform;
+  Role role = Role::fixed;
+  std::vector<std::string> vegetation_nodes;  ///< patterns of node names: * stands for any run of characters
+  f64::Number3 albedo{0.5, 0.5, 0.5};         ///< of surfaces that have neither a material nor vertex colours
+};
+
+struct LevelFile {
+  std::filesystem::path sky;
+  std::vector<GeometryEntry> geometry;
+};
+
+/// Reads and checks [level] and [[geometry]]; [probes], [transfer] and [scale] are the bake's and are left alone.
+/// Throws Error: `file` for a file that cannot be read, `content` for what it holds.
+LevelFile readLevelFile(const std::filesystem::path& path);
+
+}  // namespace welkin::tools

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A graphics pipeline for dynamic rendering, from what differs between one and another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/vulkan_device.h"
+
+namespace welkin::tools {
+
+/// Viewport and scissor are dynamic. One sample, no blending, triangles; no vertex inputs unless they are given.
+struct PipelineDescription {
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  std::span<const uint32_t> vertex{};
+  std::span<const uint32_t> fragment{};                             ///< empty: depth alone
+  std::span<const VkVertexInputAttributeDescription> attributes{};  ///< of binding 0
+  uint32_t vertex_bytes = 0;
+  std::vector<VkFormat> colours{};
+  VkFormat depth = VK_FORMAT_UNDEFINED;
+  VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
+  bool depth_write = false;
+  float depth_bias_slope = 0.0F;
+  bool dynamic_culling = false;  ///< cull mode and front face are dynamic; else nothing is culled
+};
+
+/// Throws Error(file) when the device refuses.
+VkPipeline createGraphicsPipeline(VkDevice device, const PipelineDescription& description);
+
+}  // namespace welkin::tools

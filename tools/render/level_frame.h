@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The constants of a picture of a level: camera, shadow map, light, sea.
+#pragma once
+
+#include <welkin/welkin.h>
+
+#include "level/scene.h"
+#include "render/camera.h"
+#include "render/shaders/level_constants.h"
+
+namespace welkin::tools {
+
+/// How a level is drawn.
+struct LevelOptions {
+  bool flat_light = false;      ///< ambient light of one colour instead of the spherical harmonics
+  bool tint = true;             ///< the dome's polarising tint
+  bool waves = true;            ///< else the sea is a mirror
+  double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
+  uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels
+};
+
+/// The sun; the moon where the sun gives nothing; nothing below the horizon.
+const WelkinLight* lightOf(const WelkinSkySample& sample);
+
+/// Constants of a view of `width` x `height` pixels. With `mirrored` the camera is below the sea, which is the mirror,
+/// and what is under the sea is left out.
+LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample, const Camera& camera,
+                              const f64::Number3& position, uint32_t width, uint32_t height,
+                              const LevelOptions& options, bool mirrored);
+
+/// A camera that sees the whole level from the south-east, a little above.
+struct PlacedCamera {
+  Camera camera;
+  f64::Number3 position;
+};
+PlacedCamera overview(const Scene& scene, double fov_rad);
+
+/// Turns a camera towards the middle of the level.
+void lookAtMiddle(const Scene& scene, const f64::Number3& position, Camera& camera);
+
+}  // namespace welkin::tools

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Uploads a scene and records its draws.
+#include "render/level_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace welkin::tools {
+namespace {
+
+/// Never empty: a level may hold nothing but the sea.
+template <typename T>
+VkDeviceSize bytesOf(const std::vector<T>& list) {
+  return std::max<std::size_t>(list.size(), 1) * sizeof(T);
+}
+
+template <typename T>
+void fill(const Buffer& buffer, const std::vector<T>& list) {
+  if (!list.empty()) std::memcpy(buffer.as<T>(), list.data(), list.size() * sizeof(T));
+}
+
+}  // namespace
+
+LevelMesh::LevelMesh(const VulkanDevice& device, const Scene& scene)
+    : scene_(scene),
+      vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
+      indices_(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
+      instances_(device, bytesOf(scene.instances), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
+  fill(vertices_, scene.vertices);
+  fill(indices_, scene.indices);
+  fill(instances_, scene.instances);
+}
+
+std::span<const VkVertexInputAttributeDescription> LevelMesh::attributes() {
+  static constexpr VkVertexInputAttributeDescription kAttributes[3] = {
+      {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
+      {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, colour)}};
+  return kAttributes;
+}
+
+void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const {
+  const VkDeviceSize offset = 0;
+  const VkBuffer vertices = vertices_.handle();
+  vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+  vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
+  for (const Draw& draw : scene_.draws) {
+    if (draw.role == Role::water) continue;
+    if (cull) {
+      // Device coordinates are y-down, so that glTF's counter-clockwise front stays counter-clockwise on the screen.
+      vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+      vkCmdSetFrontFace(commands,
+                        draw.mirrored != mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    }
+    vkCmdDrawIndexed(commands, draw.index_count, draw.instance_count, draw.first_index, draw.vertex_offset,
+                     draw.first_instance);
+  }
+}
+
+}  // namespace welkin::tools

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene's triangles on the device.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "level/scene.h"
+#include "render/buffer.h"
+
+namespace welkin::tools {
+
+class LevelMesh {
+ public:
+  /// `scene` outlives the object.
+  LevelMesh(const VulkanDevice& device, const Scene& scene);
+
+  VkBuffer instances() const { return instances_.handle(); }
+
+  /// Records every draw but the water's. With `cull`, which needs dynamic culling, the backs of single-sided surfaces
+  /// are left out; `mirrored`: the view is a mirror image.
+  void record(VkCommandBuffer commands, bool cull, bool mirrored) const;
+
+  static std::span<const VkVertexInputAttributeDescription> attributes();
+
+ private:
+  const Scene& scene_;
+  Buffer vertices_;
+  Buffer indices_;
+  Buffer instances_;
+};
+
+}  // namespace welkin::tools

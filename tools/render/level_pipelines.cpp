@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Creates the pipelines of the level picture.
+#include "render/level_pipelines.h"
+
+#include <cstdint>
+
+#include "render/graphics_pipeline.h"
+#include "render/level_mesh.h"
+#include "render/offscreen.h"
+#include "spirv/kFullscreenVert.h"
+#include "spirv/kLevelLightFrag.h"
+#include "spirv/kLevelShadowVert.h"
+#include "spirv/kLevelSurfaceFrag.h"
+#include "spirv/kLevelSurfaceVert.h"
+#include "spirv/kLevelWaterFrag.h"
+#include "spirv/kLevelWaterVert.h"
+
+namespace welkin::tools {
+
+LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky) : device_(device.device()) {
+  try {
+    createLayouts(sky);
+    createSamplers();
+    createPipelines();
+  } catch (...) {
+    destroy();
+    throw;
+  }
+}
+
+void LevelPipelines::destroy() {
+  for (VkPipeline pipeline : {shadow, surface, light, water}) vkDestroyPipeline(device_, pipeline, nullptr);
+  vkDestroyPipelineLayout(device_, layout_, nullptr);
+  vkDestroyDescriptorSetLayout(device_, set_, nullptr);
+  vkDestroySampler(device_, shadow_sampler_, nullptr);
+  vkDestroySampler(device_, sampler_, nullptr);
+}
+
+void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
+  VkDescriptorSetLayoutBinding bindings[WELKIN_LEVEL_BINDINGS] = {};
+  for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
+    bindings[i].binding = i;
+    bindings[i].descriptorType = i == WELKIN_LEVEL_CONSTANTS   ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                 : i == WELKIN_LEVEL_INSTANCES ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                               : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    bindings[i].descriptorCount = 1;
+    bindings[i].stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+  }
+  VkDescriptorSetLayoutCreateInfo set{};
+  set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  set.bindingCount = WELKIN_LEVEL_BINDINGS;
+  set.pBindings = bindings;
+  require(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_), "vkCreateDescriptorSetLayout");
+  const VkDescriptorSetLayout sets[2] = {sky, set_};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 2;
+  info.pSetLayouts = sets;
+  require(vkCreatePipelineLayout(device_, &info, nullptr, &layout_), "vkCreatePipelineLayout");
+}
+
+void LevelPipelines::createSamplers() {
+  VkSamplerCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;  // nearest
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  require(vkCreateSampler(device_, &info, nullptr, &sampler_), "vkCreateSampler");
+  info.magFilter = VK_FILTER_LINEAR;
+  info.minFilter = VK_FILTER_LINEAR;
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;  // outside the level nothing casts a shadow
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+  info.borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
+  info.compareEnable = VK_TRUE;
+  info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+  require(vkCreateSampler(device_, &info, nullptr, &shadow_sampler_), "vkCreateSampler");
+}
+
+void LevelPipelines::createPipelines() {
+  const auto attributes = LevelMesh::attributes();
+  shadow = createGraphicsPipeline(device_, {.layout = layout_,
+                                            .vertex = kLevelShadowVert,
+                                            .attributes = attributes.first(1),
+                                            .vertex_bytes = sizeof(Vertex),
+                                            .depth = kDepthFormat,
+                                            .depth_compare = VK_COMPARE_OP_LESS,
+                                            .depth_write = true,
+                                            .depth_bias_slope = 1.0F});
+  surface = createGraphicsPipeline(device_, {.layout = layout_,
+                                             .vertex = kLevelSurfaceVert,
+                                             .fragment = kLevelSurfaceFrag,
+                                             .attributes = attributes,
+                                             .vertex_bytes = sizeof(Vertex),
+                                             .colours = {kSurfaceFormat, kSurfaceFormat},
+                                             .depth = kDepthFormat,
+                                             .depth_compare = VK_COMPARE_OP_GREATER,
+                                             .depth_write = true,
+                                             .dynamic_culling = true});
+  // The full-screen triangle has depth 0: less than any surface's.
+  light = createGraphicsPipeline(device_, {.layout = layout_,
+                                           .vertex = kFullscreenVert,
+                                           .fragment = kLevelLightFrag,
+                                           .colours = {Offscreen::kFormat},
+                                           .depth = kDepthFormat,
+                                           .depth_compare = VK_COMPARE_OP_LESS});
+  water = createGraphicsPipeline(device_, {.layout = layout_,
+                                           .vertex = kLevelWaterVert,
+                                           .fragment = kLevelWaterFrag,
+                                           .colours = {Offscreen::kFormat},
+                                           .depth = kDepthFormat,
+                                           .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
+}
+
+}  // namespace welkin::tools

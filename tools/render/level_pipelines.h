@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pipelines of the level picture, their layout and samplers.
+#pragma once
+
+#include "render/shaders/level_constants.h"
+#include "render/vulkan_device.h"
+
+namespace welkin::tools {
+
+class LevelPipelines {
+ public:
+  static constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+  static constexpr VkFormat kSurfaceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< albedo, normal
+
+  /// `sky` is the layout of set 0.
+  LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky);
+  ~LevelPipelines() { destroy(); }
+  LevelPipelines(const LevelPipelines&) = delete;
+  LevelPipelines& operator=(const LevelPipelines&) = delete;
+
+  VkDescriptorSetLayout setLayout() const { return set_; }
+  VkPipelineLayout layout() const { return layout_; }
+  VkSampler shadowSampler() const { return shadow_sampler_; }
+  VkSampler sampler() const { return sampler_; }
+
+  VkPipeline shadow = VK_NULL_HANDLE;   ///< depth alone
+  VkPipeline surface = VK_NULL_HANDLE;  ///< albedo and normal
+  VkPipeline light = VK_NULL_HANDLE;    ///< radiance where there is a surface
+  VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea where nothing is before it
+
+ private:
+  void createLayouts(VkDescriptorSetLayout sky);
+  void createSamplers();
+  void createPipelines();
+  void destroy();
+
+  VkDevice device_;
+  VkDescriptorSetLayout set_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkSampler shadow_sampler_ = VK_NULL_HANDLE;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+};
+
+}  // namespace welkin::tools

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records the passes of the level picture.
+#include "render/level_view.h"
+
+#include <algorithm>
+
+namespace welkin::tools {
+
+/// The images and the constants of one view; the set points at them.
+struct LevelView::Target {
+  Target(const VulkanDevice& device, VkExtent2D extent, VkDescriptorSet descriptor_set, const LevelConstants& c)
+      : albedo(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
+        normal(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
+        depth(device, LevelPipelines::kDepthFormat, extent,
+              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
+        constants(device, sizeof(LevelConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+        set(descriptor_set) {
+    *constants.as<LevelConstants>() = c;
+  }
+
+  static constexpr VkImageUsageFlags kSurfaceUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  Image albedo;
+  Image normal;
+  Image depth;
+  Buffer constants;
+  VkDescriptorSet set;
+};
+
+namespace {
+
+/// Collects the writes of a descriptor set and makes them.
+class SetWriter {
+ public:
+  explicit SetWriter(VkDescriptorSet set) : set_(set) {}
+
+  void buffer(uint32_t binding, VkDescriptorType type, VkBuffer handle) {
+    buffers_[binding] = {handle, 0, VK_WHOLE_SIZE};
+    write(binding, type);
+  }
+  void image(uint32_t binding, VkSampler sampler, const Image& image, VkImageLayout layout) {
+    images_[binding] = {sampler, image.view(), layout};
+    write(binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  }
+  void commit(VkDevice device) const { vkUpdateDescriptorSets(device, count_, writes_, 0, nullptr); }
+
+ private:
+  void write(uint32_t binding, VkDescriptorType type) {
+    VkWriteDescriptorSet& w = writes_[count_++];
+    w = {};
+    w.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    w.dstSet = set_;
+    w.dstBinding = binding;
+    w.descriptorCount = 1;
+    w.descriptorType = type;
+    w.pBufferInfo = &buffers_[binding];
+    w.pImageInfo = &images_[binding];
+  }
+
+  VkDescriptorSet set_;
+  uint32_t count_ = 0;
+  VkWriteDescriptorSet writes_[WELKIN_LEVEL_BINDINGS] = {};
+  VkDescriptorBufferInfo buffers_[WELKIN_LEVEL_BINDINGS] = {};
+  VkDescriptorImageInfo images_[WELKIN_LEVEL_BINDINGS] = {};
+};
+
+VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
+  const VkDescriptorPoolSize sizes[3] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2},
+                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 2)}};
+  VkDescriptorPoolCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  info.maxSets = 2;
+  info.poolSizeCount = 3;
+  info.pPoolSizes = sizes;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  require(vkCreateDescriptorPool(device, &info, nullptr, &pool), "vkCreateDescriptorPool");
+  const VkDescriptorSetLayout layouts[2] = {layout, layout};
+  VkDescriptorSetAllocateInfo allocate{};
+  allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+  allocate.descriptorPool = pool;
+  allocate.descriptorSetCount = 2;
+  allocate.pSetLayouts = layouts;
+  const VkResult result = vkAllocateDescriptorSets(device, &allocate, sets);
+  if (result != VK_SUCCESS) vkDestroyDescriptorPool(device, pool, nullptr);
+  require(result, "vkAllocateDescriptorSets");
+  return pool;
+}
+
+void recordCopy(VkCommandBuffer commands, Image& from, Image& to) {
+  from.use(commands, kCopiedFrom);
+  to.use(commands, kCopiedTo, true);
+  VkImageCopy region{};
+  region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.extent = {from.extent().width, from.extent().height, 1};
+  vkCmdCopyImage(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.handle(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+}  // namespace
+
+LevelView::LevelView(VulkanDevice& device, const Sky& sky, const Scene& scene, const LevelOptions& options)
+    : device_(device),
+      scene_(scene),
+      options_(options),
+      sky_(device, sky, LevelPipelines::kDepthFormat, VK_COMPARE_OP_EQUAL),
+      mesh_(device, scene),
+      pipelines_(device, sky_.layout()),
+      shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
+              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
+  pool_ = createSets(device.device(), pipelines_.setLayout(), sets_);
+}
+
+LevelView::~LevelView() {
+  vkDestroyDescriptorPool(device_.device(), pool_, nullptr);
+}
+
+void LevelView::bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const {
+  const VkDescriptorSet sets[2] = {sky_.set(), target.set};
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 2, sets, 0, nullptr);
+}
+
+void LevelView::recordShadow(VkCommandBuffer commands, const Target& target) {
+  shadow_.use(commands, kDrawnDepth, true);
+  VkRenderingAttachmentInfo depth =
+      attachmentOf(shadow_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  depth.clearValue.depthStencil.depth = 1.0F;
+  beginRendering(commands, shadow_.extent(), 0, nullptr, &depth);
+  if (lightOf(sample()) != nullptr) {
+    bind(commands, pipelines_.shadow, target);
+    mesh_.record(commands, false, false);
+  }
+  vkCmdEndRendering(commands);
+  shadow_.use(commands, kSampledDepth);
+}
+
+void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
+                            const WelkinVulkanView* dome) {
+  target.albedo.use(commands, kDrawnColour, true);
+  target.normal.use(commands, kDrawnColour, true);
+  target.depth.use(commands, kDrawnDepth, true);
+  constexpr auto kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  const VkRenderingAttachmentInfo surface[2] = {
+      attachmentOf(target.albedo, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR),
+      attachmentOf(target.normal, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR)};
+  const VkRenderingAttachmentInfo depth =
+      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  beginRendering(commands, radiance.extent(), 2, surface, &depth);
+  bind(commands, pipelines_.surface, target);
+  mesh_.record(commands, true, mirrored);
+  vkCmdEndRendering(commands);
+
+  target.albedo.use(commands, kSampled);
+  target.normal.use(commands, kSampled);
+  target.depth.use(commands, kTestedDepth);
+  radiance.use(commands, kDrawnColour, true);
+  const VkRenderingAttachmentInfo colour = attachmentOf(radiance, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  const VkRenderingAttachmentInfo tested =
+      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+  beginRendering(commands, radiance.extent(), 1, &colour, &tested);
+  bind(commands, pipelines_.light, target);
+  vkCmdDraw(commands, 3, 1, 0, 0);
+  if (dome != nullptr) sky_.recordDome(commands, *dome);
+  vkCmdEndRendering(commands);
+}
+
+void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection) {
+  recordCopy(commands, radiance, copy);
+  copy.use(commands, kSampled);
+  reflection.use(commands, kSampled);
+  radiance.use(commands, kDrawnColour);
+  const VkRenderingAttachmentInfo colour =
+      attachmentOf(radiance, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+  const VkRenderingAttachmentInfo tested =
+      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+  beginRendering(commands, radiance.extent(), 1, &colour, &tested);
+  bind(commands, pipelines_.water, target);
+  vkCmdDraw(commands, 12, 1, 0, 0);
+  vkCmdEndRendering(commands);
+}
+
+FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position) {
+  const bool sea = !scene_.water.empty() && position.y > scene_.water.high.y;
+  const VkExtent2D extent{width, height};
+  const VkExtent2D half{std::max(width / 2, 1U), std::max(height / 2, 1U)};
+  Offscreen radiance(device_, width, height);
+  const auto constants = [&](bool mirrored) {
+    return levelConstants(scene_, sample(), camera, position, width, height, options_, mirrored);
+  };
+  Target target(device_, extent, sets_[0], constants(false));
+  Target mirror(device_, half, sets_[1], constants(sea));
+  constexpr VkImageUsageFlags kUsage =
+      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  Image copy(device_, Offscreen::kFormat, extent, kUsage);
+  Image reflection(device_, Offscreen::kFormat, half, kUsage);
+  for (const Target* t : {&target, &mirror}) {
+    SetWriter writer(t->set);
+    writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, t->constants.handle());
+    writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
+    writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
+    writer.image(WELKIN_LEVEL_ALBEDO, pipelines_.sampler(), t->albedo, kSampled.layout);
+    writer.image(WELKIN_LEVEL_NORMAL, pipelines_.sampler(), t->normal, kSampled.layout);
+    writer.image(WELKIN_LEVEL_DEPTH, pipelines_.sampler(), t->depth, kTestedDepth.layout);
+    writer.image(WELKIN_LEVEL_SCENE, pipelines_.sampler(), copy, kSampled.layout);
+    writer.image(WELKIN_LEVEL_REFLECTION, pipelines_.sampler(), reflection, kSampled.layout);
+    writer.commit(device_.device());
+  }
+  WelkinVulkanView dome{};
+  dome.source = WELKIN_VULKAN_ANALYTIC;
+  dome.projection = WELKIN_VULKAN_PERSPECTIVE;
+  std::copy_n(target.constants.as<LevelConstants>()->rays, 16, dome.inverse_view_projection);
+  dome.depth = 0.0F;
+  dome.discs = 1;
+  return radiance.read([&](VkCommandBuffer commands) {
+    recordShadow(commands, target);
+    if (sea) recordScene(commands, mirror, reflection, true, nullptr);
+    recordScene(commands, target, radiance.image(), false, &dome);
+    if (sea) recordWater(commands, target, radiance.image(), copy, reflection);
+  });
+}
+
+}  // namespace welkin::tools

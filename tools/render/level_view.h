@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a level under a baked sky: shadow map, surfaces, light, dome, sea; radiance in scene units.
+#pragma once
+
+#include "render/camera.h"
+#include "render/level_frame.h"
+#include "render/level_mesh.h"
+#include "render/level_pipelines.h"
+#include "render/offscreen.h"
+#include "render/runtime_sky.h"
+
+namespace welkin::tools {
+
+class LevelView {
+ public:
+  /// `device`, `sky` and `scene` outlive the object.
+  LevelView(VulkanDevice& device, const Sky& sky, const Scene& scene, const LevelOptions& options);
+  ~LevelView();
+  LevelView(const LevelView&) = delete;
+  LevelView& operator=(const LevelView&) = delete;
+
+  /// Sets the hour of the pictures that follow; throws Error(usage) when it is not finite.
+  void setTime(double time_h) { sky_.setTime(time_h, options_.tint); }
+  const WelkinSkySample& sample() const { return sky_.sample(); }
+
+  /// One sample a pixel; the sky behind and the discs are in it.
+  FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
+
+ private:
+  struct Target;
+  /// Records the level without the sea; with `dome` the sky is drawn where there is no surface.
+  void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
+                   const WelkinVulkanView* dome);
+  void recordShadow(VkCommandBuffer commands, const Target& target);
+  void recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection);
+  void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
+
+  VulkanDevice& device_;
+  const Scene& scene_;
+  LevelOptions options_;
+  RuntimeSky sky_;
+  LevelMesh mesh_;
+  LevelPipelines pipelines_;
+  Image shadow_;
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+  VkDescriptorSet sets_[2] = {};  ///< of the picture and of its mirror image
+};
+
+}  // namespace welkin::tools

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runtime's Vulkan object of a sky, created and uploaded, with its sample at an hour.
+#pragma once
+
+#include <welkin/welkin_vulkan.h>
+
+#include <memory>
+#include <welkin/welkin.hpp>
+
+#include "render/vulkan_device.h"
+
+namespace welkin::tools {
+
+/// Throws Error(internal) when a runtime call that cannot fail has failed.
+void require(WelkinResult result, const char* call);
+
+class RuntimeSky {
+ public:
+  /// For a dome drawn into Offscreen's format, without a depth attachment unless `depth_format` is given. `sky` and
+  /// `device` outlive the object.
+  RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_format = VK_FORMAT_UNDEFINED,
+             VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS);
+
+  /// Sets the hour; throws Error(usage) when it is not finite. Without `tint` the polarising tint is left out of the
+  /// dome that is drawn from the formulas; it stays in the cubemaps, where it was baked.
+  void setTime(double time_h, bool tint = true);
+
+  const WelkinSkySample& sample() const { return sample_; }
+  const WelkinVulkanSky* get() const { return runtime_.get(); }
+  VkDescriptorSetLayout layout() const { return welkin_vulkan_descriptor_set_layout(runtime_.get()); }
+  VkDescriptorSet set() const { return welkin_vulkan_descriptor_set(runtime_.get(), 0); }
+
+  void recordDome(VkCommandBuffer commands, const WelkinVulkanView& view) const;
+
+ private:
+  struct Destroy {
+    void operator()(WelkinVulkanSky* object) const { welkin_vulkan_destroy(object); }
+  };
+
+  const Sky& sky_;
+  std::unique_ptr<WelkinVulkanSky, Destroy> runtime_;
+  WelkinSkySample sample_{};
+};
+
+}  // namespace welkin::tools

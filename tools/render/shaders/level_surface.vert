@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A level's surfaces.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "level_instances.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 0) out vec3 placed_normal;
+layout(location = 1) out vec3 albedo;
+layout(location = 2) out float height;
+
+void main() {
+  LevelInstance i = instances[gl_InstanceIndex];
+  vec3 p = placedPoint(i, position);
+  placed_normal = normalize(placedNormal(i, normal));
+  albedo = colour * i.albedo.rgb;
+  height = p.y;
+  gl_Position = level.view_projection * vec4(p, 1.0);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the pixels of the level picture see: positions, shadow, mist.
+#ifndef WELKIN_LEVEL_VIEW_GLSL
+#define WELKIN_LEVEL_VIEW_GLSL
+
+#include "level.glsl"
+#include "welkin/ambient.glsl"
+#include "welkin/dome.glsl"
+
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_SHADOW) uniform sampler2DShadow levelShadow;
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_DEPTH) uniform sampler2D levelDepth;
+
+// Direction through a point of the picture, 1 along the view axis.
+vec3 rayThrough(vec2 ndc) { return (level.rays * vec4(ndc, 0.5, 1.0)).xyz; }
+
+// Share of the sun or the moon that reaches a point: 3 x 3 bilinear comparisons (Reeves, Salesin and Cook, "Rendering
+// Antialiased Shadows with Depth Maps", SIGGRAPH 1987), a texel apart. The point is moved off its surface by a texel and
+// a half times the sine of the angle of incidence, which is how far a texel reaches under a surface that slopes.
+float lightReaching(vec3 p, vec3 normal) {
+  float cosine = clamp(dot(normal, level.light.xyz), 0.0, 1.0);
+  vec3 from = p + normal * (level.light.w * (0.3 + 1.7 * sqrt(1.0 - cosine * cosine)));
+  vec3 at = (level.shadow * vec4(from, 1.0)).xyz;
+  at.z = min(at.z, 1.0);
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x)
+      sum += textureLod(levelShadow, vec3(at.xy + vec2(x, y) * level.light_irradiance.w, at.z), 0.0);
+  return sum / 9.0;
+}
+
+vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : welkinIrradiance(normal); }
+
+// Irradiance of a surface, sky and light.
+vec3 surfaceIrradiance(vec3 p, vec3 normal) {
+  float cosine = dot(normal, level.light.xyz);
+  vec3 direct = vec3(0.0);
+  if (cosine > 0.0) direct = level.light_irradiance.rgb * (cosine * lightReaching(p, normal));
+  return ambientIrradiance(normal) + direct;
+}
+
+// Air between the camera and a radiance `distance_m` away: what it takes away, it replaces by the sky at the horizon
+// in that azimuth, so that the far sea and the sky meet. Even in height: a level is small beside the atmosphere.
+vec3 throughMist(vec3 radiance, vec3 direction, float distance_m) {
+  if (level.options.x <= 0.0) return radiance;
+  vec3 horizon = welkinDomeRadiance(normalize(vec3(direction.x, 0.0, direction.z) + vec3(0.0, 1e-3, 0.0)));
+  return mix(horizon, radiance, transmittance(level.options.x, distance_m));
+}
+
+#endif
