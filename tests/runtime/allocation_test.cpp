@@ -31,18 +31,34 @@ extern "C" void* realloc(void* p, std::size_t bytes) {
 }
 
 namespace welkin {
+namespace {
+
+/// A sky baked and opened in memory.
+struct Opened {
+  std::vector<std::byte> bytes;
+  WelkinSky* sky = nullptr;
+
+  Opened(sky::SkyFile file, int bands, const std::vector<double>& key_time_h) {
+    file.settings = "{}";
+    file.bake.key_time_h = key_time_h;
+    bytes = sky::encodeSky(file, sky::bakeDayTable(file.sky, bands, key_time_h, [] { return true; }), {});
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  ~Opened() { welkin_sky_close(sky); }
+  void open() { REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK); }
+};
+
+}  // namespace
 
 TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
   sky::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;
   file.sky.moon = file.sky.sun;
-  file.settings = "{}";
-  file.bake.key_time_h = {0.0, 6.0, 12.0, 18.0};
-  const auto bytes =
-      sky::encodeSky(file, sky::bakeDayTable(file.sky, 5, file.bake.key_time_h, [] { return true; }), {});
+  Opened opened(file, 5, {0.0, 6.0, 12.0, 18.0});
   const std::size_t before_opening = allocations;
-  WelkinSky* sky = nullptr;
-  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  opened.open();
+  const WelkinSky* sky = opened.sky;
   CHECK(allocations > before_opening);  // the counter counts
 
   WelkinSkySample first{}, second{}, blended{};
@@ -70,18 +86,14 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
   const std::size_t after = allocations;
   CHECK(after - before == 0);
   CHECK(failures == 0);
-  welkin_sky_close(sky);
 }
 
 TEST_CASE("Runtime, SaysUnchanged") {
   sky::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;
-  file.settings = "{}";
-  file.bake.key_time_h = {0.0};
-  const auto bytes =
-      sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
-  WelkinSky* sky = nullptr;
-  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  Opened opened(file, 2, {0.0});
+  opened.open();
+  const WelkinSky* sky = opened.sky;
   WelkinSkySample sample{};
   REQUIRE(welkin_sky_sample(sky, 8.0, &sample) == WELKIN_OK);
   CHECK(sample.unchanged == 0);
@@ -91,7 +103,6 @@ TEST_CASE("Runtime, SaysUnchanged") {
   CHECK(sample.unchanged == 1);
   REQUIRE(welkin_sky_sample(sky, 8.001, &sample) == WELKIN_OK);
   CHECK(sample.unchanged == 0);
-  welkin_sky_close(sky);
 }
 
 TEST_CASE("Runtime, LightsRiseWithoutAJump") {
@@ -101,12 +112,9 @@ TEST_CASE("Runtime, LightsRiseWithoutAJump") {
   file.sky.sun.path.key_elevation_rad = {-0.1, 0.1};
   file.sky.sun.illuminance = sky::Curve::constant(1.0);
   file.sky.sun.disc_radius_rad = 0.01;
-  file.settings = "{}";
-  file.bake.key_time_h = {0.0};
-  const auto bytes =
-      sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
-  WelkinSky* sky = nullptr;
-  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  Opened opened(file, 2, {0.0});
+  opened.open();
+  const WelkinSky* sky = opened.sky;
   WelkinSkySample sample{};
   float last = 0.0F;
   for (int i = 0; i <= 1000; ++i) {
@@ -120,7 +128,6 @@ TEST_CASE("Runtime, LightsRiseWithoutAJump") {
   CHECK(double{sample.sun.visible} == Approx(0.5).margin(1e-5));
   REQUIRE(welkin_sky_sample(sky, 5.0, &sample) == WELKIN_OK);
   CHECK(sample.sun.visible == 0.0F);
-  welkin_sky_close(sky);
 }
 
 }  // namespace welkin

@@ -15,7 +15,8 @@ struct SheetColumn {
   std::vector<Picture> pictures;
 };
 
-/// Lays the columns side by side on a dark ground; columns of one picture wrap after four. Labels are left out when the system has no font.
+/// Lays the columns side by side on a dark ground; columns of one picture wrap after four. Labels are left out when the
+/// system has no font.
 Picture contactSheet(const std::vector<SheetColumn>& columns);
 
 /// "06:30" of an hour in [0, 24), to the nearest minute.

@@ -58,14 +58,14 @@ typedef struct WelkinMessage {
 typedef struct WelkinSky WelkinSky;
 
 typedef struct WelkinSkyInfo {
-  uint32_t bands;              /* 2..5 */
-  uint32_t coefficient_count;  /* bands^2 */
-  uint32_t key_count;          /* instants of the SH table, >= 1 */
-  uint32_t cubemap_count;      /* 0: no cubemaps */
-  uint32_t cubemap_size;       /* texels along a face's edge; 0 without cubemaps */
-  uint32_t has_moon;           /* 0 or 1 */
-  float luminance_unit;        /* cd/m2 of radiance 1 */
-  float ground_albedo[3];      /* 0..1 */
+  uint32_t bands;             /* 2..5 */
+  uint32_t coefficient_count; /* bands^2 */
+  uint32_t key_count;         /* instants of the SH table, >= 1 */
+  uint32_t cubemap_count;     /* 0: no cubemaps */
+  uint32_t cubemap_size;      /* texels along a face's edge; 0 without cubemaps */
+  uint32_t has_moon;          /* 0 or 1 */
+  float luminance_unit;       /* cd/m2 of radiance 1 */
+  float ground_albedo[3];     /* 0..1 */
 } WelkinSkyInfo;
 
 /* The sun or the moon at an instant. */
@@ -81,7 +81,7 @@ typedef struct WelkinLight {
 
 /* The sky at an instant: what a frame needs. Zero-initialise it before its first use. */
 typedef struct WelkinSkySample {
-  double time_h;                                 /* wrapped into [0, 24) */
+  double time_h; /* wrapped into [0, 24) */
   WelkinLight sun;
   WelkinLight moon;                              /* all zero without a moon */
   float intensity;                               /* factor on the sky's radiance */
@@ -103,8 +103,8 @@ typedef struct WelkinFilamentIrradianceOverPi {
   float sh[9][3];
 } WelkinFilamentIrradianceOverPi;
 
-/* Irradiance over pi in Unity's seven constants, in the world axes of this library (negate z of normals that come from a
- * left-handed world): for a channel, dot(SHA, (n, 1)) + dot(SHB, n.xyzz * n.yzzx) + SHC (x2 - y2). */
+/* Irradiance over pi in Unity's seven constants, in the world axes of this library (negate z of normals that come from
+ * a left-handed world): for a channel, dot(SHA, (n, 1)) + dot(SHB, n.xyzz * n.yzzx) + SHC (x2 - y2). */
 typedef struct WelkinUnityIrradianceOverPi {
   float shar[4], shag[4], shab[4]; /* x, y, z, constant */
   float shbr[4], shbg[4], shbb[4]; /* xy, yz, zz, zx */
@@ -114,7 +114,7 @@ typedef struct WelkinUnityIrradianceOverPi {
 /* Coefficients of the relative luminance; see shaders/shared/luminance.glsl. */
 typedef struct WelkinLuminance {
   float a, b, c, d, e, k;
-  uint32_t normalise_to_sun;  /* 0: to the zenith */
+  uint32_t normalise_to_sun; /* 0: to the zenith */
 } WelkinLuminance;
 
 /* A gradient image: rows from the horizon to the zenith, columns over the day, row-major RGB. Borrowed from the sky. */
@@ -124,9 +124,9 @@ typedef struct WelkinGradient {
 } WelkinGradient;
 
 typedef struct WelkinGradients {
-  WelkinGradient sun;   /* the sun's azimuth */
-  WelkinGradient anti;  /* the opposite azimuth */
-  float delta;          /* luminance under which a gradient fades to neutral, > 0 */
+  WelkinGradient sun;  /* the sun's azimuth */
+  WelkinGradient anti; /* the opposite azimuth */
+  float delta;         /* luminance under which a gradient fades to neutral, > 0 */
 } WelkinGradients;
 
 /* A cubemap in Vulkan's orientation: faces +x, -x, +y, -y, +z, -z, each size x size texels, rows from the top, RGBA as
@@ -174,17 +174,19 @@ WELKIN_API WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index
 /* The settings that the file was baked with, as JSON; terminated, borrowed from the sky. */
 WELKIN_API WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** json);
 
-/* The sky at `time_h`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. When `sample` holds the result already, bit for bit,
- * it stays as it is with `unchanged` 1, and an upload that followed the last call need not be repeated. */
+/* The sky at `time_h`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. When `sample` holds the result already, bit for
+ * bit, it stays as it is with `unchanged` 1, and an upload that followed the last call need not be repeated. */
 WELKIN_API WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample);
 
-/* Irradiance E (pi included) of a surface with unit `normal`, from the sample's ambient coefficients, RGB, clamped at 0. */
+/* Irradiance E (pi included) of a surface with unit `normal`, from the sample's ambient coefficients, RGB, clamped at
+ * 0. */
 WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3],
                                                  float irradiance[3]);
 
 /* Cross-blend of two skies (weather): lights, tint, ambient coefficients and ground, `weight` in [0, 1] of the second.
- * Directions are blended and normalised. What only makes sense with one sky's file (luminance_norm, intensity, cubemaps)
- * stays the first's: draw both domes, the second with the weight as opacity. Both must have the same coefficient count. */
+ * Directions are blended and normalised. What only makes sense with one sky's file (luminance_norm, intensity,
+ * cubemaps) stays the first's: draw both domes, the second with the weight as opacity. Both must have the same
+ * coefficient count. */
 WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
                                             WelkinSkySample* blended);
 
@@ -193,18 +195,18 @@ WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const 
  * jumps when its direction does. `visible` is in it and then 1. */
 WELKIN_API WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight* light);
 
-/* The first three bands of the ambient light, ready for Filament's and Unity's shaders. Bands beyond are left out: their
- * irradiance is at most a few percent (band 3 has none). */
+/* The first three bands of the ambient light, ready for Filament's and Unity's shaders. Bands beyond are left out:
+ * their irradiance is at most a few percent (band 3 has none). */
 WELKIN_API WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed);
 WELKIN_API WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed);
 
-/* Radiance of the sky dome in unit `direction`, from the formulas and gradients (not the cubemaps), RGB: tint and ground
- * in it, sun and moon not. Evaluated in double; the GPU's dome is compared with it. */
+/* Radiance of the sky dome in unit `direction`, from the formulas and gradients (not the cubemaps), RGB: tint and
+ * ground in it, sun and moon not. Evaluated in double; the GPU's dome is compared with it. */
 WELKIN_API WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* sample,
                                              const float direction[3], float radiance[3]);
 
-/* Radiance of the discs of the sun and the moon in unit `direction`, RGB, softened over `pixel_rad` radians: to be added
- * to the dome's. The moon shows its phase under the sample's sun. Nothing below the horizon. */
+/* Radiance of the discs of the sun and the moon in unit `direction`, RGB, softened over `pixel_rad` radians: to be
+ * added to the dome's. The moon shows its phase under the sample's sun. Nothing below the horizon. */
 WELKIN_API WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float direction[3], float pixel_rad,
                                              float radiance[3]);
 

@@ -38,12 +38,12 @@ typedef struct WelkinVulkanSky WelkinVulkanSky;
 typedef struct WelkinVulkanAllocation {
   VkDeviceMemory memory;
   VkDeviceSize offset; /* multiple of the requirements' alignment */
-  void* mapped;        /* host address of `offset`, for as long as the allocation lives, where host-visible was required */
-  void* user;          /* for the caller */
+  void* mapped; /* host address of `offset`, for as long as the allocation lives, where host-visible was required */
+  void* user;   /* for the caller */
 } WelkinVulkanAllocation;
 
-/* Lets the caller own device memory (VMA or an engine's own): at most three allocations, of the images, the uniforms and
- * the staging buffer, made by welkin_vulkan_create; nothing is allocated later. */
+/* Lets the caller own device memory (VMA or an engine's own): at most three allocations, of the images, the uniforms
+ * and the staging buffer, made by welkin_vulkan_create; nothing is allocated later. */
 typedef struct WelkinVulkanMemoryCallbacks {
   void* user;
   VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags required,
@@ -59,17 +59,17 @@ typedef struct WelkinVulkanCreateInfo {
   VkInstance instance;
   VkPhysicalDevice physical_device;
   VkDevice device;
-  const VkAllocationCallbacks* allocator; /* for Vulkan's host memory; may be null; must outlive the object */
-  VkPipelineCache pipeline_cache;         /* may be null */
-  uint32_t frames_in_flight;              /* 1..WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT */
-  VkFormat colour_format;                 /* of the dome's colour attachment: radiance, alpha 1 */
-  VkFormat depth_format;                  /* VK_FORMAT_UNDEFINED: the dome's pass has no depth attachment */
-  VkFormat stencil_format;                /* of that pass; VK_FORMAT_UNDEFINED: none */
-  VkCompareOp depth_compare;              /* of the dome's depth test, which never writes; unused without depth */
-  VkSampleCountFlagBits samples;          /* 0 counts as 1 */
+  const VkAllocationCallbacks* allocator;    /* for Vulkan's host memory; may be null; must outlive the object */
+  VkPipelineCache pipeline_cache;            /* may be null */
+  uint32_t frames_in_flight;                 /* 1..WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT */
+  VkFormat colour_format;                    /* of the dome's colour attachment: radiance, alpha 1 */
+  VkFormat depth_format;                     /* VK_FORMAT_UNDEFINED: the dome's pass has no depth attachment */
+  VkFormat stencil_format;                   /* of that pass; VK_FORMAT_UNDEFINED: none */
+  VkCompareOp depth_compare;                 /* of the dome's depth test, which never writes; unused without depth */
+  VkSampleCountFlagBits samples;             /* 0 counts as 1 */
   const WelkinVulkanMemoryCallbacks* memory; /* null: the library allocates; copied, not kept */
-  const VkImage* images; /* null: the library makes its images; else the caller's, of welkin_vulkan_image_infos, bound to
-                            memory, alive until the object is destroyed */
+  const VkImage* images; /* null: the library makes its images; else the caller's, of welkin_vulkan_image_infos, bound
+                            to memory, alive until the object is destroyed */
   uint32_t image_count;  /* of `images`; unused without */
 } WelkinVulkanCreateInfo;
 
@@ -94,8 +94,8 @@ typedef struct WelkinVulkanView {
   float aspect;                      /* fisheye: width / height of the viewport, > 0 */
   float depth;                       /* of the dome, in [0, 1]: 1, or 0 with a reversed depth */
   uint32_t discs;                    /* 1: with the discs of the sun and the moon, and the stars */
-  float opacity;                     /* in (0, 1): blended over what is there, for the second sky of a cross-blend; 0 and
-                                        1: replaces it. Needs a colour format that blends */
+  float opacity; /* in (0, 1): blended over what is there, for the second sky of a cross-blend; 0 and
+                    1: replaces it. Needs a colour format that blends */
 } WelkinVulkanView;
 
 /* Bytes of device memory that the object holds now. */
@@ -110,15 +110,16 @@ typedef struct WelkinVulkanMemory {
 WELKIN_API WelkinResult welkin_vulkan_create(const WelkinVulkanCreateInfo* info, const WelkinSky* sky,
                                              WelkinVulkanSky** out, WelkinMessage* message);
 
-/* What the images of a sky must be when the caller makes them: writes up to *count infos and sets *count to their number;
- * infos may be null to ask for it. */
+/* What the images of a sky must be when the caller makes them: writes up to *count infos and sets *count to their
+ * number; infos may be null to ask for it. */
 WELKIN_API WelkinResult welkin_vulkan_image_infos(const WelkinSky* sky, uint32_t* count, VkImageCreateInfo* infos);
 
 /* Destroys it; no command buffer that uses it may still be running. Null is allowed. */
 WELKIN_API void welkin_vulkan_destroy(WelkinVulkanSky* object);
 
 /* Records the upload of the images and makes the cubemaps' mips, once, outside a render pass, on the graphics queue
- * family that will read them. Leaves them readable by every later shader on that queue. A second call is WELKIN_ERROR_ARGUMENT. */
+ * family that will read them. Leaves them readable by every later shader on that queue. A second call is
+ * WELKIN_ERROR_ARGUMENT. */
 WELKIN_API WelkinResult welkin_vulkan_record_upload(WelkinVulkanSky* object, VkCommandBuffer commands);
 
 /* Frees the memory behind the upload, once its submission has finished. */

@@ -5,14 +5,14 @@
 
 #define WELKIN_WAVE_COUNT 24
 
-#define WELKIN_LEVEL_CONSTANTS 0    // uniform buffer, LevelConstants
-#define WELKIN_LEVEL_INSTANCES 1    // storage buffer, an Instance each
-#define WELKIN_LEVEL_SHADOW 2       // sampler2DShadow, D32, less or equal, white border
-#define WELKIN_LEVEL_ALBEDO 3       // sampler2D, RGBA16F, fetched: linear albedo
-#define WELKIN_LEVEL_NORMAL 4       // sampler2D, RGBA16F, fetched: unit normal
-#define WELKIN_LEVEL_DEPTH 5        // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
-#define WELKIN_LEVEL_SCENE 6        // sampler2D, RGBA32F, fetched: the picture without the water
-#define WELKIN_LEVEL_REFLECTION 7   // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
+#define WELKIN_LEVEL_CONSTANTS 0   // uniform buffer, LevelConstants
+#define WELKIN_LEVEL_INSTANCES 1   // storage buffer, an Instance each
+#define WELKIN_LEVEL_SHADOW 2      // sampler2DShadow, D32, less or equal, white border
+#define WELKIN_LEVEL_ALBEDO 3      // sampler2D, RGBA16F, fetched: linear albedo
+#define WELKIN_LEVEL_NORMAL 4      // sampler2D, RGBA16F, fetched: unit normal
+#define WELKIN_LEVEL_DEPTH 5       // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
+#define WELKIN_LEVEL_SCENE 6       // sampler2D, RGBA32F, fetched: the picture without the water
+#define WELKIN_LEVEL_REFLECTION 7  // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
 #define WELKIN_LEVEL_BINDINGS 8
 
 #ifdef __cplusplus
@@ -29,16 +29,16 @@ using LevelVector = float[4];
 
 // World axes, metres, scene units. Column-major matrices.
 struct LevelConstants {
-  WELKIN_MATRIX view_projection;  // reversed depth, near / distance, no far plane
-  WELKIN_MATRIX rays;             // device coordinates to directions, unnormalised: 1 along the view axis
-  WELKIN_MATRIX shadow;           // world to the shadow map: xy in [0, 1], depth in [0, 1]
-  WELKIN_VECTOR camera;           // xyz: position; w: distance of the near plane
-  WELKIN_VECTOR light;            // xyz: unit, towards the sun or the moon; w: edge of a shadow texel, metres
-  WELKIN_VECTOR light_irradiance; // rgb: normal irradiance; w: 1 / edge of the shadow map in texels
-  WELKIN_VECTOR options;          // x: mist, extinction per metre; y: 1 flat ambient light, else 0; z: lowest height drawn;
-                                  // w: angle of a pixel, radians
-  WELKIN_VECTOR water;            // x: height; y: variance of the slopes of waves too small to be seen one by one
-  WELKIN_VECTOR floor_edge;       // west, north, east, south end of the ground, metres
+  WELKIN_MATRIX view_projection;   // reversed depth, near / distance, no far plane
+  WELKIN_MATRIX rays;              // device coordinates to directions, unnormalised: 1 along the view axis
+  WELKIN_MATRIX shadow;            // world to the shadow map: xy in [0, 1], depth in [0, 1]
+  WELKIN_VECTOR camera;            // xyz: position; w: distance of the near plane
+  WELKIN_VECTOR light;             // xyz: unit, towards the sun or the moon; w: edge of a shadow texel, metres
+  WELKIN_VECTOR light_irradiance;  // rgb: normal irradiance; w: 1 / edge of the shadow map in texels
+  WELKIN_VECTOR options;     // x: mist, extinction per metre; y: 1 flat ambient light, else 0; z: lowest height drawn;
+                             // w: angle of a pixel, radians
+  WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one
+  WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };
 
