@@ -77,3 +77,18 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   check({"--view", "level"}, 1, "--level");
   check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");
 }
+
+TEST_CASE("Render, CubemapsThatAreNotThere") {
+  const Folder folder;
+  const std::string file = folder.write("sky.toml", skyText(kUniform, kStillSun, "keys = 1\ncubemap_size = 0\n"));
+  REQUIRE(runTool({"bake", file, "-o", folder / "out", "--progress", "none"}).status == 0);
+  for (const bool level : {false, true}) {
+    std::vector<std::string> arguments = {"render", folder / "out",   "--time", "12",
+                                          "-o",     folder / "a.png", "--sky",  "cubemap"};
+    if (level) arguments.insert(arguments.end(), {"--level", std::string(WELKIN_ISLAND) + "/level.toml"});
+    const Run run = runTool(arguments);
+    INFO(run.err);
+    CHECK(run.status == 3);
+    CHECK(run.said("no cubemaps"));
+  }
+}

@@ -7,6 +7,7 @@
 
 #include "format/container.h"
 #include "sky/encode.h"
+#include "tests/folder.h"
 
 namespace welkin {
 namespace {
@@ -95,7 +96,8 @@ TEST_CASE("Open, FilesAndTheirErrors") {
   CHECK(sky.open("/nonexistent/sky.welkin").code == WELKIN_ERROR_FILE);
   CHECK(sky.open("/").code == WELKIN_ERROR_FILE);
   CHECK(sky.open("/dev/null").code == WELKIN_ERROR_FILE);
-  const std::string path = "open_test.welkin";
+  const test::Folder folder;
+  const std::string path = folder / "sky.welkin";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(smallFile().data()), std::streamsize(smallFile().size()));
   CHECK(sky.open(path));
@@ -103,7 +105,6 @@ TEST_CASE("Open, FilesAndTheirErrors") {
   const Status status = sky.open("/nonexistent/sky.welkin");
   CHECK_THAT(status.message, Catch::Contains("No such file"));
   CHECK(sky.info().cubemap_count == 2);  // a failed open keeps the sky that was there
-  std::remove(path.c_str());
 }
 
 TEST_CASE("Api, NullArgumentsAreErrors") {

@@ -17,6 +17,7 @@
 
 #include "sky/atomic_file.h"
 #include "sky/exr.h"
+#include "tests/folder.h"
 
 namespace welkin::sky {
 namespace {
@@ -83,6 +84,32 @@ TEST_CASE("CubemapTexel, OpenExrDirections") {
       CAPTURE(row, column);
       REQUIRE(angle(directionOfTexel(Layout::exr_latlong, kSize, column, row), d) < kFloat);
     }
+}
+
+TEST_CASE("CubemapTexel, SixColourCubeGivesTheAxes") {
+  // Faces +x -x +y -y +z -z of radiance 1..6: the linear coefficients are the differences of opposite faces, in the
+  // order y, z, x, with one factor: the integral of the axis over a face.
+  constexpr int kSize = 64;
+  for (const Layout layout : {Layout::vulkan_cube, Layout::exr_cube}) {
+    std::array<double, 9> sum{};
+    for (int row = 0; row < 6 * kSize; ++row)
+      for (int column = 0; column < kSize; ++column) {
+        const Number3 d = directionOfTexel(layout, kSize, column, row);
+        const double along = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+        const double area = along * along * along;  // of the texel, seen from the centre; a common factor is left out
+        const auto basis = f64::shBasis(d);
+        for (std::size_t i = 0; i < 9; ++i) sum[i] += (1.0 + row / kSize) * area * basis.v[i];
+      }
+    CAPTURE(int(layout));
+    const double unit = sum[3] / (1.0 - 2.0);
+    CHECK(unit > 0.0);
+    CHECK(sum[1] / unit == Approx(3.0 - 4.0).epsilon(1e-10));
+    CHECK(sum[2] / unit == Approx(5.0 - 6.0).epsilon(1e-10));
+    CHECK(sum[4] / unit == Approx(0.0).margin(1e-10));
+    // 3 z^2 - 1 and x^2 - y^2: which pair of faces is brightest.
+    CHECK(sum[6] > 0.0);
+    CHECK(sum[8] < 0.0);
+  }
 }
 
 TEST_CASE("Cubemap, SunIsWhereTheSunIs") {
@@ -164,17 +191,11 @@ TEST_CASE("Cubemap, SaturatesAndCounts") {
   CHECK(at_limit >= image.saturated);
 }
 
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("welkin_exr_" + std::to_string(std::rand()));
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
 TEST_CASE("Exr, HeaderSaysWhatIsInIt") {
-  const Folder folder;
+  const test::Folder folder;
   const Sky sky = clearSky(0.0, 0.7);
   const auto image = renderDome(SkyInstant(sky, 0.0), Number3(0.0), Layout::exr_latlong, 8);
-  const auto path = folder.path / "latlong.exr";
+  const auto path = std::filesystem::path(folder / "latlong.exr");
   writeFile(path, encodeExr(image, Layout::exr_latlong, 4000.0));
   Imf::InputFile file(path.c_str());
   CHECK(Imf::envmap(file.header()) == Imf::ENVMAP_LATLONG);
@@ -189,12 +210,12 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
   if (std::system("exrenvmap -h >/dev/null 2>&1; test $? -ne 127") != 0)
     FAIL("exrenvmap is missing: tools/setup.sh installs it");
   constexpr int kSize = 64;
-  const Folder folder;
+  const test::Folder folder;
   const Sky sky = clearSky(0.8, 0.9);
   const SkyInstant instant(sky, 0.0);
   const Number3 ground(0.2);
-  const auto latlong = (folder.path / "latlong.exr").string();
-  const auto cube = (folder.path / "cube.exr").string();
+  const auto latlong = folder / "latlong.exr";
+  const auto cube = folder / "cube.exr";
   writeFile(latlong, encodeExr(renderDome(instant, ground, Layout::exr_latlong, 4 * kSize), Layout::exr_latlong, 1.0));
   const std::string command = "exrenvmap -c -w " + std::to_string(kSize) + " -f 0.1 1 " + latlong + " " + cube;
   REQUIRE(std::system(command.c_str()) == 0);

@@ -79,6 +79,32 @@ TEST_CASE("Day, ContinuousInDirectionAtTheZenith") {
       CHECK(instant.shape(det::directionOf(azimuth, M_PI / 2 - 1e-7))[c] == Approx(zenith[c]).epsilon(1e-5));
 }
 
+TEST_CASE("Day, TurningTheSunTurnsEverything") {
+  constexpr double kTurn = 1.1;
+  Sky sky = equatorSky(*findLuminance("far-cry-3"), true);
+  sky.sun.path = LightPath{};
+  sky.sun.path.key_time_h = {0.0};
+  sky.sun.path.key_azimuth_rad = {0.4};
+  sky.sun.path.key_elevation_rad = {0.5};
+  Sky turned = sky;
+  turned.sun.path.key_azimuth_rad = {0.4 + kTurn};
+  const SkyInstant a(sky, 8.0);
+  const SkyInstant b(turned, 8.0);
+  const SkyProjector projector(2);
+  for (double azimuth = 0.0; azimuth < 6.0; azimuth += 0.7)
+    for (const double elevation : {0.0, 0.3, 1.2}) {
+      const Number3 before = a.shape(det::directionOf(azimuth, elevation));
+      const Number3 after = b.shape(det::directionOf(azimuth + kTurn, elevation));
+      const Number3 e_before = projector.irradiance(a, det::directionOf(azimuth, elevation - 0.4));
+      const Number3 e_after = projector.irradiance(b, det::directionOf(azimuth + kTurn, elevation - 0.4));
+      for (int c = 0; c < 3; ++c) {
+        CAPTURE(azimuth, elevation, c);
+        CHECK(after[c] == Approx(before[c]).epsilon(1e-12));
+        CHECK(e_after[c] == Approx(e_before[c]).epsilon(1e-8));  // the panels meet the clipped cosine elsewhere
+      }
+    }
+}
+
 /// A baked file of a sky, opened by the runtime.
 struct Baked {
   std::vector<std::byte> bytes;

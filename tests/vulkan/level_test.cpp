@@ -334,6 +334,44 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
   CHECK(stage.device.messageCount() == 0);
 }
 
+TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
+  // With the view level, the sea's pixel mirrors the sky's pixel above it: what changes in one between the formulas and
+  // the cubemaps of noise changes in the other by the share that is mirrored.
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(test::squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
+  const Camera camera{0.3, 0.0, 1.0};
+  const auto drawn = [&](bool cubemaps) {
+    LevelOptions options = kPlain;
+    options.cubemaps = cubemaps;
+    Stage stage(sceneOf(gltf), options);
+    stage.view->setTime(15.5);
+    auto image = stage.view->draw(64, 64, camera, {0.0, 3.0, 0.0});
+    CHECK(stage.device.messageCount() == 0);
+    return image;
+  };
+  const FloatImage formulas = drawn(false);
+  const FloatImage cubemaps = drawn(true);
+  Worst worst;
+  double largest = 0.0;
+  forEachPixel(formulas, camera, [&](const Pixel& p) {
+    if (p.ray.y > -0.05) return;
+    const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
+    for (int c = 0; c < 3; ++c) {
+      const auto change = [&](uint32_t y) {
+        return double{cubemaps.pixel(p.x, y)[c]} - double{formulas.pixel(p.x, y)[c]};
+      };
+      const double sky = change(formulas.height - 1 - p.y);
+      largest = std::max(largest, std::abs(sky));
+      worst.compare(change(p.y), fresnel * sky, std::max(double{formulas.pixel(p.x, p.y)[c]}, 0.1),
+                    [&] { return "pixel " + std::to_string(p.x) + "," + std::to_string(p.y); });
+    }
+  });
+  INFO("worst " << worst.error << " at " << worst.where);
+  CHECK(worst.count > 3000);
+  CHECK(largest > 0.1);  // the two differ
+  CHECK(worst.error < kSurfaceTolerance);
+}
+
 TEST_CASE("LevelView, WavesDependOnTheHourAlone", "[vulkan]") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(test::squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});

@@ -113,7 +113,8 @@ LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample,
   const double pixel_rad = 2.0 * std::tan(0.5 * camera.fov_rad) / height;
   setVector(constants.options, {options.mist_per_m, options.flat_light ? 1.0 : 0.0, mirrored ? level : -1e30},
             pixel_rad);
-  setVector(constants.water, {sea ? level : 0.0, options.waves ? kRippleVariance : 0.0, 0.0}, 0.0);
+  setVector(constants.water, {sea ? level : 0.0, options.waves ? kRippleVariance : 0.0, options.cubemaps ? 1.0 : 0.0},
+            0.0);
   setVector(constants.floor_edge, {bounds.low.x, bounds.low.z, bounds.high.x}, bounds.high.z);
   if (options.waves) {
     const auto waves = wavesAt(sample.time_h);

@@ -207,7 +207,7 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
     writer.commit(device_.device());
   }
   WelkinVulkanView dome{};
-  dome.source = WELKIN_VULKAN_ANALYTIC;
+  dome.source = options_.cubemaps ? WELKIN_VULKAN_CUBEMAP : WELKIN_VULKAN_ANALYTIC;
   dome.projection = WELKIN_VULKAN_PERSPECTIVE;
   std::copy_n(target.constants.as<LevelConstants>()->rays, 16, dome.inverse_view_projection);
   dome.depth = 0.0F;

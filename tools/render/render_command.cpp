@@ -104,7 +104,9 @@ Picture drawLevel(VulkanDevice& device, const Sky& sky, const Scene& scene, cons
   if (options.yaw_deg) from.camera.yaw_rad = *options.yaw_deg * kRadians;
   if (options.pitch_deg) from.camera.pitch_rad = *options.pitch_deg * kRadians;
   LevelView view(device, sky, scene,
-                 {.flat_light = parseSkyLight(options) == SkyLight::flat, .tint = !options.no_tint});
+                 {.flat_light = parseSkyLight(options) == SkyLight::flat,
+                  .tint = !options.no_tint,
+                  .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP});
   return drawTimes(sky, options, sheet, kSamples, [&](double time_h) {
     view.setTime(time_h);
     std::vector<FloatImage> images;
@@ -116,6 +118,9 @@ Picture drawLevel(VulkanDevice& device, const Sky& sky, const Scene& scene, cons
 void runRender(const RenderOptions& options) {
   checkOptions(options);
   const Sky sky = openSky(options.sky);
+  if (parseSource(options) == WELKIN_VULKAN_CUBEMAP && sky.info().cubemap_count == 0)
+    throw Error(ExitStatus::content,
+                "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
   const Scene scene = level ? readScene(readLevelFile(options.level)) : Scene{};
   VulkanDevice device(options.validate);

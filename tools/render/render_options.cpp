@@ -99,7 +99,6 @@ void checkOptions(const RenderOptions& options) {
   if (level && options.level.empty()) refuse("--view level needs --level LEVEL.toml");
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
   if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
-  if (level && cubemap) refuse("--sky cubemap: a level is drawn under the analytic sky");
   if (level && light == SkyLight::both) refuse("--sky-light both: for a level it is flat or sh");
   if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");
 }

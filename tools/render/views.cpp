@@ -9,11 +9,10 @@
 
 namespace welkin::tools {
 Views::Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source)
-    : device_(device), source_(source), runtime_(device, sky), spheres_(device, runtime_.layout(), Offscreen::kFormat) {
-  if (source == WELKIN_VULKAN_CUBEMAP && sky.info().cubemap_count == 0)
-    throw Error(ExitStatus::content,
-                "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
-}
+    : device_(device),
+      source_(source),
+      runtime_(device, sky),
+      spheres_(device, runtime_.layout(), Offscreen::kFormat) {}
 
 FloatImage Views::drawDome(uint32_t width, uint32_t height, const WelkinVulkanView& view) {
   Offscreen target(device_, width, height);

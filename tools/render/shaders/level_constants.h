@@ -37,7 +37,8 @@ struct LevelConstants {
   WELKIN_VECTOR light_irradiance;  // rgb: normal irradiance; w: 1 / edge of the shadow map in texels
   WELKIN_VECTOR options;     // x: mist, extinction per metre; y: 1 flat ambient light, else 0; z: lowest height drawn;
                              // w: angle of a pixel, radians
-  WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one
+  WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
+                             // z: 1 mirrors the baked cubemaps, else 0
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };

@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"
+#include "welkin/reflection.glsl"
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_SCENE) uniform sampler2D levelScene;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_REFLECTION) uniform sampler2D levelReflection;
@@ -72,7 +73,9 @@ void main() {
   vec3 mirrored = reflect(direction, normal);
   mirrored.y = abs(mirrored.y);
   vec3 up_tilted = normalize(mirrored + vec3(0.0, 1.5 * spread * (1.0 - mirrored.y), 0.0));
-  vec3 reflected = welkinDomeRadiance(up_tilted);
+  // Slopes of variance s spread as a specular power of 1 / s - 2 does, for the mips of the cubemaps.
+  float gloss = log2(max(1.0 / max(waves.variance, 1e-6) - 2.0, 1.0)) / 13.0;
+  vec3 reflected = mix(welkinDomeRadiance(up_tilted), welkinSkyReflection(up_tilted, gloss), level.water.z);
   vec2 offset = vec2(dot(normal.xz, vec2(-along.y, along.x)), dot(normal.xz, along)) * vec2(0.35, 0.6);
   vec4 of_level = reflectionAt(uv + offset * min(1.0, 12.0 / distance_m));
   reflected = reflected * (1.0 - of_level.a) + of_level.rgb;  // where there is no level it is 0
