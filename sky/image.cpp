@@ -28,14 +28,6 @@ double decodingGamma(const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
-double srgbToLinear(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : det::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double linearToSrgb(double linear) {
-  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * det::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
 Image readImage(const std::filesystem::path& path) {
   const std::string name = path.string();
   const auto invalid = [&](const std::string& why) {
@@ -71,7 +63,7 @@ Image readImage(const std::filesystem::path& path) {
         throw invalid(fmt::format("{} at column {}, row {} from the top, channel {}; finite values from 0 are allowed",
                                   encoded, i % static_cast<std::size_t>(spec.width),
                                   i / static_cast<std::size_t>(spec.width), c));
-      image.rgb[i * 3 + c] = static_cast<float>(gamma == 0.0   ? srgbToLinear(encoded)
+      image.rgb[i * 3 + c] = static_cast<float>(gamma == 0.0   ? det::srgbDecode(encoded)
                                                 : gamma == 1.0 ? encoded
                                                                : det::pow(encoded, gamma));
     }

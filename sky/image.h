@@ -22,10 +22,4 @@ struct Image {
 /// naming file, column, row (from the top) and value.
 Image readImage(const std::filesystem::path& path);
 
-/// sRGB encoding of a value in [0, 1], the inverse.
-double linearToSrgb(double linear);
-
-/// sRGB decoding of a value in [0, 1], IEC 61966-2-1; same bits on every machine.
-double srgbToLinear(double encoded);
-
 }  // namespace welkin::sky

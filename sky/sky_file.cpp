@@ -176,7 +176,7 @@ Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
     if (linear > 1.0)
       table.refuse("image", n,
                    fmt::format("a star map's values must be 0 to 1; one is {}: intensity scales them", linear));
-    stars.rgba.push_back(static_cast<std::uint8_t>(std::floor(linearToSrgb(linear) * 255.0 + 0.5)));
+    stars.rgba.push_back(static_cast<std::uint8_t>(std::floor(det::srgbEncode(linear) * 255.0 + 0.5)));
     if (i % 3 == 2) stars.rgba.push_back(255);
   }
   stars.intensity = table.number("intensity", kBrightness, std::nullopt);

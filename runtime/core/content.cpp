@@ -35,7 +35,6 @@ bool within(double value, double low, double high) {
 
 constexpr double kAny = 1e30;             // finite, and its square stays finite
 constexpr double kDarkestColour = 1e-12;  // the illuminance is divided by its luminance
-constexpr double kPi = 3.14159265358979323846;
 
 /// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
 bool aligned(const flatbuffers::Vector<double>* vector) {
@@ -68,13 +67,14 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
     check.that(format::areKeyTimes(times), name, "must have ascending path times in [0, 24)");
     check.that(azimuth.size() == times.size() && elevation.size() == times.size(), name,
                "must have an azimuth and an elevation for every path key");
-    check.that(within(azimuth, -kAny, kAny) && within(elevation, -kPi / 2, kPi / 2), name,
+    check.that(within(azimuth, -kAny, kAny) && within(elevation, -f64::kHalfPi, f64::kHalfPi), name,
                "has a path key out of its domain");
   }
-  check.that(within(path->latitude_rad(), -kPi / 2, kPi / 2) && within(path->declination_rad(), -kPi / 2, kPi / 2) &&
+  check.that(within(path->latitude_rad(), -f64::kHalfPi, f64::kHalfPi) &&
+                 within(path->declination_rad(), -f64::kHalfPi, f64::kHalfPi) &&
                  within(path->transit_h(), -kAny, kAny) && within(path->north_offset_rad(), -kAny, kAny),
              name, "has a path out of its domain");
-  check.that(within(light.disc_radius_rad(), 0.0, kPi / 2), name, "has a disc radius out of [0, pi/2]");
+  check.that(within(light.disc_radius_rad(), 0.0, f64::kHalfPi), name, "has a disc radius out of [0, pi/2]");
   checkCurve(check, light.illuminance(), 1, kAny, name);
   checkCurve(check, light.colour(), 3, kAny, name);
   if (check.result != WELKIN_OK) return;
@@ -141,7 +141,7 @@ void checkStars(Check& check, const format::Stars& stars) {
   if (!check.that(stars.rgba8() != nullptr, "stars", "have no texels")) return;
   check.that(texels > 0 && stars.width() <= 16384 && stars.height() <= 16384 && stars.rgba8()->size() == texels * 4,
              "stars", "must have four bytes for every texel");
-  check.that(within(stars.intensity(), 0.0, kAny) && within(stars.latitude_rad(), -kPi / 2, kPi / 2) &&
+  check.that(within(stars.intensity(), 0.0, kAny) && within(stars.latitude_rad(), -f64::kHalfPi, f64::kHalfPi) &&
                  within(stars.north_offset_rad(), -kAny, kAny) && within(stars.midnight_h(), 0.0, 24.0),
              "stars", "have a value out of its domain");
 }

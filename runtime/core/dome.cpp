@@ -31,11 +31,6 @@ Number3 sampleGradient(const WelkinGradient& image, double time_h, double elevat
              mix(texel(image, c0, r1), texel(image, c1, r1), x - left), y - low);
 }
 
-double srgbToLinear(std::uint8_t code) {
-  const double x = code / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 /// Bilinear between texel centres, in linear light; columns wrap, rows clamp.
 Number3 sampleStars(const WelkinStars& map, double u, double v) {
   const double x = u * map.width - 0.5;
@@ -45,7 +40,7 @@ Number3 sampleStars(const WelkinStars& map, double u, double v) {
   const auto texelAt = [&](double column, std::uint32_t row) {
     const double wrapped = column < 0.0 ? column + map.width : column >= map.width ? column - map.width : column;
     const std::uint8_t* p = map.rgba8 + 4 * (std::size_t{row} * map.width + static_cast<std::uint32_t>(wrapped));
-    return Number3(srgbToLinear(p[0]), srgbToLinear(p[1]), srgbToLinear(p[2]));
+    return Number3(f64::srgbDecode(p[0] / 255.0), f64::srgbDecode(p[1] / 255.0), f64::srgbDecode(p[2] / 255.0));
   };
   const auto high = std::min(low + 1, map.height - 1);
   return mix(mix(texelAt(left, low), texelAt(left + 1.0, low), x - left),

@@ -18,3 +18,14 @@ INLINE Number3 desaturate(Number3 rgb, Number saturation) {
   Number3 grey = Number3(luminanceOf(rgb));
   return grey + (rgb - grey) * saturation;
 }
+
+// IEC 61966-2-1 (sRGB): decoding of an encoded value and encoding of a linear one, both in [0, 1].
+INLINE Number srgbDecode(Number encoded) {
+  if (encoded <= NUMBER(0.04045)) return encoded / NUMBER(12.92);
+  return pow((encoded + NUMBER(0.055)) / NUMBER(1.055), NUMBER(2.4));
+}
+
+INLINE Number srgbEncode(Number linear) {
+  if (linear <= NUMBER(0.0031308)) return linear * NUMBER(12.92);
+  return NUMBER(1.055) * pow(linear, NUMBER(1.0) / NUMBER(2.4)) - NUMBER(0.055);
+}

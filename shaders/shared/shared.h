@@ -30,6 +30,9 @@
   inline Number floor(Number x) {          \
     return std::floor(x);                  \
   }                                        \
+  inline Number pow(Number x, Number y) {  \
+    return std::pow(x, y);                 \
+  }                                        \
   inline Number atan(Number y, Number x) { \
     return std::atan2(y, x);               \
   }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "shared.h"
 #include "sky/error.h"
 
 namespace welkin::tests {
@@ -30,10 +31,10 @@ double meanCode(const Picture& picture) {
 }  // namespace
 
 TEST_CASE("Tone, CurvesMeetTheirClosedForms", "[picture]") {
-  CHECK(srgbEncode(0.0) == 0.0);
-  CHECK(srgbEncode(1.0) == Approx(1.0).margin(1e-12));
-  CHECK(srgbEncode(0.0031308) == Approx(0.0404499).margin(1e-6));
-  CHECK(srgbEncode(0.214041) == Approx(0.5).margin(1e-5));
+  CHECK(f64::srgbEncode(0.0) == 0.0);
+  CHECK(f64::srgbEncode(1.0) == Approx(1.0).margin(1e-12));
+  CHECK(f64::srgbEncode(0.0031308) == Approx(0.0404499).margin(1e-6));
+  CHECK(f64::srgbEncode(0.214041) == Approx(0.5).margin(1e-5));
   CHECK(filmic(0.0) == 0.0);
   CHECK(filmic(1e30) == Approx(1.0));
   for (double x = 0.0; x < 20.0; x += 0.01) CHECK(filmic(x + 0.01) >= filmic(x));
@@ -65,7 +66,7 @@ TEST_CASE("Tone, LogAverageIgnoresBlack", "[picture]") {
 
 TEST_CASE("Tone, DitherKeepsTheMean", "[picture]") {
   for (const float value : {0.01F, 0.1F, 0.18F, 0.5F}) {
-    const double code = 255.0 * srgbEncode(filmic(double{value}));
+    const double code = 255.0 * f64::srgbEncode(filmic(double{value}));
     CHECK(meanCode(tonemap(uniformImage(value), 1.0)) == Approx(code).margin(1.0 / 64.0));  // the matrix has 64 levels
   }
   CHECK(meanCode(tonemap(uniformImage(0.0F), 1.0)) == 0.0);

@@ -43,10 +43,6 @@ double filmic(double x) {
   return std::clamp(bounded * (2.51 * bounded + 0.03) / (bounded * (2.43 * bounded + 0.59) + 0.14), 0.0, 1.0);
 }
 
-double srgbEncode(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-}
-
 Picture tonemap(const FloatImage& image, double exposure, uint32_t samples) {
   const uint32_t width = image.width / samples;
   const uint32_t height = image.height / samples;
@@ -63,7 +59,7 @@ Picture tonemap(const FloatImage& image, double exposure, uint32_t samples) {
           sum += filmic(exposed > 0.0 ? exposed : 0.0);
           black = black && !(radiance > 0.0);
         }
-        const double code = 255.0 * srgbEncode(sum / (samples * samples));
+        const double code = 255.0 * f64::srgbEncode(sum / (samples * samples));
         const double dithered = black ? code : code + f64::ditherAt(static_cast<int>(x), static_cast<int>(y));
         *out++ = static_cast<uint8_t>(std::clamp(std::floor(dithered + 0.5), 0.0, 255.0));
       }

@@ -29,9 +29,6 @@ double automaticExposure(double luminance, double day_luminance);
 /// The filmic curve by Narkowicz, "ACES Filmic Tone Mapping Curve" (2016): a rational fit, for a channel x >= 0.
 double filmic(double x);
 
-/// IEC 61966-2-1, x in [0, 1].
-double srgbEncode(double x);
-
 /// Exposes, maps, encodes and rounds with an 8 x 8 ordered dither of half a step (Bayer 1973), so that skies do not
 /// band. Pure black stays black. Every pixel is the mean of `samples` x `samples` of the image, taken after the filmic
 /// curve, so that edges against the sun are as soft as others; its sides are multiples of `samples`.

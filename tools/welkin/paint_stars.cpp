@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sh/deterministic.h"
-#include "sky/image.h"
 #include "welkin/paint.h"
 
 namespace welkin::tools {
@@ -89,7 +88,7 @@ void writeStartingStars(const std::filesystem::path& path) {
   std::vector<std::uint16_t> texels;
   texels.reserve(map.rgb.size());
   for (const double v : map.rgb)
-    texels.push_back(static_cast<std::uint16_t>(257 * std::floor(sky::linearToSrgb(std::min(v, 1.0)) * 255.0 + 0.5)));
+    texels.push_back(static_cast<std::uint16_t>(257 * std::floor(det::srgbEncode(std::min(v, 1.0)) * 255.0 + 0.5)));
   writePaintedPng(path, kWidth, kHeight, 8, texels);
 }
 
