@@ -19,6 +19,7 @@ namespace {
 struct Descriptor {
   int fd;
   explicit Descriptor(int fd_) : fd(fd_) {}
+  Descriptor(Descriptor&& other) noexcept : fd(std::exchange(other.fd, -1)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
@@ -69,6 +70,28 @@ void writeDevice(const std::filesystem::path& path, std::span<const std::byte> b
   if (const int error = writeAll(device.fd, bytes); error != 0) refuse(path, "write", error);
 }
 
+Descriptor openRegular(const std::filesystem::path& path, struct stat& status) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.fd < 0) refuse(path, "read", errno);
+  if (fstat(file.fd, &status) != 0) refuse(path, "read", errno);
+  if (!S_ISREG(status.st_mode)) refuse(path, "read", S_ISDIR(status.st_mode) ? EISDIR : EINVAL);
+  return file;
+}
+
+std::vector<std::byte> readUpTo(int fd, std::size_t most, const std::filesystem::path& path) {
+  std::vector<std::byte> bytes(most);
+  std::size_t done = 0;
+  while (done < most) {
+    const ssize_t n = ::read(fd, bytes.data() + done, most - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse(path, "read", errno);
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
 }  // namespace
 
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -92,25 +115,18 @@ void writeFile(const std::filesystem::path& path, std::string_view text) {
 }
 
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.fd < 0) refuse(path, "read", errno);
   struct stat status {};
-  if (fstat(file.fd, &status) != 0) refuse(path, "read", errno);
-  if (!S_ISREG(status.st_mode)) refuse(path, "read", S_ISDIR(status.st_mode) ? EISDIR : EINVAL);
+  const Descriptor file = openRegular(path, status);
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > limit)
     throw Error(ExitStatus::content, fmt::format("{}: {} bytes; at most {} are allowed", path.string(), size, limit));
-  std::vector<std::byte> bytes(size);
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t n = ::read(file.fd, bytes.data() + done, size - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) refuse(path, "read", errno);
-    if (n == 0) break;
-    done += static_cast<std::size_t>(n);
-  }
-  bytes.resize(done);
-  return bytes;
+  return readUpTo(file.fd, size, path);
+}
+
+std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t most) {
+  struct stat status {};
+  const Descriptor file = openRegular(path, status);
+  return readUpTo(file.fd, most, path);
 }
 
 void makeFolder(const std::filesystem::path& path) {

@@ -20,6 +20,9 @@ void writeFile(const std::filesystem::path& path, std::string_view text);
 /// Error(ExitStatus::content).
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit = std::size_t{1} << 32);
 
+/// The first bytes of a regular file, `most` or fewer; throws Error(ExitStatus::file) naming it.
+std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t most);
+
 /// Makes a folder and its parents; throws Error(ExitStatus::file).
 void makeFolder(const std::filesystem::path& path);
 

@@ -6,12 +6,16 @@ include(GNUInstallDirs)
 set(WELKIN_INSTALL_SHADERDIR ${CMAKE_INSTALL_DATADIR}/welkin/shaders)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Welkin)
 set(pkgconfig_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(modules_folder ${CMAKE_INSTALL_LIBDIR}/welkin)
+file(RELATIVE_PATH bin_to_modules /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${modules_folder})
 
 set_target_properties(welkin_runtime PROPERTIES EXPORT_NAME runtime)
 set_target_properties(welkin_vulkan PROPERTIES EXPORT_NAME vulkan)
 set(components runtime vulkan)
 if(TARGET welkin)
-  set_target_properties(welkin PROPERTIES EXPORT_NAME bake)
+  set_target_properties(welkin PROPERTIES EXPORT_NAME bake
+    INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # wherever the installation is moved to
+  install(TARGETS welkin_image LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
   install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
   list(APPEND components bake)

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composes and writes pictures with OpenImageIO.
 #include "render/picture.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +9,7 @@
 #include <span>
 
 #include "sky/atomic_file.h"
-#include "sky/error.h"
+#include "sky/image.h"
 
 namespace welkin::tools {
 namespace {
@@ -54,12 +48,6 @@ void paste(const Picture& from, Picture& to, uint32_t left, uint32_t top) {
                 to.rgb.data() + std::size_t{3} * ((top + y) * to.width + left));
 }
 
-OIIO::ImageSpec specOf(const Picture& picture) {
-  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  return spec;
-}
-
 }  // namespace
 
 Picture contactSheet(const std::vector<SheetColumn>& columns) {
@@ -86,12 +74,10 @@ Picture contactSheet(const std::vector<SheetColumn>& columns) {
   }
   if (font.empty()) return sheet;
 
-  OIIO::ImageBuf buffer(specOf(sheet), sheet.rgb.data());
   for (uint32_t i = 0; i < count; ++i)
-    OIIO::ImageBufAlgo::render_text(buffer, static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2),
-                                    static_cast<int>(topOf(i) + header / 2), columns[i].label, kLabelSize, font,
-                                    {0.8F, 0.8F, 0.8F}, OIIO::ImageBufAlgo::TextAlignX::Center,
-                                    OIIO::ImageBufAlgo::TextAlignY::Center);
+    sky::drawCaption(static_cast<int>(sheet.width), static_cast<int>(sheet.height), sheet.rgb,
+                     {static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2), static_cast<int>(topOf(i) + header / 2),
+                      kLabelSize, columns[i].label, font});
   return sheet;
 }
 
@@ -103,13 +89,8 @@ std::string clockLabel(double time_h) {
 }
 
 void writePng(const Picture& picture, const std::string& path) {
-  OIIO::Filesystem::IOVecOutput memory;
-  const auto output = OIIO::ImageOutput::create("png");
-  if (output == nullptr || !output->set_ioproxy(&memory) || !output->open("picture.png", specOf(picture)) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data()) || !output->close())
-    throw Error(ExitStatus::internal,
-                path + ": OpenImageIO cannot encode it: " + (output ? output->geterror() : OIIO::geterror()));
-  writeFile(path, std::as_bytes(std::span(memory.buffer())));
+  const std::span<const uint8_t> rgb(picture.rgb);
+  writeFile(path, sky::encodePng(static_cast<int>(picture.width), static_cast<int>(picture.height), rgb));
 }
 
 }  // namespace welkin::tools

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "welkin/paint.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "shared.h"
 #include "sky/atomic_file.h"
 #include "sky/error.h"
+#include "sky/image.h"
 
 namespace welkin::tools {
 namespace {
@@ -99,14 +98,11 @@ void writeStartingGradient(GradientSide side, const std::filesystem::path& path)
 
 void writePaintedPng(const std::filesystem::path& path, int width, int height, int bits,
                      const std::vector<std::uint16_t>& rgb) {
-  OIIO::Filesystem::IOVecOutput memory;
-  auto output = OIIO::ImageOutput::create("png");
-  OIIO::ImageSpec spec(width, height, 3, bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  if (!output || !output->set_ioproxy(&memory) || !output->open("painted.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT16, rgb.data()) || !output->close())
-    throw Error(ExitStatus::internal, fmt::format("{}: PNG encoding failed: {}", path.string(), OIIO::geterror()));
-  writeFile(path, std::as_bytes(std::span(memory.buffer())));
+  if (bits == 16) return writeFile(path, sky::encodePng(width, height, rgb));
+  std::vector<std::uint8_t> bytes(rgb.size());
+  std::transform(rgb.begin(), rgb.end(), bytes.begin(),
+                 [](std::uint16_t v) { return static_cast<std::uint8_t>((v + 128) / 257); });
+  writeFile(path, sky::encodePng(width, height, bytes));
 }
 
 }  // namespace welkin::tools
