@@ -5,20 +5,33 @@
 
 namespace welkin::sh {
 
-void evaluateLatitudeFactors(int bands, double s, double c, std::span<double> out) {
+LatitudeRecurrence::LatitudeRecurrence(int bands)
+    : diagonal_(static_cast<std::size_t>(bands)), step_(static_cast<std::size_t>(coefficientCount(bands))) {
   // Orthonormal over the sphere; sqrt(2) joins the orders m > 0 because cos and sin share the power.
   double diagonal = std::sqrt(1.0 / (4.0 * det::kPi));
   for (int m = 0; m < bands; ++m) {
-    if (m > 0) diagonal *= c * std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * m + 1.0) / (2.0 * m));
-    out[static_cast<std::size_t>(indexOf(m, m))] = diagonal;
-    double before = 0.0;
-    double current = diagonal;
+    if (m > 0) diagonal *= std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * m + 1.0) / (2.0 * m));
+    diagonal_[static_cast<std::size_t>(m)] = diagonal;
     for (int l = m + 1; l < bands; ++l) {
       const double ll = double(l) * l;
       const double mm = double(m) * m;
-      const double a = std::sqrt((4.0 * ll - 1.0) / (ll - mm));
-      const double b = std::sqrt((2.0 * l + 1.0) * ((l - 1.0) * (l - 1.0) - mm) / ((2.0 * l - 3.0) * (ll - mm)));
-      const double next = a * s * current - (l - 1 > m ? b * before : 0.0);
+      Step& step = step_[static_cast<std::size_t>(indexOf(l, m))];
+      step.climb = std::sqrt((4.0 * ll - 1.0) / (ll - mm));
+      if (l - 1 > m)
+        step.fall = std::sqrt((2.0 * l + 1.0) * ((l - 1.0) * (l - 1.0) - mm) / ((2.0 * l - 3.0) * (ll - mm)));
+    }
+  }
+}
+
+void LatitudeRecurrence::evaluate(double s, double c, std::span<double> out) const {
+  double power = 1.0;
+  for (int m = 0; m < bands(); ++m) {
+    double before = 0.0;
+    double current = diagonal(m) * power;
+    power *= c;
+    out[static_cast<std::size_t>(indexOf(m, m))] = current;
+    for (int l = m + 1; l < bands(); ++l) {
+      const double next = climb(l, m) * s * current - fall(l, m) * before;
       before = current;
       current = next;
       out[static_cast<std::size_t>(indexOf(l, m))] = current;
@@ -26,9 +39,10 @@ void evaluateLatitudeFactors(int bands, double s, double c, std::span<double> ou
   }
 }
 
-void evaluateBasis(int bands, const det::Number3& direction, std::span<double> out) {
+void evaluateBasis(const LatitudeRecurrence& recurrence, const det::Number3& direction, std::span<double> out) {
+  const int bands = recurrence.bands();
   const double c = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-  evaluateLatitudeFactors(bands, direction.z, c, out);
+  recurrence.evaluate(direction.z, c, out);
   const double cos_phi = c > 0.0 ? direction.x / c : 1.0;
   const double sin_phi = c > 0.0 ? direction.y / c : 0.0;
   double cos_m = 1.0;

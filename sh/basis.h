@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "sh/deterministic.h"
 
@@ -19,12 +20,32 @@ constexpr int indexOf(int l, int m) {
   return l * (l + 1) + m;
 }
 
-/// The basis functions at unit `direction`, polar axis z; `out` holds coefficientCount(bands) values.
-void evaluateBasis(int bands, const det::Number3& direction, std::span<double> out);
+/// The factors N_lm of the basis in spherical coordinates, Y_lm = N_lm cos(m phi) for m >= 0 and N_l|m| sin(|m| phi)
+/// for m < 0: N_mm = diagonal(m) c^m, N_lm = climb(l, m) s N_l-1,m - fall(l, m) N_l-2,m, at polar cosine s and its sine
+/// c. Normalised recurrence in l (Holmes and Featherstone 2002, eq. 11): stable to hundreds of bands.
+class LatitudeRecurrence {
+ public:
+  explicit LatitudeRecurrence(int bands);
 
-/// The factors N_lm(s) of the basis in spherical coordinates, Y_lm = N_lm(s) cos(m phi) for m >= 0 and N_l|m| sin(|m|
-/// phi) for m < 0, at polar cosine s = sin(elevation) and its sine c = cos(elevation) >= 0. `out[indexOf(l, m)]` is set
-/// for m >= 0 only. Normalised recurrence in l (Holmes and Featherstone 2002, eq. 11): stable to hundreds of bands.
-void evaluateLatitudeFactors(int bands, double s, double c, std::span<double> out);
+  int bands() const { return static_cast<int>(diagonal_.size()); }
+  double diagonal(int m) const { return diagonal_[static_cast<std::size_t>(m)]; }
+  double climb(int l, int m) const { return step_[static_cast<std::size_t>(indexOf(l, m))].climb; }
+  double fall(int l, int m) const { return step_[static_cast<std::size_t>(indexOf(l, m))].fall; }
+
+  /// All factors at polar cosine `s` = sin(elevation) and its sine `c` = cos(elevation) >= 0: out[indexOf(l, m)], set
+  /// for m >= 0 only; `out` holds coefficientCount(bands) values.
+  void evaluate(double s, double c, std::span<double> out) const;
+
+ private:
+  struct Step {
+    double climb = 0.0;
+    double fall = 0.0;
+  };
+  std::vector<double> diagonal_;
+  std::vector<Step> step_;
+};
+
+/// The basis functions at unit `direction`, polar axis z; `out` holds coefficientCount(bands) values.
+void evaluateBasis(const LatitudeRecurrence& recurrence, const det::Number3& direction, std::span<double> out);
 
 }  // namespace welkin::sh

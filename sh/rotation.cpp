@@ -17,6 +17,7 @@ Rotation::Rotation(int bands, const Matrix3& matrix) : bands_(bands) {
   const auto count = static_cast<std::size_t>(coefficientCount(bands));
   std::vector<double> at(count);
   std::vector<double> rotated(count);
+  const LatitudeRecurrence recurrence(bands);
   const int azimuths = 2 * bands;  // trapezoid: exact up to order azimuths - 1 >= 2 (bands - 1)
   const GaussRule rule = gaussLegendre(bands);
   forEachNode(rule, -1.0, 1.0, [&](double z, double weight) {
@@ -24,8 +25,8 @@ Rotation::Rotation(int bands, const Matrix3& matrix) : bands_(bands) {
     for (int k = 0; k < azimuths; ++k) {
       const double phi = det::kTwoPi * (k + 0.5) / azimuths;
       const det::Number3 d(c * det::cos(phi), c * det::sin(phi), z);
-      evaluateBasis(bands, d, at);
-      evaluateBasis(bands, sh::apply(matrix, d), rotated);
+      evaluateBasis(recurrence, d, at);
+      evaluateBasis(recurrence, sh::apply(matrix, d), rotated);
       for (int l = 0; l < bands; ++l)
         for (int i = 0; i <= 2 * l; ++i)
           for (int j = 0; j <= 2 * l; ++j)

@@ -13,6 +13,9 @@ namespace welkin::sh {
 /// Rows of an orthogonal matrix: applied to a direction, row i gives component i.
 using Matrix3 = std::array<det::Number3, 3>;
 
+/// Axes of a frame whose pole is +y: its (x, y, z) are the world's (z, x, y).
+inline constexpr Matrix3 kPolarAxes = {det::Number3(0, 0, 1), det::Number3(1, 0, 0), det::Number3(0, 1, 0)};
+
 det::Number3 apply(const Matrix3& matrix, const det::Number3& v);
 
 /// Turns the coefficients of f into those of g(d) = f(apply(matrix, d)), for any orthogonal matrix. Band l uses its own

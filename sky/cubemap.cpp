@@ -14,24 +14,6 @@ namespace {
 
 constexpr float kLargestHalf = 65504.0F;
 
-/// Vulkan's face coordinates in [-1, 1], s to the right and t downwards (Vulkan 1.3, "Cube Map Face Selection").
-Number3 vulkanDirection(int face, double s, double t) {
-  switch (face) {
-    case 0:
-      return {1.0, -t, -s};
-    case 1:
-      return {-1.0, -t, s};
-    case 2:
-      return {s, 1.0, t};
-    case 3:
-      return {s, -1.0, -t};
-    case 4:
-      return {s, -t, 1.0};
-    default:
-      return {-s, -t, -1.0};
-  }
-}
-
 Number3 normalised(const Number3& v) {
   return v / std::sqrt(dot(v, v));
 }
@@ -42,6 +24,21 @@ Extent extentOf(Layout layout, int size) {
   return layout == Layout::exr_latlong ? Extent{4 * size, 2 * size} : Extent{size, 6 * size};
 }
 
+FaceAxes faceAxes(Layout layout, int face) {
+  static const FaceAxes kVulkan[6] = {// Vulkan 1.3, "Cube Map Face Selection"
+                                      {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
+                                      {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                                      {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  FaceAxes axes = kVulkan[face];
+  // OpenEXR looks at the faces from inside in a right-handed world: the side faces are mirrored left to right, the
+  // others top to bottom.
+  if (layout == Layout::exr_cube) {
+    Number3& mirrored = face == 2 || face == 3 ? axes.down : axes.right;
+    mirrored = mirrored * -1.0;
+  }
+  return axes;
+}
+
 Number3 directionOfTexel(Layout layout, int size, int column, int row) {
   if (layout == Layout::exr_latlong) {
     const Extent extent = extentOf(layout, size);
@@ -50,15 +47,11 @@ Number3 directionOfTexel(Layout layout, int size, int column, int row) {
     const double c = row == 0 || row == extent.height - 1 ? 0.0 : det::cos(latitude);
     return normalised({det::sin(longitude) * c, det::sin(latitude), det::cos(longitude) * c});
   }
-  const int face = row / size;
-  const int y = row % size;
-  if (layout == Layout::vulkan_cube)
-    return normalised(vulkanDirection(face, (2.0 * column + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0));
-  // OpenEXR looks at the faces from inside in a right-handed world: the side faces are mirrored left to right, the
-  // others top to bottom.
-  const double s = 2.0 * column / (size - 1) - 1.0;
-  const double t = 2.0 * y / (size - 1) - 1.0;
-  return normalised(face == 2 || face == 3 ? vulkanDirection(face, s, -t) : vulkanDirection(face, -s, t));
+  const FaceAxes axes = faceAxes(layout, row / size);
+  const auto coordinate = [&](int i) {
+    return layout == Layout::vulkan_cube ? (2.0 * i + 1.0) / size - 1.0 : 2.0 * i / (size - 1) - 1.0;
+  };
+  return normalised(axes.normal + axes.right * coordinate(column) + axes.down * coordinate(row % size));
 }
 
 DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,

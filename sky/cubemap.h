@@ -23,6 +23,13 @@ struct Extent {
 };
 Extent extentOf(Layout layout, int size);
 
+/// The directions in which a face of a cube layout is seen: the point (s, t), both in [-1, 1], s growing with columns
+/// and t with rows, lies towards normal + s right + t down.
+struct FaceAxes {
+  Number3 right, down, normal;
+};
+FaceAxes faceAxes(Layout layout, int face);
+
 /// Unit direction of a texel's centre; rows count from the top of the stacked image. Size >= 2 for the OpenEXR layouts.
 Number3 directionOfTexel(Layout layout, int size, int column, int row);
 

@@ -9,10 +9,6 @@
 namespace welkin::sky {
 namespace {
 
-/// Axes of a frame whose pole is +y: its (x, y, z) are the world's (z, x, y). Turns polar coefficients into the
-/// world's.
-constexpr sh::Matrix3 kPolarAxes = {det::Number3(0, 0, 1), det::Number3(1, 0, 0), det::Number3(0, 1, 0)};
-
 /// cos(m phi) and sin(m phi) of a direction's azimuth in the polar frame; the pole itself counts as azimuth 0.
 struct Turn {
   double cosine = 1.0;
@@ -29,7 +25,11 @@ struct Turn {
 }  // namespace
 
 SkyProjector::SkyProjector(int bands, int refinement)
-    : bands_(bands), quadrature_(refinement), fading_(2 * refinement), to_world_(bands, kPolarAxes) {}
+    : bands_(bands),
+      quadrature_(refinement),
+      fading_(2 * refinement),
+      recurrence_(bands),
+      to_world_(bands, sh::kPolarAxes) {}
 
 const HemisphereQuadrature& SkyProjector::quadratureFor(const SkyInstant& instant) const {
   return HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
@@ -59,7 +59,7 @@ SkyMoments SkyProjector::project(const SkyInstant& instant) const {
       }
       ++moments.evaluations;
     });
-    sh::evaluateLatitudeFactors(bands_, at.sine, at.cosine, factor);
+    recurrence_.evaluate(at.sine, at.cosine, factor);
     for (int l = 0; l < bands_; ++l)
       for (int m = 0; m <= l; ++m) {
         const auto i = static_cast<std::size_t>(sh::indexOf(l, m));

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sh/basis.h"
 #include "sh/rotation.h"
 #include "sky/hemisphere.h"
 #include "sky/sky.h"
@@ -43,6 +44,7 @@ class SkyProjector {
 
   HemisphereQuadrature quadrature_;
   HemisphereQuadrature fading_;  ///< where gradients are black
+  sh::LatitudeRecurrence recurrence_;
   sh::Rotation to_world_;
 };
 

@@ -66,7 +66,7 @@ TEST_CASE("EvaluateBasis, AgreesWithTheClosedForms") {
       d[n % 3] = n < 3 ? 1.0 : -1.0;
     }
     d = d / std::sqrt(dot(d, d));
-    evaluateBasis(5, d, general);
+    evaluateBasis(LatitudeRecurrence(5), d, general);
     const auto closed = det::shBasis(d);
     for (std::size_t i = 0; i < 25; ++i) {
       CAPTURE(d.x, d.y, d.z, i);
@@ -80,7 +80,7 @@ TEST_CASE("EvaluateBasis, AdditionTheoremAtManyBands") {
   constexpr int kBands = 40;
   std::vector<double> basis(kBands * kBands);
   for (const auto& d : {det::Number3(0.36, 0.48, 0.8), det::Number3(0.0, 0.0, -1.0), det::directionOf(2.0, 1e-9)}) {
-    evaluateBasis(kBands, d, basis);
+    evaluateBasis(LatitudeRecurrence(kBands), d, basis);
     for (int l = 0; l < kBands; ++l) {
       double sum = 0.0;
       for (int m = -l; m <= l; ++m) {

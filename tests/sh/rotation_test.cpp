@@ -12,7 +12,7 @@ namespace {
 
 double evaluate(const std::vector<double>& c, const det::Number3& d) {
   std::vector<double> basis(c.size());
-  evaluateBasis(5, d, basis);
+  evaluateBasis(LatitudeRecurrence(5), d, basis);
   double sum = 0.0;
   for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * basis[i];
   return sum;
