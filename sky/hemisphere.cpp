@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/hemisphere.h"
 
+#include <cstdio>
+#include <cstdlib>
+
 namespace welkin::sky {
 namespace {
 
@@ -9,22 +12,52 @@ constexpr double kRatio = 3.0;  // of neighbouring panels that shrink towards a 
 /// sin 10 degrees is the cosine of the elevation at which the blend over azimuth starts to fade.
 const double kFadeElevation = 80.0 / 180.0 * det::kPi;
 
+/// Nodes a panel. Gauss's error falls by a constant factor a node; more bands turn faster.
+struct Nodes {
+  int coarse, middle, fine, azimuth;
+  double smallest_h;
+};
+Nodes nodesFor(double tolerance, int bands) {
+  Nodes nodes = tolerance >= 1e-4   ? Nodes{2, 3, 5, 5, 3e-3}
+                : tolerance >= 1e-5 ? Nodes{2, 4, 6, 7, 1e-3}
+                : tolerance >= 1e-9 ? Nodes{5, 8, 12, 12, 3e-4}
+                                    : Nodes{9, 14, 22, 22, 3e-5};
+  if (bands > 3) {
+    ++nodes.middle;
+    ++nodes.fine;
+    ++nodes.azimuth;
+  }
+  return nodes;
+}
+
 double cuspScale(const LuminanceModel& m) {
   return 1.0 / std::max(1.0, -m.d);
 }
 
 }  // namespace
 
-HemisphereQuadrature::HemisphereQuadrature(int refinement)
-    : smallest_h_(1e-3 / refinement),
-      coarse_(sh::gaussLegendre(3 * refinement)),
-      middle_(sh::gaussLegendre(5 * refinement)),
-      fine_(sh::gaussLegendre(8 * refinement)),
-      azimuth_(sh::gaussLegendre(8 * refinement)) {}
+SunFrame::SunFrame(const SkyInstant& instant_, const IndicatrixTable* table_)
+    : instant(instant_),
+      table(table_),
+      elevation(det::elevationOf(instant_.sunDirection())),
+      half_sine(det::sin(0.5 * elevation)),
+      half_cosine(det::cos(0.5 * elevation)),
+      length(det::horizontalLength(instant_.sunDirection())),
+      at_right_angle(det::exp(instant_.sky().luminance.d * det::kHalfPi)) {}
 
-std::vector<double> HemisphereQuadrature::panels(const SkyInstant& instant, std::span<const double> extra) const {
+HemisphereQuadrature::HemisphereQuadrature(double tolerance, int bands) {
+  const Nodes nodes = nodesFor(tolerance, bands);
+  smallest_h_ = nodes.smallest_h;
+  coarse_ = sh::gaussLegendre(nodes.coarse);
+  middle_ = sh::gaussLegendre(nodes.middle);
+  fine_ = sh::gaussLegendre(nodes.fine);
+  azimuth_ = sh::gaussLegendre(nodes.azimuth);
+}
+
+std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::span<const double> extra) const {
+  const SkyInstant& instant = frame.instant;
   const LuminanceModel& m = instant.sky().luminance;
-  const double sun = det::elevationOf(instant.sunDirection());
+  const double sun = frame.elevation;
   std::vector<double> edge(extra.begin(), extra.end());
   edge.push_back(kFadeElevation);
   if (m.a != 0.0) {
@@ -54,7 +87,7 @@ std::vector<double> HemisphereQuadrature::panels(const SkyInstant& instant, std:
     edge.erase(std::unique(edge.begin(), edge.end(), [](double a, double b) { return b - a < 1e-12; }), edge.end());
   };
   tidy();
-  addFadeCrossings(instant, edge);
+  addFadeCrossings(frame, edge);
   tidy();
   return edge;
 }
@@ -67,14 +100,14 @@ bool HemisphereQuadrature::fades(const SkyInstant& instant) {
   return dark(instant.sunColumn()) || dark(instant.antiColumn());
 }
 
-void HemisphereQuadrature::addFadeCrossings(const SkyInstant& instant, std::vector<double>& edge) {
+void HemisphereQuadrature::addFadeCrossings(const SunFrame& sun, std::vector<double>& edge) {
   // Luminance of the blended colour at the sun's azimuth and at the opposite, above what makes colours fade.
   const auto excess = [&](double elevation, double cos_alpha) {
-    const Latitude at = latitude(instant, elevation, 1.0);
+    const Latitude at = latitude(sun, elevation, 1.0);
     const double w = 0.5 + 0.5 * at.blend * cos_alpha;
     return det::luminanceOf(mix(at.anti_colour, at.sun_colour, w)) - kGradientDelta;
   };
-  if (!fades(instant)) return;
+  if (!fades(sun.instant)) return;
   const std::vector<double> before = edge;
   for (std::size_t i = 1; i < before.size(); ++i)
     for (const double side : {-1.0, 1.0}) {
@@ -97,46 +130,50 @@ std::span<const double> HemisphereQuadrature::fadeCrossing(const Latitude& at, d
   const double weight = (kGradientDelta - anti) / (sun - anti);
   const double cosine = (2.0 * weight - 1.0) / at.blend;
   if (!(std::abs(cosine) < 1.0)) return {};
-  storage[0] = det::atan(std::sqrt(1.0 - cosine * cosine), cosine);
+  storage[0] = std::sqrt((1.0 - cosine) / (1.0 + cosine));
   return storage;
 }
 
-const sh::GaussRule& HemisphereQuadrature::ruleFor(const SkyInstant& instant, double low, double high) const {
-  const LuminanceModel& m = instant.sky().luminance;
-  const double sun = det::elevationOf(instant.sunDirection());
+const sh::GaussRule& HemisphereQuadrature::ruleFor(const SunFrame& sun, double low, double high) const {
+  const LuminanceModel& m = sun.instant.sky().luminance;
   const double width = high - low;
   double scale = 1.0;  // over which the sky changes here
   if (m.a != 0.0) scale = std::min(scale, std::max(low, width));
-  if (m.c != 0.0) scale = std::min(scale, std::max({low - sun, sun - high, cuspScale(m) / 4.0}));
+  if (m.c != 0.0) scale = std::min(scale, std::max({low - sun.elevation, sun.elevation - high, cuspScale(m) / 4.0}));
   return width > 0.3 * scale ? fine_ : width > 0.1 * scale ? middle_ : coarse_;
 }
 
-Latitude HemisphereQuadrature::latitude(const SkyInstant& instant, double elevation, double weight) {
-  const Number3& sun = instant.sunDirection();
-  const double sun_length = det::horizontalLength(sun);
-  const double sun_elevation = det::elevationOf(sun);
+Latitude HemisphereQuadrature::latitude(const SunFrame& sun, double elevation, double weight) {
+  const double half_sine = det::sin(0.5 * elevation);
+  const double half_cosine = det::cos(0.5 * elevation);
   Latitude at;
-  at.sine = det::sin(elevation);
-  at.cosine = det::cos(elevation);
+  at.sine = 2.0 * half_sine * half_cosine;
+  at.cosine = (half_cosine - half_sine) * (half_cosine + half_sine);
   at.weight = weight * at.cosine;
-  at.gradation = det::gradation(instant.sky().luminance, at.sine);
-  at.sun_colour = instant.sunColumn().at(elevation);
-  at.anti_colour = instant.antiColumn().at(elevation);
-  at.blend = at.cosine / std::max(at.cosine, det::kAzimuthFade) * sun_length / std::max(sun_length, det::kAzimuthFade);
-  const double below = det::sin(0.5 * (elevation - sun_elevation));
-  const double above = det::sin(0.5 * (elevation + sun_elevation));
+  at.gradation = det::gradation(sun.instant.sky().luminance, at.sine);
+  at.sun_colour = sun.instant.sunColumn().at(elevation);
+  at.anti_colour = sun.instant.antiColumn().at(elevation);
+  at.blend = at.cosine / std::max(at.cosine, det::kAzimuthFade) * sun.length / std::max(sun.length, det::kAzimuthFade);
+  const double below = half_sine * sun.half_cosine - half_cosine * sun.half_sine;  // sin of half the difference
+  const double above = half_sine * sun.half_cosine + half_cosine * sun.half_sine;
   at.near = below * below;
   at.far = above * above;
-  at.reach = at.cosine * sun_length;
+  at.reach = at.cosine * sun.length;
   return at;
 }
 
-Number3 shapeOn(const SkyInstant& instant, const Latitude& at, double cos_alpha) {
-  const double to_sun = at.near + at.reach * 0.5 * (1.0 - cos_alpha);
-  const double to_antipode = at.far + at.reach * 0.5 * (1.0 + cos_alpha);
-  const double angle = 2.0 * det::atan(std::sqrt(to_sun), std::sqrt(to_antipode));
-  const double luminance = at.gradation * det::indicatrix(instant.sky().luminance, angle) / instant.luminanceNorm();
-  const Number3 colour = mix(at.anti_colour, at.sun_colour, 0.5 + 0.5 * at.blend * cos_alpha);
+Number3 shapeOn(const SunFrame& sun, const Latitude& at, const Azimuth& azimuth) {
+  const SkyInstant& instant = sun.instant;
+  const double to_sun = at.near + at.reach * azimuth.near;
+  const double to_antipode = at.far + at.reach * azimuth.far;
+  const LuminanceModel& m = instant.sky().luminance;
+  const double exponential = sun.table != nullptr
+                                 ? sun.table->exponential(to_sun, to_antipode)
+                                 : det::exp(m.d * 2.0 * det::atan(std::sqrt(to_sun), std::sqrt(to_antipode)));
+  const double luminance = at.gradation *
+                           det::indicatrixFrom(m, exponential, sun.at_right_angle, to_antipode - to_sun) /
+                           instant.luminanceNorm();
+  const Number3 colour = mix(at.anti_colour, at.sun_colour, 0.5 + 0.5 * at.blend * azimuth.cosine);
   return det::chromaticity(colour, kGradientDelta) * luminance;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sh/quadrature.h"
+#include "sky/indicatrix_table.h"
 #include "sky/sky.h"
 
 namespace welkin::sky {
@@ -27,79 +28,100 @@ struct Latitude {
   double reach = 0.0;
 };
 
+/// A point of a circle, alpha in (0, pi) from the sun's azimuth.
+struct Azimuth {
+  double cosine = 1.0;  ///< of alpha
+  double sine = 0.0;
+  double near = 0.0;  ///< sin^2(alpha / 2)
+  double far = 1.0;   ///< cos^2(alpha / 2)
+  double weight = 0.0;
+};
+
+/// What does not change while an instant is integrated.
+struct SunFrame {
+  /// `table` is of the instant's model, or null for the exact exponential.
+  SunFrame(const SkyInstant& instant, const IndicatrixTable* table);
+
+  const SkyInstant& instant;
+  const IndicatrixTable* table;
+  double elevation;
+  double half_sine;  ///< of half the elevation
+  double half_cosine;
+  double length;          ///< horizontal length of the sun's direction
+  double at_right_angle;  ///< exp(d pi/2)
+};
+
 class HemisphereQuadrature {
  public:
-  explicit HemisphereQuadrature(int refinement);
+  HemisphereQuadrature(double tolerance, int bands);
 
   /// Elevations in [0, pi/2] between which the sky is smooth, ascending; `extra` adds the caller's own.
-  std::vector<double> panels(const SkyInstant& instant, std::span<const double> extra) const;
+  std::vector<double> panels(const SunFrame& sun, std::span<const double> extra) const;
 
   /// Calls visit(latitude) for every node of the panels.
   template <typename Visit>
-  void forEachLatitude(const SkyInstant& instant, std::span<const double> extra, Visit&& visit) const {
-    const std::vector<double> edge = panels(instant, extra);
+  void forEachLatitude(const SunFrame& sun, std::span<const double> extra, Visit&& visit) const {
+    const std::vector<double> edge = panels(sun, extra);
     for (std::size_t i = 1; i < edge.size(); ++i)
-      sh::forEachNode(ruleFor(instant, edge[i - 1], edge[i]), edge[i - 1], edge[i],
-                      [&](double elevation, double weight) { visit(latitude(instant, elevation, weight)); });
+      sh::forEachNode(ruleFor(sun, edge[i - 1], edge[i]), edge[i - 1], edge[i],
+                      [&](double elevation, double weight) { visit(latitude(sun, elevation, weight)); });
   }
 
-  /// Calls visit(alpha, weight) for the azimuths from the sun's (0) to the opposite (pi) on one side. `extra` holds up
-  /// to 4 azimuths in (0, pi) at which the caller's integrand bends.
+  /// Calls visit(azimuth) for the azimuths from the sun's to the opposite on one side. `extra` holds up to 4 values of
+  /// tan(alpha / 2) at which the caller's integrand bends.
   template <typename Visit>
   void forEachAzimuth(const Latitude& at, std::span<const double> extra, Visit&& visit) const {
-    forEachAzimuthInHalf(at.near, at.reach, extra, visit);
+    forEachAzimuthInHalf(at.near, at.reach, extra, [&](double t, double weight) {
+      const double norm = 1.0 / (1.0 + t * t);
+      visit(Azimuth{(1.0 - t * t) * norm, 2.0 * t * norm, t * t * norm, norm, 2.0 * norm * weight});
+    });
     double mirrored[4];
     const std::size_t count = std::min<std::size_t>(extra.size(), 4);
-    for (std::size_t i = 0; i < count; ++i) mirrored[i] = det::kPi - extra[i];
-    forEachAzimuthInHalf(at.far, at.reach, {mirrored, count},
-                         [&](double beta, double weight) { visit(det::kPi - beta, weight); });
+    for (std::size_t i = 0; i < count; ++i) mirrored[i] = 1.0 / extra[i];
+    forEachAzimuthInHalf(at.far, at.reach, {mirrored, count}, [&](double t, double weight) {
+      const double norm = 1.0 / (1.0 + t * t);
+      visit(Azimuth{(t * t - 1.0) * norm, 2.0 * t * norm, norm, t * t * norm, 2.0 * norm * weight});
+    });
   }
 
   /// Whether a gradient is dark enough here for its colours to fade, which takes twice the nodes: within the texel
   /// beside a black one the hue changes as 1 / luminance.
   static bool fades(const SkyInstant& instant);
-  /// Azimuth at which the blended colour crosses the luminance under which colours fade; none gives an empty span.
+  /// tan(alpha / 2) at which the blended colour crosses the luminance under which colours fade; none gives an empty
+  /// span.
   static std::span<const double> fadeCrossing(const Latitude& at, double (&storage)[1]);
 
  private:
-  const sh::GaussRule& ruleFor(const SkyInstant& instant, double low, double high) const;
-  static Latitude latitude(const SkyInstant& instant, double elevation, double weight);
-  static void addFadeCrossings(const SkyInstant& instant, std::vector<double>& edge);
+  const sh::GaussRule& ruleFor(const SunFrame& sun, double low, double high) const;
+  static Latitude latitude(const SunFrame& sun, double elevation, double weight);
+  static void addFadeCrossings(const SunFrame& sun, std::vector<double>& edge);
 
+  /// Panels of t = tan(alpha / 2) over [0, 1], alpha counted from the cusp's side. The distance to the cusp is
+  /// near + (near + reach) t^2 over 1 + t^2, whose root is at t = i h: panels grow from kFirst h by kGrowth.
   template <typename Visit>
   void forEachAzimuthInHalf(double distance, double reach, std::span<const double> extra, Visit&& visit) const {
-    // alpha = h sinh u on [0, pi/2], h the distance to the cusp in units of alpha.
-    constexpr double kSmooth = 4.0;  // from there on the map is a line to the quadrature's accuracy
-    const double h =
-        reach * kSmooth * kSmooth > 4.0 * distance ? std::max(2.0 * std::sqrt(distance / reach), smallest_h_) : kSmooth;
-    const auto inverse = [h](double alpha) { return det::log(alpha / h + std::sqrt(alpha * alpha / (h * h) + 1.0)); };
-    double edge[6] = {0.0, inverse(det::kHalfPi)};
-    int edges = 2;
-    for (const double alpha : extra.first(std::min<std::size_t>(extra.size(), 4))) {
-      if (!(alpha > 0.0 && alpha < det::kHalfPi)) continue;
+    const double h = std::max(std::sqrt(distance / (distance + reach)), smallest_h_);
+    double edge[32];
+    int edges = 0;
+    edge[edges++] = 0.0;
+    for (double t = kFirst * h; t < 0.5 * (1.0 + 1.0 / kGrowth); t *= kGrowth) edge[edges++] = t;
+    edge[edges++] = 1.0;
+    for (const double t : extra.first(std::min<std::size_t>(extra.size(), 4))) {
+      if (!(t > 0.0 && t < 1.0)) continue;
       int place = edges++;
-      for (const double u = inverse(alpha); edge[place] = u, edge[place - 1] > u; --place)
-        edge[place] = edge[place - 1];
+      for (; edge[place - 1] > t; --place) edge[place] = edge[place - 1];
+      edge[place] = t;
     }
-    for (int i = 1; i < edges; ++i) {
-      const double length = edge[i] - edge[i - 1];
-      const int count = std::max(1, static_cast<int>(std::ceil(length / kLongestPanel)));
-      for (int k = 0; k < count; ++k)
-        sh::forEachNode(azimuth_, edge[i - 1] + length * k / count, edge[i - 1] + length * (k + 1) / count,
-                        [&](double u, double weight) {
-                          const double grown = det::exp(u);
-                          const double shrunk = 1.0 / grown;
-                          visit(0.5 * h * (grown - shrunk), weight * 0.5 * h * (grown + shrunk));
-                        });
-    }
+    for (int i = 1; i < edges; ++i) sh::forEachNode(azimuth_, edge[i - 1], edge[i], visit);
   }
 
-  static constexpr double kLongestPanel = 1.7;  ///< in u
+  static constexpr double kFirst = 1.25;  ///< the first panel's end, in units of h
+  static constexpr double kGrowth = 5.0;  ///< of the panels after it
   double smallest_h_;
   sh::GaussRule coarse_, middle_, fine_, azimuth_;
 };
 
-/// The sky's radiance at intensity 1 on a circle of constant elevation, `cos_alpha` from the sun's azimuth.
-Number3 shapeOn(const SkyInstant& instant, const Latitude& at, double cos_alpha);
+/// The sky's radiance at intensity 1 at a point of a circle of constant elevation.
+Number3 shapeOn(const SunFrame& sun, const Latitude& at, const Azimuth& azimuth);
 
 }  // namespace welkin::sky

@@ -9,6 +9,9 @@
 namespace welkin::sky {
 namespace {
 
+/// Tolerances from here on may use tables whose error is IndicatrixTable::kError.
+constexpr double kTableTolerance = 1e-6;
+
 /// cos(m phi) and sin(m phi) of a direction's azimuth in the polar frame; the pole itself counts as azimuth 0.
 struct Turn {
   double cosine = 1.0;
@@ -24,12 +27,14 @@ struct Turn {
 
 }  // namespace
 
-SkyProjector::SkyProjector(int bands, int refinement)
+SkyProjector::SkyProjector(const LuminanceModel& model, int bands, double tolerance)
     : bands_(bands),
-      quadrature_(refinement),
-      fading_(2 * refinement),
+      quadrature_(tolerance, bands),
+      fading_(tolerance * tolerance, bands),
       recurrence_(bands),
-      to_world_(bands, sh::kPolarAxes) {}
+      to_world_(bands, sh::kPolarAxes) {
+  if (tolerance >= kTableTolerance && model.d >= -IndicatrixTable::kSteepest) table_.emplace(model.d);
+}
 
 const HemisphereQuadrature& SkyProjector::quadratureFor(const SkyInstant& instant) const {
   return HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
@@ -43,12 +48,13 @@ SkyMoments SkyProjector::project(const SkyInstant& instant) const {
   std::vector<double> factor(count);
   std::vector<Number3> order(static_cast<std::size_t>(bands_));
 
-  quadrature.forEachLatitude(instant, {}, [&](const Latitude& at) {
+  const SunFrame sun(instant, table_ ? &*table_ : nullptr);
+  quadrature.forEachLatitude(sun, {}, [&](const Latitude& at) {
     std::fill(order.begin(), order.end(), Number3(0.0));
     double storage[1];
-    quadrature.forEachAzimuth(at, HemisphereQuadrature::fadeCrossing(at, storage), [&](double alpha, double weight) {
-      const double cosine = det::cos(alpha);
-      const Number3 shape = shapeOn(instant, at, cosine) * weight;
+    quadrature.forEachAzimuth(at, HemisphereQuadrature::fadeCrossing(at, storage), [&](const Azimuth& azimuth) {
+      const double cosine = azimuth.cosine;
+      const Number3 shape = shapeOn(sun, at, azimuth) * azimuth.weight;
       double before = cosine;  // Chebyshev's recurrence: cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a
       double current = 1.0;
       for (auto& sum : order) {
@@ -92,11 +98,11 @@ SkyMoments SkyProjector::project(const SkyInstant& instant) const {
 }
 
 Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& normal) const {
-  const Turn sun(instant.sunDirection());
+  const Turn sun_turn(instant.sunDirection());
   const Turn facing(normal);
   // Azimuth of the normal from the sun's, and the elevation at which the plane of the surface leaves the circle.
-  const double cos_facing = facing.cosine * sun.cosine + facing.sine * sun.sine;
-  const double sin_facing = facing.sine * sun.cosine - facing.cosine * sun.sine;
+  const double cos_facing = facing.cosine * sun_turn.cosine + facing.sine * sun_turn.sine;
+  const double sin_facing = facing.sine * sun_turn.cosine - facing.cosine * sun_turn.sine;
   const double facing_rad = det::atan(sin_facing, cos_facing);
   const double horizontal = det::horizontalLength(normal);
   const double tangent = det::atan(horizontal, std::abs(normal.y));
@@ -105,25 +111,25 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
 
   const HemisphereQuadrature& quadrature = quadratureFor(instant);
   Number3 sum(0.0);
-  quadrature.forEachLatitude(instant, extra, [&](const Latitude& at) {
+  const SunFrame sun(instant, table_ ? &*table_ : nullptr);
+  quadrature.forEachLatitude(sun, extra, [&](const Latitude& at) {
     const double across = horizontal * at.cosine;
     const double along = normal.y * at.sine;
     for (const double side : {1.0, -1.0}) {
       double bend[3];
       std::size_t bends = 0;
       double storage[1];
-      for (const double alpha : HemisphereQuadrature::fadeCrossing(at, storage)) bend[bends++] = alpha;
+      for (const double t : HemisphereQuadrature::fadeCrossing(at, storage)) bend[bends++] = t;
       if (std::abs(along) < across) {  // the surface's plane cuts the circle at +-beta from the normal's azimuth
         const double beta = det::atan(std::sqrt(across * across - along * along), -along);
         for (const double phi : {facing_rad - beta, facing_rad + beta}) {
           const double alpha = std::remainder(side * phi, det::kTwoPi);
-          if (alpha > 0.0) bend[bends++] = alpha;
+          if (alpha > 0.0) bend[bends++] = det::sin(0.5 * alpha) / det::cos(0.5 * alpha);
         }
       }
-      quadrature.forEachAzimuth(at, {bend, bends}, [&](double alpha, double weight) {
-        const double cosine = det::cos(alpha);
-        const double lit = along + across * (cosine * cos_facing + side * det::sin(alpha) * sin_facing);
-        if (lit > 0.0) sum += shapeOn(instant, at, cosine) * (weight * at.weight * lit);
+      quadrature.forEachAzimuth(at, {bend, bends}, [&](const Azimuth& azimuth) {
+        const double lit = along + across * (azimuth.cosine * cos_facing + side * azimuth.sine * sin_facing);
+        if (lit > 0.0) sum += shapeOn(sun, at, azimuth) * (azimuth.weight * at.weight * lit);
       });
     }
   });

@@ -4,12 +4,12 @@
 // The integrand has a conical cusp at the sun (and a weak one opposite), a layer at the horizon that is as steep as
 // exp(b / sin elevation), bends where the gradients' rows are centred, and is symmetric about the sun's vertical plane.
 // Gauss-Legendre panels in elevation meet the bends and shrink geometrically towards the horizon, the sun and its
-// antipode; in azimuth, from the sun's to the opposite, alpha = h sinh u makes the near-singular distance to the sun,
-// sqrt(h^2 + alpha^2), a hyperbolic cosine. Coefficients are accumulated in the sun's frame, where only the cosine
-// orders live, and rotated to the world once.
+// antipode; so do panels in the tangent of half the azimuth, from the sun's to the opposite. Coefficients are
+// accumulated in the sun's frame, where only the cosine orders live, and rotated to the world once.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "sh/basis.h"
@@ -26,12 +26,16 @@ struct SkyMoments {
   std::size_t evaluations = 0;       ///< directions that the quadrature looked at
 };
 
+/// What a bake promises of every coefficient, relative to c0.
+inline constexpr double kTolerance = 1e-5;
+
 /// Immutable after construction; project may be called from many threads.
 class SkyProjector {
  public:
-  /// `bands` >= 1. `refinement` >= 1 multiplies the nodes of every panel: 1 keeps every coefficient within 1e-5 of c0
-  /// for every named model and sun elevation (tests/sky/projection_test.cpp), 3 is converged to rounding.
-  explicit SkyProjector(int bands, int refinement = 1);
+  /// For skies of `model`; `bands` >= 1. Every coefficient is kept within `tolerance` of c0, for every sun elevation
+  /// (tests/sky/projection_test.cpp): 1e-4, 1e-5, 1e-9, or 1e-12 for what rounding allows; between them the next finer
+  /// one is taken.
+  SkyProjector(const LuminanceModel& model, int bands, double tolerance = kTolerance);
 
   SkyMoments project(const SkyInstant& instant) const;
 
@@ -46,6 +50,7 @@ class SkyProjector {
   HemisphereQuadrature fading_;  ///< where gradients are black
   sh::LatitudeRecurrence recurrence_;
   sh::Rotation to_world_;
+  std::optional<IndicatrixTable> table_;
 };
 
 }  // namespace welkin::sky

@@ -188,6 +188,15 @@ Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
   return stars;
 }
 
+void warnOfPath(TomlTable table, const std::string& light, const LightPath& path, SkyFile& file) {
+  for (Warning& w : pathWarningsOf(path, light)) {
+    w.id = light + "-" + w.id;
+    w.message = fmt::format("{}:{}: {}.path: {}", file.inputs.front().name, table.node("path")->source().begin.line,
+                            light, w.message);
+    file.warnings.push_back(std::move(w));
+  }
+}
+
 BakeSettings readBake(TomlTable table) {
   BakeSettings bake;
   bake.bands = table.integer("bands", 2, 5, 2);
@@ -259,6 +268,8 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
   json << toml::json_formatter(root, toml::format_flags::none);
   result.settings = json.str();
   result.inputs = std::move(reading.inputs);
+  warnOfPath(sun, "sun", sky.sun.path, result);
+  if (sky.moon) warnOfPath(moon, "moon", sky.moon->path, result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sky/path_check.h"
 #include "sky/sky.h"
 
 namespace welkin::sky {
@@ -32,6 +33,7 @@ struct SkyFile {
   BakeSettings bake;
   std::string settings;  ///< sky.toml as JSON, keys sorted
   std::vector<Input> inputs;
+  std::vector<Warning> warnings;  ///< messages begin with sky.toml's name, without folders, and the line
 };
 
 /// Keys of a table with keys = "auto": one every five minutes.

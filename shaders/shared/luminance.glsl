@@ -22,10 +22,14 @@ INLINE Number gradation(LuminanceModel m, Number cos_zenith) {
   return (NUMBER(1.0) + m.a) + m.a * expMinusOne(m.b / cos_zenith) + m.k * cos_zenith;
 }
 
+// g from exp(d theta), exp(d pi/2) and the cosine of theta, the angle to the sun.
+INLINE Number indicatrixFrom(LuminanceModel m, Number exponential, Number at_right_angle, Number cosine) {
+  return NUMBER(1.0) + m.c * (exponential - at_right_angle) + m.e * cosine * cosine;
+}
+
 // g at the angle to the sun, radians in [0, pi].
 INLINE Number indicatrix(LuminanceModel m, Number sun_angle_rad) {
-  Number cosine = cos(sun_angle_rad);
-  return NUMBER(1.0) + m.c * (exp(m.d * sun_angle_rad) - exp(m.d * kHalfPi)) + m.e * cosine * cosine;
+  return indicatrixFrom(m, exp(m.d * sun_angle_rad), exp(m.d * kHalfPi), cos(sun_angle_rad));
 }
 
 // Luminance of the normalising direction, before normalisation: of the sun (Far Cry 3) or of the zenith (CIE). The sun

@@ -141,7 +141,7 @@ TEST_CASE("Cubemap, ProjectsBackToTheTable") {
   sky.gradient_anti = Gradient::constant({0.2, 0.4, 0.9});
   normalise(sky.gradient_sun, sky.gradient_anti);
   const SkyInstant instant(sky, 0.0);
-  const auto moments = SkyProjector(5).project(instant);
+  const auto moments = SkyProjector(instant.sky().luminance, 5).project(instant);
   const auto image = renderDome(instant, Number3(0.0), Layout::vulkan_cube, kSize);
   std::array<Number3, 25> sum{};
   for (int row = 0; row < 6 * kSize; ++row)

@@ -90,7 +90,7 @@ TEST_CASE("Day, TurningTheSunTurnsEverything") {
   turned.sun.path.key_azimuth_rad = {0.4 + kTurn};
   const SkyInstant a(sky, 8.0);
   const SkyInstant b(turned, 8.0);
-  const SkyProjector projector(2);
+  const SkyProjector projector(sky.luminance, 2);
   for (double azimuth = 0.0; azimuth < 6.0; azimuth += 0.7)
     for (const double elevation : {0.0, 0.3, 1.2}) {
       const Number3 before = a.shape(det::directionOf(azimuth, elevation));
@@ -133,7 +133,7 @@ TEST_CASE("Runtime, TableAtItsKeysIsTheModel") {
   const Baked baked(model, 5, 24);
   for (int hour = 0; hour < 24; ++hour) {
     const SkyInstant instant(model, hour);
-    const auto moments = SkyProjector(5).project(instant);
+    const auto moments = SkyProjector(instant.sky().luminance, 5).project(instant);
     const Number3 ground = instant.groundRadiance(moments.horizontal_irradiance);
     const auto up = det::shBasis({0, 1, 0});
     WelkinSkySample s;
@@ -232,7 +232,7 @@ TEST_CASE("Runtime, AutoKeysFollowTheModel") {
   for (double time = 2.5 / 60.0; time < 24.0; time += 5.0 / 60.0) {
     WelkinSkySample s;
     REQUIRE(baked.sky.sample(time, s));
-    const auto moments = SkyProjector(3).project(SkyInstant(model, time));
+    const auto moments = SkyProjector(model.luminance, 3).project(SkyInstant(model, time));
     for (std::size_t i = 0; i < 9; ++i)
       largest = std::max(largest,
                          std::abs(double{s.radiance_sh[i][1]} - moments.radiance_sh[i].y) / moments.radiance_sh[0].y);

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "sky/indicatrix_table.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -131,6 +133,22 @@ TEST_CASE("WhyUnusable, DependsOnTheDaysSun") {
   REQUIRE(det::indicatrix(farther, M_PI / 2) > 0.0);
   CHECK_FALSE(whyUnusable(farther, zenith));
   CHECK(whyUnusable(farther, risingSun()));
+}
+
+TEST_CASE("IndicatrixTable, KeepsItsErrorAtEverySlopeAndAngle") {
+  for (const double d : {-1e-6, -0.3, -1.0, -2.8, -3.0, -7.0, -16.0}) {
+    const IndicatrixTable table(d);
+    double worst = 0.0;
+    for (int i = 0; i <= 100000; ++i) {
+      const double angle = M_PI * i / 100000.0;
+      const double s = std::sin(0.5 * angle);
+      const double c = std::cos(0.5 * angle);
+      worst = std::max(worst, std::abs(table.exponential(s * s, c * c) - std::exp(d * angle)));
+    }
+    CAPTURE(d, worst);
+    CHECK(worst <= IndicatrixTable::kError);
+    if (d < -0.5) CHECK(worst > 0.02 * IndicatrixTable::kError);  // no finer than it says
+  }
 }
 
 }  // namespace

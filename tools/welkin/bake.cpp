@@ -11,6 +11,7 @@
 #include "sky/error.h"
 #include "welkin/bake_sky.h"
 #include "welkin/commands.h"
+#include "welkin/warnings.h"
 
 namespace welkin::tools {
 namespace {
@@ -54,8 +55,7 @@ void bake(const Options& options) {
     for (const auto& input : file.inputs) rule += " " + escaped(input.path);
     writeFile(options.depfile, rule + "\n");
   }
-  for (const auto& warning : report["warnings"])
-    std::fputs(fmt::format("welkin: warning: {}\n", warning["message"].get<std::string>()).c_str(), stderr);
+  printWarnings(report["warnings"]);
 }
 
 }  // namespace

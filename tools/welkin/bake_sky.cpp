@@ -12,6 +12,7 @@
 #include "sky/encode.h"
 #include "sky/error.h"
 #include "sky/exr.h"
+#include "welkin/warnings.h"
 
 namespace welkin::tools {
 namespace {
@@ -89,7 +90,7 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
   if (!names.empty()) {
     makeFolder(folder / "cubemaps");
     ProgressReport progress(style, "cubemaps", names.size());
-    const sky::SkyProjector projector(1);
+    const sky::SkyProjector projector(file.sky.luminance, 1);
     const sky::Progress keep_going = [] { return !interrupted(); };
     for (std::size_t i = 0; i < names.size(); ++i) {
       const sky::SkyInstant instant(file.sky, file.bake.cubemap_time_h[i]);
@@ -116,7 +117,7 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
   for (const auto& input : file.inputs)
     inputs.push_back(
         {{"name", input.name}, {"xxh3_128", fmt::format("{:016x}{:016x}", input.xxh3_high, input.xxh3_low)}});
-  Json warnings = Json::array();
+  Json warnings = warningsJson(file);
   if (saturated > 0)
     warnings.push_back(
         {{"id", "half-saturated"},

@@ -18,8 +18,7 @@ struct Options {
   bool json = false;
 };
 
-/// Finer than a bake: converged to about 1e-9.
-constexpr int kRefinement = 2;
+constexpr double kConverged = 1e-9;  // finer than a bake
 
 det::Number3 evaluate(const Options& options) {
   const auto v = parseDirection("--direction", options.direction);
@@ -28,7 +27,7 @@ det::Number3 evaluate(const Options& options) {
   const sky::SkyFile file = sky::readSkyFile(options.file);
   const sky::SkyInstant instant(file.sky, time_h);
   if (options.quantity == "luminance") return det::Number3(instant.luminance(direction));
-  const sky::SkyProjector projector(1, kRefinement);
+  const sky::SkyProjector projector(file.sky.luminance, 1, kConverged);
   const auto ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
   if (options.quantity == "sky") return instant.radiance(direction, ground);
   if (options.quantity == "dome") return instant.dome(direction, ground);

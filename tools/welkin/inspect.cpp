@@ -10,6 +10,7 @@
 #include "sky/sky_file.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
+#include "welkin/warnings.h"
 
 namespace welkin::tools {
 namespace {
@@ -101,7 +102,7 @@ void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string file = skyFileOf(path);
     if (std::filesystem::path(file).extension() == ".toml")
-      sky::readSkyFile(file);
+      printWarnings(warningsJson(sky::readSkyFile(file)));
     else
       openSky(file);
     fmt::print("{}: ok\n", file);

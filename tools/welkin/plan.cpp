@@ -8,9 +8,24 @@
 
 #include "sky/sky_file.h"
 #include "welkin/commands.h"
+#include "welkin/warnings.h"
 
 namespace welkin::tools {
 namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+nlohmann::ordered_json highestJson(const sky::LightPath& path) {
+  const auto top = sky::culminationOf(path);
+  return {{"highest_deg", top.elevation_rad / kDegree}, {"highest_time_h", top.time_h}};
+}
+
+/// Where a light stands highest, and whether that is above the horizon.
+std::string highestText(const sky::LightPath& path) {
+  const auto top = sky::culminationOf(path);
+  return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "", top.time_h,
+                     top.elevation_rad / kDegree);
+}
 
 void plan(const std::string& path, bool as_json) {
   const sky::SkyFile file = sky::readSkyFile(path);
@@ -32,7 +47,11 @@ void plan(const std::string& path, bool as_json) {
       {"gradients", {{"bytes", gradient_bytes}}},
       {"cubemaps", {{"count", bake.cubemap_time_h.size()}, {"size", bake.cubemap_size}, {"bytes", cubemap_bytes}}},
       {"moon", file.sky.moon.has_value()},
-      {"bytes", table_bytes + gradient_bytes + cubemap_bytes}};
+      {"sun_path", highestJson(file.sky.sun.path)},
+      {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
+      {"bytes", table_bytes + gradient_bytes + cubemap_bytes},
+      {"warnings", warningsJson(file)}};
+  printWarnings(json["warnings"]);
   if (as_json) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
@@ -43,7 +62,8 @@ void plan(const std::string& path, bool as_json) {
              file.sky.gradient_anti.width, file.sky.gradient_anti.height, gradient_bytes);
   fmt::print("cubemaps   {} of 6 x {} x {}: {} bytes, and as EXR cube and latlong\n", bake.cubemap_time_h.size(), size,
              size, cubemap_bytes);
-  fmt::print("moon       {}\n", file.sky.moon ? "yes" : "none");
+  fmt::print("sun        {}\n", highestText(file.sky.sun.path));
+  fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
   fmt::print("sky.welkin about {} bytes\n", table_bytes + gradient_bytes + cubemap_bytes);
 }
 
