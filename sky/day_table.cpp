@@ -10,11 +10,12 @@
 
 namespace welkin::sky {
 
-DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress) {
+DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
+                      double tolerance) {
   const auto count = static_cast<std::size_t>(sh::coefficientCount(bands));
   DayTable table{bands, key_time_h, std::vector<float>(key_time_h.size() * count * 3),
                  std::vector<float>(key_time_h.size() * 3), 0};
-  const SkyProjector projector(sky.luminance, bands);
+  const SkyProjector projector(sky.luminance, bands, tolerance);
   std::atomic<std::size_t> evaluations = 0;
   tbb::parallel_for(std::size_t{0}, key_time_h.size(), [&](std::size_t key) {
     const SkyMoments moments = projector.project(SkyInstant(sky, key_time_h[key]));

@@ -19,7 +19,9 @@ struct DayTable {
 /// Told after every finished piece of work, from any thread; returns false to stop, which throws Error(interrupted).
 using Progress = std::function<bool()>;
 
-/// Projects every key, in parallel (oneTBB's current arena); the same bytes for any number of threads.
-DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress);
+/// Projects every key within `tolerance` (projection.h), in parallel (oneTBB's current arena); the same bytes for any
+/// number of threads.
+DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
+                      double tolerance = kTolerance);
 
 }  // namespace welkin::sky
