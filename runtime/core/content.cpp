@@ -34,6 +34,7 @@ bool within(double value, double low, double high) {
 }
 
 constexpr double kAny = 1e30;             // finite, and its square stays finite
+constexpr double kLeast = 1e-30;          // of what divides: not 0 as a float either
 constexpr double kDarkestColour = 1e-12;  // the illuminance is divided by its luminance
 
 /// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
@@ -87,10 +88,12 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
 /// The dome divides by the luminance of the normalising direction: positive at every minute of the day.
 void checkNorm(Check& check, const format::Sky& sky) {
   const auto model = luminanceModel(*sky.luminance());
+  const Course sun(*sky.sun()->path());
   for (int minute = 0; minute < 1440; ++minute) {
-    const double norm = f64::luminanceNorm(model, directionAt(*sky.sun()->path(), minute / 60.0),
-                                           sky.luminance()->normalise_to_sun() != 0);
-    if (!check.that(within(norm, 1e-30, kAny), "luminance", "must be positive in the direction that it is relative to"))
+    const double norm =
+        f64::luminanceNorm(model, sun.directionAt(minute / 60.0), sky.luminance()->normalise_to_sun() != 0);
+    if (!check.that(within(norm, kLeast, kAny), "luminance",
+                    "must be positive in the direction that it is relative to"))
       return;
   }
 }
@@ -118,10 +121,14 @@ void checkTable(Check& check, const format::Sky& sky) {
              "has a value out of its domain");
 }
 
-void checkCubemaps(Check& check, const format::Sky& sky) {
+/// `bytes`: the file's. Cubemaps that share texels, which no writer makes, could ask for any number of times as many.
+void checkCubemaps(Check& check, const format::Sky& sky, std::size_t bytes) {
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;
   const std::uint64_t size = sky.cubemap_size();
-  check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384");
+  if (!check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384") ||
+      !check.that(sky.cubemaps()->size() <= bytes / (6 * size * size * 8), "a cubemap",
+                  "must have six faces of RGBA half floats of its own"))
+    return;
   double before = -1.0;
   for (const auto* cubemap : *sky.cubemaps()) {
     check.that(cubemap->time_h() > before && cubemap->time_h() < 24.0, "the cubemaps",
@@ -148,7 +155,7 @@ void checkStars(Check& check, const format::Stars& stars) {
 
 }  // namespace
 
-WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
+WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMessage* message) {
   Check check{message};
   const auto* sky = file.sky();
   if (!check.that(sky != nullptr, "sky", "is missing")) return check.result;
@@ -168,8 +175,8 @@ WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
     check.that(within(double{a->r()}, 0, 1) && within(double{a->g()}, 0, 1) && within(double{a->b()}, 0, 1),
                "ground_albedo", "must be 0 to 1");
   }
-  check.that(sky->luminance_unit() > 0.0 && sky->luminance_unit() <= kAny, "luminance_unit", "must be positive");
-  check.that(sky->gradient_delta() > 0.0 && sky->gradient_delta() <= kAny, "gradient_delta", "must be positive");
+  check.that(within(sky->luminance_unit(), kLeast, kAny), "luminance_unit", "must be positive");
+  check.that(within(sky->gradient_delta(), kLeast, kAny), "gradient_delta", "must be positive");
   checkCurve(check, sky->intensity(), 1, kAny, "intensity");
   checkCurve(check, sky->ambient_saturation(), 1, 1.0, "ambient_saturation");
   checkCurve(check, sky->polarising_tint(), 3, kAny, "polarising_tint");
@@ -180,7 +187,7 @@ WelkinResult checkContent(const format::File& file, WelkinMessage* message) {
   checkGradient(check, sky->gradient_sun(), "gradient_sun");
   checkGradient(check, sky->gradient_anti(), "gradient_anti");
   checkTable(check, *sky);
-  checkCubemaps(check, *sky);
+  checkCubemaps(check, *sky, bytes);
   return check.result;
 }
 

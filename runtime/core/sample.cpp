@@ -16,16 +16,18 @@ float toFloat(double value) {
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
-f64::Number3 directionAt(const format::LightPath& path, double time_h) {
-  const auto times = spanOf(path.key_time_h());
-  if (times.empty())
-    return f64::celestialDirection(f64::kTwoPi * (time_h - path.transit_h()) / 24.0, path.declination_rad(),
-                                   path.latitude_rad(), path.north_offset_rad());
-  const auto azimuth = spanOf(path.key_azimuth_rad());
-  const auto elevation = spanOf(path.key_elevation_rad());
-  const auto s = format::findSegment(times, time_h);
-  return f64::directionOf(format::interpolateAngle(azimuth[s.first], azimuth[s.second], s.weight),
-                          (1.0 - s.weight) * elevation[s.first] + s.weight * elevation[s.second]);
+Course::Course(const format::LightPath& path)
+    : time_h_(spanOf(path.key_time_h())),
+      azimuth_rad_(spanOf(path.key_azimuth_rad())),
+      elevation_rad_(spanOf(path.key_elevation_rad())),
+      circle_(f64::dailyCircle(path.declination_rad(), path.latitude_rad(), path.north_offset_rad())),
+      transit_h_(path.transit_h()) {}
+
+f64::Number3 Course::directionAt(double time_h) const {
+  if (time_h_.empty()) return f64::directionOnCircle(circle_, f64::kTwoPi * (time_h - transit_h_) / 24.0);
+  const auto s = format::findSegment(time_h_, time_h);
+  return f64::directionOf(format::interpolateAngle(azimuth_rad_[s.first], azimuth_rad_[s.second], s.weight),
+                          (1.0 - s.weight) * elevation_rad_[s.first] + s.weight * elevation_rad_[s.second]);
 }
 
 namespace {
@@ -33,12 +35,14 @@ namespace {
 using f64::Number3;
 
 double evaluate(const format::Curve& curve, double time_h) {
+  if (curve.value()->size() == 1) return curve.value()->Get(0);
   double value = 0.0;
   format::interpolate(spanOf(curve.time_h()), spanOf(curve.value()), time_h, {&value, 1});
   return value;
 }
 
 Number3 evaluate3(const format::Curve& curve, double time_h) {
+  if (const auto& only = *curve.value(); only.size() == 3) return {only[0], only[1], only[2]};
   double v[3];
   format::interpolate(spanOf(curve.time_h()), spanOf(curve.value()), time_h, v);
   return {v[0], v[1], v[2]};
@@ -52,6 +56,7 @@ void store(Number3 v, float out[3]) {
 double visibleShare(const Number3& direction, double disc_radius_rad) {
   constexpr double kQuarterDegree = 0.25 * f64::kPi / 180.0;
   const double radius = disc_radius_rad > 0.0 ? disc_radius_rad : kQuarterDegree;
+  if (std::abs(direction.y) > radius) return direction.y > 0.0 ? 1.0 : 0.0;  // an arc is longer than its sine
   const double x = std::clamp(f64::elevationOf(direction) / radius, -1.0, 1.0);
   return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / f64::kPi;
 }
@@ -61,9 +66,9 @@ struct LightAt {
   double illuminance;
 };
 
-LightAt lightAt(const format::Light& light, double time_h) {
+LightAt lightAt(const format::Light& light, const Course& course, double time_h) {
   LightAt at;
-  at.direction = directionAt(*light.path(), time_h);
+  at.direction = course.directionAt(time_h);
   at.illuminance = evaluate(*light.illuminance(), time_h);
   at.colour = evaluate3(*light.colour(), time_h);
   const double y = f64::luminanceOf(at.colour);
@@ -88,8 +93,9 @@ Number3 lerpKeys(const float* first, const float* second, double weight) {
   return v;
 }
 
-void blendTable(const format::Sky& sky, double time_h, double intensity, const LightAt& sun, const LightAt* moon,
+void blendTable(const WelkinSky& opened, double time_h, double intensity, const LightAt& sun, const LightAt* moon,
                 WelkinSkySample& out) {
+  const format::Sky& sky = *opened.file->sky();
   const std::uint32_t count = sky.bands() * sky.bands();
   const auto s = format::findSegment(spanOf(sky.key_time_h()), time_h);
   const float* shape = sky.shape_sh()->data();
@@ -102,12 +108,11 @@ void blendTable(const format::Sky& sky, double time_h, double intensity, const L
   const Number3 ground = Number3(double{albedo->r()}, double{albedo->g()}, double{albedo->b()}) * horizontal / f64::kPi;
   store(ground, out.ground_radiance);
 
-  const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   out.coefficient_count = count;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Number3 radiance =
         intensity * lerpKeys(shape + 3 * (s.first * count + i), shape + 3 * (s.second * count + i), s.weight) +
-        ground * (f64::groundLobe(bandOf(i)) * up.v[i]);
+        ground * opened.ground_sh[i];
     store(radiance, out.radiance_sh[i]);
     store(f64::desaturate(radiance, double{out.ambient_saturation}), out.ambient_sh[i]);
   }
@@ -146,16 +151,16 @@ WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySam
   out.ambient_saturation = toFloat(evaluate(*s.ambient_saturation(), out.time_h));
   store(evaluate3(*s.polarising_tint(), out.time_h), out.polarising_tint);
 
-  const LightAt sun = lightAt(*s.sun(), out.time_h);
+  const LightAt sun = lightAt(*s.sun(), sky->sun, out.time_h);
   out.sun = lightOf(sun, s.sun()->disc_radius_rad());
   LightAt moon;
   if (s.moon() != nullptr) {
-    moon = lightAt(*s.moon(), out.time_h);
+    moon = lightAt(*s.moon(), sky->moon, out.time_h);
     out.moon = lightOf(moon, s.moon()->disc_radius_rad());
   }
-  out.luminance_norm = toFloat(
-      f64::luminanceNorm(luminanceModel(*s.luminance()), sun.direction, s.luminance()->normalise_to_sun() != 0));
-  blendTable(s, out.time_h, intensity, sun, s.moon() != nullptr ? &moon : nullptr, out);
+  out.luminance_norm = toFloat(f64::luminanceNormFrom(luminanceModel(*s.luminance()), sun.direction,
+                                                      s.luminance()->normalise_to_sun() != 0, sky->constant_norm));
+  blendTable(*sky, out.time_h, intensity, sun, s.moon() != nullptr ? &moon : nullptr, out);
   chooseCubemaps(s, out.time_h, out);
   out.unchanged = sample->unchanged;
   const bool unchanged = std::memcmp(&out, sample, sizeof out) == 0;

@@ -21,14 +21,29 @@ WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format,
 
 namespace {
 
-WelkinResult openBytes(std::span<const std::byte> bytes, const format::File** file, WelkinMessage* message) {
+/// Completes a sky whose content checkContent has let pass.
+WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
+  opened.file = &file;
+  opened.sun = Course(*file.sky()->sun()->path());
+  if (file.sky()->moon() != nullptr) opened.moon = Course(*file.sky()->moon()->path());
+  opened.constant_norm =
+      f64::constantNorm(luminanceModel(*file.sky()->luminance()), file.sky()->luminance()->normalise_to_sun() != 0);
+  const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
+  for (std::uint32_t i = 0; i < 25; ++i) opened.ground_sh[i] = f64::groundLobe(bandOf(i)) * up.v[i];
+  *sky = new (std::nothrow) WelkinSky(std::move(opened));
+  return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+}
+
+/// `opened` holds the map of the bytes, when they come from a file.
+WelkinResult openBytes(std::span<const std::byte> bytes, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
   using format::Refusal;
-  const format::Opened opened = format::openContainer(bytes);
-  const auto expected = static_cast<unsigned long long>(opened.expected_size);
-  switch (opened.refusal) {
-    case Refusal::none:
-      *file = opened.file;
-      return checkContent(*opened.file, message);
+  const format::Opened container = format::openContainer(bytes);
+  const auto expected = static_cast<unsigned long long>(container.expected_size);
+  switch (container.refusal) {
+    case Refusal::none: {
+      const WelkinResult result = checkContent(*container.file, bytes.size(), message);
+      return result == WELKIN_OK ? keep(*container.file, std::move(opened), sky, message) : result;
+    }
     case Refusal::misaligned:
       return fail(message, WELKIN_ERROR_ARGUMENT, "the bytes start at %p; they must be aligned to %zu",
                   static_cast<const void*>(bytes.data()), format::kAlignment);
@@ -36,7 +51,7 @@ WelkinResult openBytes(std::span<const std::byte> bytes, const format::File** fi
       return fail(message, WELKIN_ERROR_FOREIGN, "not a .welkin file (it does not start with the .welkin signature)");
     case Refusal::version:
       return fail(message, WELKIN_ERROR_VERSION, "format version %u; this library reads version %u: bake again",
-                  opened.found_version, format::kVersion);
+                  container.found_version, format::kVersion);
     case Refusal::truncated:
       return fail(message, WELKIN_ERROR_TRUNCATED, "%zu bytes; the header asks for %s%llu", bytes.size(),
                   bytes.size() < sizeof(format::Header) ? "at least " : "", expected);
@@ -88,21 +103,13 @@ WelkinResult welkin_sky_open_file(const char* path, WelkinSky** sky, WelkinMessa
   WelkinSky opened;
   if (const int error = opened.map.open(path); error != 0)
     return fail(message, WELKIN_ERROR_FILE, "%s", std::strerror(error));
-  const WelkinResult result = welkin::core::openBytes(opened.map.bytes(), &opened.file, message);
-  if (result != WELKIN_OK) return result;
-  *sky = new (std::nothrow) WelkinSky(std::move(opened));
-  return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+  return welkin::core::openBytes(opened.map.bytes(), std::move(opened), sky, message);
 }
 
 WelkinResult welkin_sky_open_memory(const void* data, size_t size, WelkinSky** sky, WelkinMessage* message) {
   if (sky != nullptr) *sky = nullptr;
   if (data == nullptr || sky == nullptr) return fail(message, WELKIN_ERROR_ARGUMENT, "a null pointer");
-  WelkinSky opened;
-  const WelkinResult result =
-      welkin::core::openBytes({static_cast<const std::byte*>(data), size}, &opened.file, message);
-  if (result != WELKIN_OK) return result;
-  *sky = new (std::nothrow) WelkinSky(std::move(opened));
-  return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+  return welkin::core::openBytes({static_cast<const std::byte*>(data), size}, WelkinSky(), sky, message);
 }
 
 void welkin_sky_close(WelkinSky* sky) {

@@ -12,18 +12,14 @@
 #include "format/container.h"
 #include "shared.h"
 
-struct WelkinSky {
-  welkin::core::FileMap map;
-  const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
-};
-
 namespace welkin::core {
 
 /// Writes a formatted message when there is somewhere to write it, and returns `code`.
 [[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
 
 /// Whether everything that sampling reads is there and in its domain; else WELKIN_ERROR_CONTENT and which value is not.
-WelkinResult checkContent(const format::File& file, WelkinMessage* message);
+/// `bytes`: the size of the whole file.
+WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMessage* message);
 
 template <typename T>
 std::span<const T> spanOf(const flatbuffers::Vector<T>* vector) {
@@ -39,10 +35,30 @@ constexpr int bandOf(std::uint32_t coefficient) {
   return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
 }
 
-/// Unit direction towards a light, at a time in [0, 24).
-f64::Number3 directionAt(const format::LightPath& path, double time_h);
+/// Where a light stands over the day; borrows the file's keys of a path drawn by hand.
+class Course {
+ public:
+  Course() = default;
+  explicit Course(const format::LightPath& path);
+
+  /// Unit direction towards the light, at a time in [0, 24).
+  f64::Number3 directionAt(double time_h) const;
+
+ private:
+  std::span<const double> time_h_, azimuth_rad_, elevation_rad_;  ///< keys; none: the circle
+  f64::DailyCircle circle_{};
+  double transit_h_ = 0.0;
+};
 
 /// Stores a double in a float field: rounds, and keeps a value past float's range finite.
 float toFloat(double value);
 
 }  // namespace welkin::core
+
+struct WelkinSky {
+  welkin::core::FileMap map;
+  const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
+  welkin::core::Course sun, moon;              ///< moon: only when the file has one
+  double constant_norm = 1.0;                  ///< of the luminance
+  double ground_sh[25] = {};                   ///< coefficients of a radiance of 1 below the horizon
+};

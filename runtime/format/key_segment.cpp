@@ -7,11 +7,9 @@
 namespace welkin::format {
 namespace {
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kDay_h = 24.0;
 }  // namespace
 
-double wrapTime(double time_h) {
-  if (time_h >= 0.0 && time_h < kDay_h) return time_h;
+double wrapOutside(double time_h) {
   const double wrapped = time_h - kDay_h * std::floor(time_h / kDay_h);
   return wrapped >= 0.0 && wrapped < kDay_h ? wrapped : 0.0;  // rounding of a tiny negative time, or of a huge one
 }

@@ -7,8 +7,13 @@
 
 namespace welkin::format {
 
+inline constexpr double kDay_h = 24.0;
+
 /// A finite time in hours, wrapped into [0, 24).
-double wrapTime(double time_h);
+double wrapOutside(double time_h);
+inline double wrapTime(double time_h) {
+  return time_h >= 0.0 && time_h < kDay_h ? time_h : wrapOutside(time_h);
+}
 
 /// The two keys around a time: value = (1 - weight) value[first] + weight value[second], weight in [0, 1).
 struct KeySegment {

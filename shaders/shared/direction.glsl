@@ -24,18 +24,37 @@ INLINE Number angleBetween(Number3 a, Number3 b) {
   return NUMBER(2.0) * atan(sqrt(dot(d, d)), sqrt(dot(s, s)));
 }
 
-// Direction of a light at hour angle `hour_angle_rad` (0 when it crosses the meridian, growing by 2 pi a day) and
-// `declination_rad`, seen from `latitude_rad`, with the world's -z turned `north_offset_rad` from true north, so that
-// azimuths grow by it. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms (1998), ch. 13.
-INLINE Number3 celestialDirection(Number hour_angle_rad, Number declination_rad, Number latitude_rad,
-                                  Number north_offset_rad) {
-  Number east = -cos(declination_rad) * sin(hour_angle_rad);
-  Number up = sin(latitude_rad) * sin(declination_rad) + cos(latitude_rad) * cos(declination_rad) * cos(hour_angle_rad);
-  Number north =
-      cos(latitude_rad) * sin(declination_rad) - sin(latitude_rad) * cos(declination_rad) * cos(hour_angle_rad);
+// The daily circle of a declination: direction = centre + meridian cos H + west sin H at hour angle H.
+struct DailyCircle {
+  Number3 centre;
+  Number3 meridian;
+  Number3 west;
+};
+
+// The circle of `declination_rad` seen from `latitude_rad`, with the world's -z turned `north_offset_rad` from true
+// north, so that azimuths grow by it. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms (1998),
+// ch. 13.
+INLINE DailyCircle dailyCircle(Number declination_rad, Number latitude_rad, Number north_offset_rad) {
   Number c = cos(north_offset_rad);
   Number s = sin(north_offset_rad);
-  return Number3(east * c + north * s, up, -(north * c - east * s));
+  Number3 north = Number3(s, NUMBER(0.0), -c);
+  Number3 east = Number3(c, NUMBER(0.0), s);
+  Number3 up = Number3(NUMBER(0.0), NUMBER(1.0), NUMBER(0.0));
+  DailyCircle circle;
+  circle.centre = (up * sin(latitude_rad) + north * cos(latitude_rad)) * sin(declination_rad);
+  circle.meridian = (up * cos(latitude_rad) - north * sin(latitude_rad)) * cos(declination_rad);
+  circle.west = -(east * cos(declination_rad));
+  return circle;
+}
+
+// Unit direction at an hour angle: 0 when the light crosses the meridian, growing by 2 pi a day.
+INLINE Number3 directionOnCircle(DailyCircle circle, Number hour_angle_rad) {
+  return circle.centre + circle.meridian * cos(hour_angle_rad) + circle.west * sin(hour_angle_rad);
+}
+
+INLINE Number3 celestialDirection(Number hour_angle_rad, Number declination_rad, Number latitude_rad,
+                                  Number north_offset_rad) {
+  return directionOnCircle(dailyCircle(declination_rad, latitude_rad, north_offset_rad), hour_angle_rad);
 }
 
 // The inverse of celestialDirection: (cos dec cos H, sin dec, cos dec sin H) of a unit direction's declination and hour

@@ -32,11 +32,21 @@ INLINE Number indicatrix(LuminanceModel m, Number sun_angle_rad) {
   return indicatrixFrom(m, exp(m.d * sun_angle_rad), exp(m.d * kHalfPi), cos(sun_angle_rad));
 }
 
+// The factor of luminanceNorm that does not change over the day: g at the sun, or f at the zenith.
+INLINE Number constantNorm(LuminanceModel m, bool normalise_to_sun) {
+  return normalise_to_sun ? indicatrix(m, NUMBER(0.0)) : gradation(m, NUMBER(1.0));
+}
+
+// luminanceNorm from constantNorm.
+INLINE Number luminanceNormFrom(LuminanceModel m, Number3 sun, bool normalise_to_sun, Number constant) {
+  if (normalise_to_sun) return constant * gradation(m, sun.y);
+  return constant * indicatrix(m, angleBetween(sun, Number3(NUMBER(0.0), NUMBER(1.0), NUMBER(0.0))));
+}
+
 // Luminance of the normalising direction, before normalisation: of the sun (Far Cry 3) or of the zenith (CIE). The sun
 // may be below the horizon: its gradation is then the horizon's, and the angle stays the true one.
 INLINE Number luminanceNorm(LuminanceModel m, Number3 sun, bool normalise_to_sun) {
-  if (normalise_to_sun) return gradation(m, sun.y) * indicatrix(m, NUMBER(0.0));
-  return gradation(m, NUMBER(1.0)) * indicatrix(m, angleBetween(sun, Number3(NUMBER(0.0), NUMBER(1.0), NUMBER(0.0))));
+  return luminanceNormFrom(m, sun, normalise_to_sun, constantNorm(m, normalise_to_sun));
 }
 
 // Luminance of the direction relative to the normalising one; 0 below the horizon.
