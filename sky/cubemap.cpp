@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "sky/error.h"
 
@@ -15,8 +16,61 @@ namespace {
 constexpr float kLargestHalf = 65504.0F;
 
 Number3 normalised(const Number3& v) {
-  return v / std::sqrt(dot(v, v));
+  return v * (1.0 / std::sqrt(dot(v, v)));
 }
+
+/// Of a cube's column or row, in [-1, 1].
+double faceCoordinate(Layout layout, int size, int i) {
+  return layout == Layout::vulkan_cube ? (2.0 * i + 1.0) / size - 1.0 : 2.0 * i / (size - 1) - 1.0;
+}
+
+/// Cosine and sine of an angle.
+struct Turn {
+  double cosine, sine;
+};
+
+/// Of the latitude of a latlong's row.
+Turn circleOfRow(const Extent& extent, int row) {
+  const double latitude = det::kHalfPi - det::kPi * row / (extent.height - 1);
+  return {row == 0 || row == extent.height - 1 ? 0.0 : det::cos(latitude), det::sin(latitude)};
+}
+
+/// Of the longitude of its column, from +z towards +x.
+Turn turnOfColumn(const Extent& extent, int column) {
+  const double longitude = det::kPi - det::kTwoPi * column / (extent.width - 1);
+  return {det::cos(longitude), det::sin(longitude)};
+}
+
+Number3 directionOn(const Turn& circle, const Turn& turn) {
+  return normalised({turn.sine * circle.cosine, circle.sine, turn.cosine * circle.cosine});
+}
+
+/// The directions of a row's texels.
+class RowDirections {
+ public:
+  RowDirections(Layout layout, int size) : layout_(layout), size_(size), extent_(extentOf(layout, size)) {
+    if (layout == Layout::exr_latlong)
+      for (int column = 0; column < extent_.width; ++column) turn_.push_back(turnOfColumn(extent_, column));
+  }
+  template <typename Visit>
+  void forEach(int row, Visit&& visit) const {
+    if (layout_ == Layout::exr_latlong) {
+      const Turn circle = circleOfRow(extent_, row);
+      for (const Turn& turn : turn_) visit(directionOn(circle, turn));
+    } else {
+      const FaceAxes axes = faceAxes(layout_, row / size_);
+      const Number3 middle = axes.normal + axes.down * faceCoordinate(layout_, size_, row % size_);
+      for (int column = 0; column < size_; ++column)
+        visit(normalised(middle + axes.right * faceCoordinate(layout_, size_, column)));
+    }
+  }
+
+ private:
+  Layout layout_;
+  int size_;
+  Extent extent_;
+  std::vector<Turn> turn_;
+};
 
 }  // namespace
 
@@ -40,18 +94,11 @@ FaceAxes faceAxes(Layout layout, int face) {
 }
 
 Number3 directionOfTexel(Layout layout, int size, int column, int row) {
-  if (layout == Layout::exr_latlong) {
-    const Extent extent = extentOf(layout, size);
-    const double latitude = det::kHalfPi - det::kPi * row / (extent.height - 1);
-    const double longitude = det::kPi - det::kTwoPi * column / (extent.width - 1);
-    const double c = row == 0 || row == extent.height - 1 ? 0.0 : det::cos(latitude);
-    return normalised({det::sin(longitude) * c, det::sin(latitude), det::cos(longitude) * c});
-  }
+  if (layout == Layout::exr_latlong)
+    return directionOn(circleOfRow(extentOf(layout, size), row), turnOfColumn(extentOf(layout, size), column));
   const FaceAxes axes = faceAxes(layout, row / size);
-  const auto coordinate = [&](int i) {
-    return layout == Layout::vulkan_cube ? (2.0 * i + 1.0) / size - 1.0 : 2.0 * i / (size - 1) - 1.0;
-  };
-  return normalised(axes.normal + axes.right * coordinate(column) + axes.down * coordinate(row % size));
+  return normalised(axes.normal + axes.down * faceCoordinate(layout, size, row % size) +
+                    axes.right * faceCoordinate(layout, size, column));
 }
 
 DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
@@ -59,17 +106,21 @@ DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout la
   DomeImage image{extentOf(layout, size), {}, 0};
   const auto width = static_cast<std::size_t>(image.extent.width);
   image.rgb_half.resize(width * static_cast<std::size_t>(image.extent.height) * 3);
+  const LuminanceModel& model = instant.sky().luminance;
+  std::optional<IndicatrixTable> table;
+  if (model.d >= -IndicatrixTable::kSteepest) table.emplace(model.d);
+  const RowDirections directions(layout, size);
   std::atomic<std::size_t> saturated = 0;
   tbb::parallel_for(0, image.extent.height, [&](int row) {
     std::size_t past = 0;
     std::uint16_t* out = image.rgb_half.data() + static_cast<std::size_t>(row) * width * 3;
-    for (int column = 0; column < image.extent.width; ++column) {
-      const Number3 radiance = instant.dome(directionOfTexel(layout, size, column, row), ground);
+    directions.forEach(row, [&](const Number3& direction) {
+      const Number3 radiance = instant.dome(direction, ground, table ? &*table : nullptr);
       for (int c = 0; c < 3; ++c) {
         if (radiance[c] > double{kLargestHalf}) ++past;
         *out++ = Imath::half(static_cast<float>(std::min(radiance[c], double{kLargestHalf}))).bits();
       }
-    }
+    });
     saturated += past;
     if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
   });

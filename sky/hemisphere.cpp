@@ -42,8 +42,7 @@ SunFrame::SunFrame(const SkyInstant& instant_, const IndicatrixTable* table_)
       elevation(det::elevationOf(instant_.sunDirection())),
       half_sine(det::sin(0.5 * elevation)),
       half_cosine(det::cos(0.5 * elevation)),
-      length(det::horizontalLength(instant_.sunDirection())),
-      at_right_angle(det::exp(instant_.sky().luminance.d * det::kHalfPi)) {}
+      length(det::horizontalLength(instant_.sunDirection())) {}
 
 HemisphereQuadrature::HemisphereQuadrature(double tolerance, int bands) {
   const Nodes nodes = nodesFor(tolerance, bands);
@@ -171,7 +170,7 @@ Number3 shapeOn(const SunFrame& sun, const Latitude& at, const Azimuth& azimuth)
                                  ? sun.table->exponential(to_sun, to_antipode)
                                  : det::exp(m.d * 2.0 * det::atan(std::sqrt(to_sun), std::sqrt(to_antipode)));
   const double luminance = at.gradation *
-                           det::indicatrixFrom(m, exponential, sun.at_right_angle, to_antipode - to_sun) /
+                           det::indicatrixFrom(m, exponential, instant.atRightAngle(), to_antipode - to_sun) /
                            instant.luminanceNorm();
   const Number3 colour = mix(at.anti_colour, at.sun_colour, 0.5 + 0.5 * at.blend * azimuth.cosine);
   return det::chromaticity(colour, kGradientDelta) * luminance;

@@ -47,8 +47,7 @@ struct SunFrame {
   double elevation;
   double half_sine;  ///< of half the elevation
   double half_cosine;
-  double length;          ///< horizontal length of the sun's direction
-  double at_right_angle;  ///< exp(d pi/2)
+  double length;  ///< horizontal length of the sun's direction
 };
 
 class HemisphereQuadrature {

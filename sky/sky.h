@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sky/gradient.h"
+#include "sky/indicatrix_table.h"
 #include "sky/light.h"
 #include "sky/luminance.h"
 
@@ -52,6 +53,8 @@ class SkyInstant {
   const GradientColumn& sunColumn() const { return sun_column_; }
   const GradientColumn& antiColumn() const { return anti_column_; }
   double luminanceNorm() const { return norm_; }
+  /// exp(d pi/2) of the luminance model.
+  double atRightAngle() const { return at_right_angle_; }
 
   /// Relative luminance, without intensity; 0 below the horizon.
   double luminance(const Number3& direction) const {
@@ -67,18 +70,24 @@ class SkyInstant {
   Number3 radiance(const Number3& direction, const Number3& ground) const {
     return direction.y < 0.0 ? ground : shape(direction) * intensity_;
   }
-  /// What the dome and the cubemaps show: with the tint above the horizon.
-  Number3 dome(const Number3& direction, const Number3& ground) const {
-    return direction.y < 0.0 ? ground : shape(direction) * intensity_ * tint_;
+  /// What the dome and the cubemaps show: with the tint above the horizon. `table`, of this sky's luminance, gives the
+  /// indicatrix within IndicatrixTable::kError in half the time; null: exact.
+  Number3 dome(const Number3& direction, const Number3& ground, const IndicatrixTable* table = nullptr) const {
+    if (direction.y < 0.0) return ground;
+    const double relative = table != nullptr ? luminanceFrom(*table, direction) : luminance(direction);
+    return chromaticity(direction) * relative * intensity_ * tint_;
   }
   /// Radiance of the ground under the sky's horizontal irradiance at intensity 1 (`shape_irradiance`), sun and moon.
   Number3 groundRadiance(const Number3& shape_irradiance) const;
 
  private:
+  double luminanceFrom(const IndicatrixTable& table, const Number3& direction) const;
+
   const Sky* sky_;
   double time_h_;
   Number3 sun_;
   double norm_;
+  double at_right_angle_;  ///< exp(d pi/2)
   double intensity_;
   Number3 tint_;
   GradientColumn sun_column_;

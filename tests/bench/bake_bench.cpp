@@ -67,9 +67,10 @@ void evaluations(benchmark::State& state) {
   for (int row = 0; row < 6 * size; ++row)
     for (int column = 0; column < size; ++column)
       direction.push_back(sky::directionOfTexel(sky::Layout::vulkan_cube, size, column, row));
+  const sky::IndicatrixTable table(sky.luminance.d);
   for (auto _ : state) {
     sky::Number3 sum(0.0);
-    for (const auto& d : direction) sum += instant.dome(d, sky::Number3(0.0));
+    for (const auto& d : direction) sum += instant.dome(d, sky::Number3(0.0), &table);
     benchmark::DoNotOptimize(sum);
   }
 }

@@ -237,5 +237,27 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
     }
 }
 
+TEST_CASE("Dome, ByTheTableIsTheExactOne") {
+  // The table's error, times c over the least indicatrix, 0.05 of this model's; the sun itself and its antipode
+  // included.
+  Sky sky;
+  sky.sun.path.key_time_h = {0.0};
+  sky.sun.path.key_azimuth_rad = {0.7};
+  sky.sun.path.key_elevation_rad = {0.4};
+  const SkyInstant instant(sky, 0.0);
+  const IndicatrixTable table(sky.luminance.d);
+  const double bound = IndicatrixTable::kError * sky.luminance.c / 0.05;
+  std::vector<Number3> directions = {instant.sunDirection(), {0, 1, 0}, {1, 0, 0}, {0, -0.6, 0.8}};
+  for (int row = 0; row < 32; ++row)
+    for (int column = 0; column < 64; ++column)
+      directions.push_back(directionOfTexel(Layout::exr_latlong, 16, column, row));
+  for (const Number3& d : directions) {
+    const auto exact = instant.dome(d, Number3(0.25));
+    const auto quick = instant.dome(d, Number3(0.25), &table);
+    CAPTURE(d.x, d.y, d.z);
+    for (int c = 0; c < 3; ++c) CHECK(quick[c] == Approx(exact[c]).epsilon(bound));
+  }
+}
+
 }  // namespace
 }  // namespace welkin::sky
