@@ -1,0 +1,38 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Does a test fail for every one-token fault of faults.txt? Each is made in a copy of the committed tree, built, and the
+# tests that should see it are run. Prints a line a fault; exit status 1 when one lives.
+#   tests/mutation/run.sh WORK [FIRST [LAST]]      WORK: a folder for the copy and its build
+set -eu
+work="$1"
+first="${2:-1}"
+last="${3:-999}"
+here="$(cd "$(dirname "$0")" && pwd)"
+mkdir -p "$work"
+[ -d "$work/tree" ] || git clone -q "$(git -C "$here" rev-parse --show-toplevel)" "$work/tree"
+cd "$work/tree"
+cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWELKIN_INSTALL=OFF >"$work/log"
+ninja -C ../build sh_test sky_test runtime_test welkin_vulkan_tests >>"$work/log"
+number=0
+lived=0
+tab="$(printf '\t')"
+while IFS="$tab" read -r file from to program filter; do
+  case "$file" in ''|'#'*) continue ;; esac
+  number=$((number + 1))
+  { [ "$number" -ge "$first" ] && [ "$number" -le "$last" ]; } || continue
+  FROM="$from" TO="$to" perl -0pi -e '
+    my ($from, $to) = @ENV{"FROM", "TO"};
+    my $count = () = /\Q$from\E/g;
+    die "found $count times: $from\n" if $count != 1;
+    s/\Q$from\E/$to/' "$file"
+  outcome="LIVES"
+  if ! ninja -C ../build "$program" >>"$work/log" 2>&1; then
+    outcome="does not compile"
+  elif ! "$(find ../build/tests -name "$program" -type f)" $filter >"$work/out" 2>&1; then
+    outcome="$(grep -A1 '^-----' "$work/out" | grep -v '^--' | grep ', ' | sort -u | head -1 || true)"
+  fi
+  case "$outcome" in LIVES|"does not compile") lived=1 ;; esac
+  printf '%2d  %s: %s -> %s: %s\n' "$number" "$file" "$from" "$to" "$outcome"
+  git checkout -q -- "$file"
+done <"$here/faults.txt"
+exit "$lived"
