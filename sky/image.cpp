@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cassert>
+#include <cfenv>
 #include <string_view>
 
 #include "sky/atomic_file.h"
@@ -46,7 +47,10 @@ const char* formatOf(std::string_view start) {
 
 const ImageModule& imageModule() {
   static const ImageModule* const kModule = [] {
+    std::fenv_t arithmetic;  // libraries built with -ffast-math change it when they are loaded
+    std::fegetenv(&arithmetic);
     void* library = dlopen(WELKIN_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed: images may outlive any scope
+    std::fesetenv(&arithmetic);
     if (library == nullptr) throw Error(ExitStatus::file, fmt::format("cannot load what reads images: {}", dlerror()));
     const auto entry = reinterpret_cast<const ImageModule* (*)()>(dlsym(library, kImageModuleEntry));
     if (entry == nullptr) throw Error(ExitStatus::file, fmt::format("{}: {}", WELKIN_IMAGE_MODULE, dlerror()));

@@ -12,6 +12,7 @@
 
 #include "sh/deterministic.h"
 #include "sky/error.h"
+#include "sky/image_header.h"
 
 namespace welkin::sky {
 namespace {
@@ -38,6 +39,7 @@ Image read(const std::filesystem::path& path, const char* format, const ImageLim
   const auto invalid = [&](const std::string& why) {
     return Error(ExitStatus::content, fmt::format("{}: {}", name, why));
   };
+  if (const auto why = whyHeaderUnusable(path, format, limits.largest_side)) throw invalid("damaged or cut: " + *why);
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
   OIIO::ImageSpec wanted;

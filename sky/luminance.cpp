@@ -33,6 +33,14 @@ namespace {
 
 constexpr double kDegree = det::kPi / 180.0;
 
+/// Least factor of a luminance. With coefficients up to 1e4 a relative luminance is then at most 2e26, which a float
+/// holds and the runtime accepts.
+constexpr double kDarkest = 1e-9;
+
+const char* phrase(double factor) {
+  return factor < 0.0 ? "negative" : factor == 0.0 ? "zero" : "nearly zero";
+}
+
 /// Where in [low, high] the indicatrix is least: a scan by 1/8 degree, refined by golden section around its best.
 double darkestAngle(const LuminanceModel& m, double low, double high) {
   const int steps = std::max(8, static_cast<int>(std::ceil((high - low) / (kDegree / 8.0))));
@@ -68,36 +76,35 @@ std::optional<std::string> whyUnusable(const LuminanceModel& m, const LightPath&
   if (!(m.b < 0.0)) return fmt::format("b = {}: must be below 0", m.b);
   if (!(m.d < 0.0)) return fmt::format("d = {}: must be below 0", m.d);
   const Number3 noon = sun.directionAt(12.0);
-  if (const double zenith = det::gradation(m, 1.0); !(zenith > 0.0))
+  if (const double zenith = det::gradation(m, 1.0); !(zenith > kDarkest))
     return fmt::format(
         "a = {}: makes the luminance {} (1 + a exp b = {:.6g}) at the zenith (0, 1, 0), for any sun, for example at "
         "elevation {:.2f} degrees; with b = {} a must be above {:.6g}",
-        m.a, zenith < 0.0 ? "negative" : "zero", zenith, det::elevationOf(noon) / kDegree, m.b, -det::exp(-m.b));
+        m.a, phrase(zenith), zenith, det::elevationOf(noon) / kDegree, m.b, -det::exp(-m.b));
   std::vector<double> times = sun.key_time_h;
   for (int minute = 0; minute < 1440; ++minute) times.push_back(minute / 60.0);
-  double seen_low = det::kPi;
-  double seen_high = 0.0;
-  for (const double time : times) {
-    const Number3 s = sun.directionAt(time);
-    const double elevation = det::elevationOf(s);
-    // The angles to the sun that the upper hemisphere shows, and 0 for the normalisation.
-    const double low = 0.0;
-    const double high = elevation >= 0.0 ? det::kPi - elevation : det::kPi;
-    if (low >= seen_low && high <= seen_high) continue;
-    seen_low = std::min(low, seen_low);
-    seen_high = std::max(high, seen_high);
-    const double angle = darkestAngle(m, low, high);
-    const double value = det::indicatrix(m, angle);
-    if (value > 0.0) continue;
-    const char* name = m.c != 0.0 && (m.c < 0.0) == (angle < det::kHalfPi) ? "c" : "e";
-    const Number3 d = directionAtAngle(s, angle);
-    return fmt::format(
-        "{} = {}: makes the luminance {} (indicatrix {:.6g}) at sun elevation {:.2f} degrees, {:.2f} h, in direction "
-        "({:.4f}, {:.4f}, {:.4f}), {:.2f} degrees from the sun; it must be above 0 wherever the day's sun looks",
-        name, name[0] == 'c' ? m.c : m.e, value < 0.0 ? "negative" : "zero", value, elevation / kDegree, time, d.x, d.y,
-        d.z, angle / kDegree);
+  // The angles to the sun that the upper hemisphere shows, and 0 for the normalisation: most under the lowest sun, and
+  // all of them once it is below the horizon.
+  double time = times.front();
+  double widest = -1.0;
+  for (const double t : times) {
+    const double high = det::kPi - std::max(det::elevationOf(sun.directionAt(t)), 0.0);
+    if (high > widest) {
+      widest = high;
+      time = t;
+    }
   }
-  return std::nullopt;
+  const double angle = darkestAngle(m, 0.0, widest);
+  const double value = det::indicatrix(m, angle);
+  if (value > kDarkest) return std::nullopt;
+  const Number3 s = sun.directionAt(time);
+  const char* name = m.c != 0.0 && (m.c < 0.0) == (angle < det::kHalfPi) ? "c" : "e";
+  const Number3 d = directionAtAngle(s, angle);
+  return fmt::format(
+      "{} = {}: makes the luminance {} (indicatrix {:.6g}) at sun elevation {:.2f} degrees, {:.2f} h, in direction "
+      "({:.4f}, {:.4f}, {:.4f}), {:.2f} degrees from the sun; it must be above {} wherever the day's sun looks",
+      name, name[0] == 'c' ? m.c : m.e, phrase(value), value, det::elevationOf(s) / kDegree, time, d.x, d.y, d.z,
+      angle / kDegree, kDarkest);
 }
 
 }  // namespace welkin::sky

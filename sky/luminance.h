@@ -26,8 +26,9 @@ const std::vector<NamedLuminance>& namedLuminances();
 const LuminanceModel* findLuminance(std::string_view name);
 
 /// Why a model cannot be used under the given sun, if it cannot: a coefficient out of its domain, or a luminance that
-/// is zero or negative in a direction at a sun position of the day. Names coefficient, sun elevation and direction. The
-/// day is scanned by the minute, keys included, the angle to the sun by 1/8 of a degree and by golden section.
+/// is zero (below 1e-9) or negative in a direction at a sun position of the day. Names coefficient, sun elevation and
+/// direction. The day is scanned by the minute, keys included, the angle to the sun by 1/8 of a degree and by golden
+/// section.
 std::optional<std::string> whyUnusable(const LuminanceModel& model, const LightPath& sun);
 
 }  // namespace welkin::sky

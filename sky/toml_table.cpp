@@ -252,12 +252,12 @@ void TomlTable::exclude(const std::vector<std::string>& keys, const std::string&
 void TomlTable::finish() const {
   if (table_ == nullptr) return;
   for (const auto& [key, value] : *table_) {
-    const std::string name(key.str());
-    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
+    const std::string name = shortened(std::string(key.str()));
     const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
       return editDistance(name, a) < editDistance(name, b);
     });
-    refuse(shortened(name), &value,
+    refuse(name, &value,
            nearest != known_.end() ? fmt::format("unknown key; the nearest known one is \"{}\"", *nearest)
                                    : "unknown key");
   }

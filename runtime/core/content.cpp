@@ -34,7 +34,6 @@ bool within(double value, double low, double high) {
 }
 
 constexpr double kAny = 1e30;             // finite, and its square stays finite
-constexpr double kLeast = 1e-30;          // of what divides: not 0 as a float either
 constexpr double kDarkestColour = 1e-12;  // the illuminance is divided by its luminance
 
 /// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
@@ -92,7 +91,7 @@ void checkNorm(Check& check, const format::Sky& sky) {
   for (int minute = 0; minute < 1440; ++minute) {
     const double norm =
         f64::luminanceNorm(model, sun.directionAt(minute / 60.0), sky.luminance()->normalise_to_sun() != 0);
-    if (!check.that(within(norm, kLeast, kAny), "luminance",
+    if (!check.that(within(norm, kLeastDivisor, kAny), "luminance",
                     "must be positive in the direction that it is relative to"))
       return;
   }
@@ -175,8 +174,8 @@ WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMes
     check.that(within(double{a->r()}, 0, 1) && within(double{a->g()}, 0, 1) && within(double{a->b()}, 0, 1),
                "ground_albedo", "must be 0 to 1");
   }
-  check.that(within(sky->luminance_unit(), kLeast, kAny), "luminance_unit", "must be positive");
-  check.that(within(sky->gradient_delta(), kLeast, kAny), "gradient_delta", "must be positive");
+  check.that(within(sky->luminance_unit(), kLeastDivisor, kAny), "luminance_unit", "must be positive");
+  check.that(within(sky->gradient_delta(), kLeastDivisor, kAny), "gradient_delta", "must be positive");
   checkCurve(check, sky->intensity(), 1, kAny, "intensity");
   checkCurve(check, sky->ambient_saturation(), 1, 1.0, "ambient_saturation");
   checkCurve(check, sky->polarising_tint(), 3, kAny, "polarising_tint");

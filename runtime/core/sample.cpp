@@ -158,8 +158,9 @@ WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySam
     moon = lightAt(*s.moon(), sky->moon, out.time_h);
     out.moon = lightOf(moon, s.moon()->disc_radius_rad());
   }
-  out.luminance_norm = toFloat(f64::luminanceNormFrom(luminanceModel(*s.luminance()), sun.direction,
-                                                      s.luminance()->normalise_to_sun() != 0, sky->constant_norm));
+  const double norm = f64::luminanceNormFrom(luminanceModel(*s.luminance()), sun.direction,
+                                             s.luminance()->normalise_to_sun() != 0, sky->constant_norm);
+  out.luminance_norm = toFloat(std::max(kLeastDivisor, norm));  // checkContent looks at whole minutes only
   blendTable(*sky, out.time_h, intensity, sun, s.moon() != nullptr ? &moon : nullptr, out);
   chooseCubemaps(s, out.time_h, out);
   out.unchanged = sample->unchanged;

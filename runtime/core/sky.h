@@ -50,6 +50,9 @@ class Course {
   double transit_h_ = 0.0;
 };
 
+/// Least of what is divided by: not 0 as a float either.
+inline constexpr double kLeastDivisor = 1e-30;
+
 /// Stores a double in a float field: rounds, and keeps a value past float's range finite.
 float toFloat(double value);
 

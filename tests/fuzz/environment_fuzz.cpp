@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzz target: the bytes of a cubemap or latlong that is projected into spherical harmonics.
+#include <algorithm>
+
+#include "fuzz.h"
+#include "sky/environment.h"
+#include "sky/image_module.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace welkin;
+  constexpr int kBands = 3;
+  static const fuzz::Folder kFolder;
+  [[maybe_unused]] static const auto& kLoaded = sky::imageModule();  // not in an input's time
+  const auto path = kFolder.write("environment", {bytes, size});
+  sky::Environment environment;
+  if (!fuzz::accepts([&] { environment = sky::projectImage(path, kBands); })) return 0;
+  fuzz::require(!environment.layout.empty() && environment.width >= 1 && environment.height >= 1, "a layout is named");
+  fuzz::require(environment.radiance_sh.size() == kBands * kBands, "every coefficient is there");
+  fuzz::require(std::all_of(environment.radiance_sh.begin(), environment.radiance_sh.end(),
+                            [](const auto& c) { return fuzz::isFinite(c); }),
+                "the coefficients are finite");
+  return 0;
+}

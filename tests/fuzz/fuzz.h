@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the fuzz targets share: a folder for the input's file, and the outcomes that an input may have.
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "sky/error.h"
+
+/// The entry that libFuzzer and the replay call with every input.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
+
+namespace welkin::fuzz {
+
+/// Ends the program, which both report with the input, unless `holds`.
+inline void require(bool holds, std::string_view what) {
+  if (holds) return;
+  std::fprintf(stderr, "violated: %.*s\n", static_cast<int>(what.size()), what.data());
+  std::abort();
+}
+
+template <typename Vector3>
+bool isFinite(const Vector3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// A folder of this process alone, in memory where the system has such a place.
+class Folder {
+ public:
+  Folder() {
+    const std::filesystem::path memory = "/dev/shm";
+    std::error_code none;
+    const auto parent = std::filesystem::is_directory(memory, none) && ::access(memory.c_str(), W_OK) == 0
+                            ? memory
+                            : std::filesystem::temp_directory_path();
+    std::string name = (parent / "welkin_fuzz_XXXXXX").string();
+    require(::mkdtemp(name.data()) != nullptr, "a temporary folder can be made");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  std::filesystem::path write(const std::string& name, std::span<const std::uint8_t> bytes) const {
+    const std::filesystem::path path = path_ / name;
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    require(file != nullptr, "the input's file can be made");
+    const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file);
+    require(std::fclose(file) == 0 && written == bytes.size(), "the input's file can be written");
+    return path;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Whether `read` takes the input. It may refuse by nothing but an Error about a file or its content, in words; any
+/// other exception ends the program.
+template <typename Read>
+bool accepts(Read&& read) {
+  try {
+    read();
+    return true;
+  } catch (const Error& e) {
+    require(e.what()[0] != '\0', "an error has a message");
+    require(e.status() == ExitStatus::content || e.status() == ExitStatus::file, "an error is the input's");
+    return false;
+  }
+}
+
+}  // namespace welkin::fuzz
