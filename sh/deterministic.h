@@ -2,18 +2,29 @@
 // The shared formulas in double with the same bits on every x86-64 machine: welkin::det is what baked files are made
 // with. The C++ library picks its functions by processor; SLEEF's "cinz" functions are bit-identical everywhere
 // (Shibata and Petrogalli, "SLEEF: A Portable Vectorized Library of C Standard Mathematical Functions", 2020), within
-// 1 ulp. The rest is IEEE arithmetic, which -ffp-contract=off keeps unfused.
+// 1 ulp. The rest is IEEE arithmetic, which -ffp-contract=off keeps unfused. What else that takes of the compiler is
+// asserted here, of the running process in sh/arithmetic.h.
 #pragma once
 
 #include <sleef.h>
 
+#include <cfloat>
 #include <cmath>
+#include <limits>
 
 #include "shared.h"
 
 #define INLINE inline
 #define CONSTANT inline constexpr
 #define NUMBER(literal) Number(literal)
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "Baked bytes need IEEE arithmetic: no -ffast-math, -fassociative-math or -freciprocal-math"
+#endif
+static_assert(FLT_EVAL_METHOD == 0, "baked bytes need arithmetic in the operands' own precision: SSE2, not the x87");
+static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559 &&
+                  std::numeric_limits<double>::digits == 53,
+              "baked bytes need IEEE single and double precision");
 
 namespace welkin::det {
 using Number = double;

@@ -25,8 +25,17 @@ struct Descriptor {
   ~Descriptor() {
     if (fd >= 0) ::close(fd);
   }
-  int close() { return ::close(std::exchange(fd, -1)); }
+  /// 0 or the error. A signal that interrupts it has closed the file all the same (Linux).
+  int close() { return ::close(std::exchange(fd, -1)) != 0 && errno != EINTR ? errno : 0; }
 };
+
+/// A system call again as long as signals interrupt it.
+template <typename Call>
+auto uninterrupted(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
+}
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* verb, int error) {
   throw Error(ExitStatus::file, fmt::format("{}: cannot {}: {}", path.string(), verb, std::strerror(error)));
@@ -50,12 +59,11 @@ bool holds(const std::filesystem::path& path, std::span<const std::byte> bytes) 
 
 int writeAll(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
+    const ssize_t n = uninterrupted([&] { return ::write(fd, bytes.data(), bytes.size()); });
+    if (n <= 0) return n < 0 ? errno : EIO;
     bytes = bytes.subspan(static_cast<std::size_t>(n));
   }
-  return fsync(fd) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+  return uninterrupted([&] { return ::fsync(fd); }) != 0 && errno != EINVAL ? errno : 0;  // EINVAL: a device
 }
 
 bool isDevice(const std::filesystem::path& path) {
@@ -82,8 +90,7 @@ std::vector<std::byte> readUpTo(int fd, std::size_t most, const std::filesystem:
   std::vector<std::byte> bytes(most);
   std::size_t done = 0;
   while (done < most) {
-    const ssize_t n = ::read(fd, bytes.data() + done, most - done);
-    if (n < 0 && errno == EINTR) continue;
+    const ssize_t n = uninterrupted([&] { return ::read(fd, bytes.data() + done, most - done); });
     if (n < 0) refuse(path, "read", errno);
     if (n == 0) break;
     done += static_cast<std::size_t>(n);
@@ -95,14 +102,18 @@ std::vector<std::byte> readUpTo(int fd, std::size_t most, const std::filesystem:
 }  // namespace
 
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  if (holds(path, bytes)) return;
   if (isDevice(path)) return writeDevice(path, bytes);
   std::filesystem::path temporary = path;
   temporary += ".tmp";
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (holds(path, bytes)) {
+    ::unlink(temporary.c_str());  // of a run that was killed
+    return;
+  }
+  Descriptor file(
+      uninterrupted([&] { return ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }));
   if (file.fd < 0) refuse(path, "write", errno);
   int error = writeAll(file.fd, bytes);
-  if (file.close() != 0 && error == 0) error = errno;
+  if (const int at_close = file.close(); error == 0) error = at_close;
   if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(temporary.c_str());

@@ -11,8 +11,8 @@
 namespace welkin {
 
 /// Writes the bytes to `path`.tmp, flushes them to the device and renames; on failure removes what it wrote and throws
-/// Error(ExitStatus::file). A file that holds these bytes already is left untouched, its date included. A device or a
-/// pipe is written where it is.
+/// Error(ExitStatus::file). A file that holds these bytes already is left untouched, its date included. What a killed
+/// run left at `path`.tmp goes. A device or a pipe is written where it is.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
 

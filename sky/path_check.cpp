@@ -64,8 +64,8 @@ std::vector<Warning> pathWarningsOf(const LightPath& path, const std::string& li
                         format::wrapTime(s.from_h + s.length_h), s.length_h);
   warnings.push_back(
       {"on-horizon", stretches.size(),
-       fmt::format("the {} lies on the horizon {}; if it should set, add a key below the horizon, for example {}", light,
-                   when, keyBelow(path, stretches[0]))});
+       fmt::format("the {} lies on the horizon {}; if it should set, add a key below the horizon, for example {}",
+                   light, when, keyBelow(path, stretches[0]))});
   return warnings;
 }
 

@@ -30,8 +30,8 @@ inline constexpr double kHorizonBand_deg = 0.5;     ///< about a disc's diameter
 inline constexpr double kLongestOnHorizon_h = 1.0;  ///< between two keys; a rising or setting light takes minutes
 
 /// Stretches between consecutive keys that are both within the band and more than kLongestOnHorizon apart, neighbours
-/// joined. None for a place, where it is how a polar sun stands, and none when every key is in the band: a light that is
-/// never anywhere else is meant.
+/// joined. None for a place, where it is how a polar sun stands, and none when every key is in the band: a light that
+/// is never anywhere else is meant.
 std::vector<HorizonStretch> horizonStretchesOf(const LightPath& path);
 
 /// Something valid that is likely a mistake.
@@ -41,8 +41,8 @@ struct Warning {
   std::string message;
 };
 
-/// Warnings of the path of `light`, "sun" or "moon": "never-rises" and "on-horizon"; none for a place, whose polar night
-/// is no mistake.
+/// Warnings of the path of `light`, "sun" or "moon": "never-rises" and "on-horizon"; none for a place, whose polar
+/// night is no mistake.
 std::vector<Warning> pathWarningsOf(const LightPath& path, const std::string& light);
 
 }  // namespace welkin::sky

@@ -7,6 +7,7 @@
 namespace welkin::format {
 namespace {
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurnSlack = 1e-9;  // radians: half a turn is one whatever the rounding of degrees and offsets
 }  // namespace
 
 double wrapOutside(double time_h) {
@@ -39,7 +40,7 @@ void interpolate(std::span<const double> key_time_h, std::span<const double> val
 
 double interpolateAngle(double first_rad, double second_rad, double weight) {
   double turn = std::remainder(second_rad - first_rad, 2.0 * kPi);
-  if (turn <= -kPi) turn += 2.0 * kPi;
+  if (turn <= -kPi + kHalfTurnSlack) turn += 2.0 * kPi;
   return first_rad + weight * turn;
 }
 

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk, or a result pipe, that is full: status 2, nothing half-written, and what was there before stays.
+// A disk that fails at any call, and a disk or a result pipe that is full: status 2, nothing half-written, and what was
+// there before stays.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cerrno>
+#include <cstring>
+#include <sstream>
 #include <string>
 
-#include "run_tool.h"
 #include "sky_text.h"
+#include "two_bakes.h"
 
 using namespace welkin::test;
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int kCubemapSize = 4;
 
 std::string sky(double intensity) {
   return skyText(kUniform + "\nintensity = " + std::to_string(intensity), kStillSun,
@@ -17,53 +24,121 @@ std::string sky(double intensity) {
 }
 
 Setting fullAfter(std::uintmax_t bytes) {
-  return {{{"LD_PRELOAD", WELKIN_FULL_DISK}, {"WELKIN_DISK_BYTES", std::to_string(bytes)}}, "", "", 0, 60.0};
+  return {{{"LD_PRELOAD", WELKIN_FAILING_DISK}, {"WELKIN_DISK_BYTES", std::to_string(bytes)}}, "", "", 0, 60.0};
 }
 
-/// Three folders: out, with the sky that a failing bake is to replace; old, the same; fresh, what it would become.
-void prepare(const Folder& folder) {
-  const std::string file = folder.write("sky.toml", sky(1.0));
-  REQUIRE(runTool({"bake", file, "-o", folder / "old"}).status == 0);
-  folder.write("sky.toml", sky(2.0));
-  REQUIRE(runTool({"bake", file, "-o", folder / "fresh"}).status == 0);
-  fs::copy(folder / "old", folder / "out", fs::copy_options::recursive);
+/// One line that says which file of the bake the system refused, and why.
+void requireRefusal(const Run& run, const TwoBakes& bakes, const std::string& why) {
+  REQUIRE(run.status == 2);
+  REQUIRE(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  REQUIRE(run.err.ends_with(": " + why + "\n"));
+  const bool names = run.err.starts_with("welkin: " + bakes.out().string()) ||
+                     run.err.starts_with("welkin: " + bakes.file("out.d") + ": cannot write");
+  REQUIRE(names);
 }
 
-void requireOldOrNew(const Folder& folder) {
-  REQUIRE(filesUnder(folder / "out") == filesUnder(folder / "old"));  // no *.tmp either
-  for (const auto& name : filesUnder(folder / "out")) {
-    if (name == "timing.json") continue;
-    INFO(name);
-    const std::string bytes = readBytes(folder.path() / "out" / name);
-    const bool whole =
-        bytes == readBytes(folder.path() / "old" / name) || bytes == readBytes(folder.path() / "fresh" / name);
-    REQUIRE(whole);
+struct Call {
+  std::string name, path, to;
+};
+
+std::vector<Call> callsOf(const std::string& log) {
+  std::vector<Call> calls;
+  std::istringstream lines(readBytes(log));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    words >> calls.emplace_back().name >> calls.back().path >> calls.back().to;
   }
+  return calls;
 }
 
 }  // namespace
 
+TEST_CASE("FailingDisk, AnyCallMayFailWithAnyError") {
+  // Errors take turns: a file takes five calls and there are four errors, so that each kind of call meets each of them.
+  constexpr std::pair<const char*, int> kErrors[] = {
+      {"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EDQUOT", EDQUOT}, {"EROFS", EROFS}};
+  const bool into_new_folder = GENERATE(false, true);
+  TwoBakes bakes(kCubemapSize);
+  int call = 0;
+  for (Run run{2, "", "", 0.0}; run.status != 0;) {
+    into_new_folder ? bakes.putNothing() : bakes.putOld();
+    const auto [fault, error] = kErrors[++call % 4];
+    run = runTool(bakes.command("new"), on({fault, std::to_string(call), ""}));
+    INFO(fault << " at call " << call << ": " << run.err);
+    if (run.status != 0) requireRefusal(run, bakes, std::strerror(error));
+    bakes.requireWhole();
+  }
+  bakes.requireIs("new");
+  REQUIRE(call > 5 * 8);  // open, write, fsync, close and rename: four cubemaps, the sky, the report, times, the rule
+}
+
+TEST_CASE("FailingDisk, FromAnyCallOn") {
+  // The system makes a device read-only after an error: nothing can be cleaned up either.
+  TwoBakes bakes(kCubemapSize);
+  for (int call = 1;; ++call) {
+    bakes.putOld();
+    const Run run = runTool(bakes.command("new"), on({"EROFS", std::to_string(call) + "+", ""}));
+    INFO("from call " << call << " on: " << run.err);
+    if (run.status == 0) break;
+    requireRefusal(run, bakes, std::strerror(EROFS));
+    bakes.requireWhole(true);
+    const std::string sky = call % 2 == 0 ? "old" : "new";  // with the sky changed back, too
+    REQUIRE(runTool(bakes.command(sky)).status == 0);
+    bakes.requireIs(sky);
+  }
+}
+
+TEST_CASE("FailingDisk, InterruptedCallsAndShortWritesAreNoErrors") {
+  const auto [fault, call] =
+      GENERATE(table<const char*, const char*>({{"EINTR", "1+"}, {"EINTR", "2+"}, {"short", "1+"}}));
+  TwoBakes bakes(kCubemapSize);
+  bakes.putOld();
+  const Run run = runTool(bakes.command("new"), on({fault, call, ""}));
+  INFO(fault << ": " << run.err);
+  REQUIRE(run.status == 0);
+  bakes.requireIs("new");
+}
+
+TEST_CASE("FailingDisk, FilesAreFlushedBeforeTheyGetTheirName") {
+  TwoBakes bakes(kCubemapSize);
+  bakes.putOld();
+  REQUIRE(runTool(bakes.command("new"), on({"", "", bakes.file("log")})).status == 0);
+  std::vector<std::string> steps, named;
+  for (const Call& call : callsOf(bakes.file("log"))) {
+    INFO(call.name << " " << call.path << " " << call.to);
+    if (call.name == "unlink") continue;
+    REQUIRE(call.path.ends_with(".tmp"));
+    if (call.name == "open") steps.clear();
+    steps.push_back(call.name);
+    if (call.name != "rename") continue;
+    REQUIRE(steps == std::vector<std::string>{"open", "write", "fsync", "close", "rename"});
+    REQUIRE(call.path == call.to + ".tmp");
+    named.push_back(fs::path(call.to).filename());
+  }
+  REQUIRE(named == std::vector<std::string>{"out.d", "sky_000000000.exr", "sky_000000000_latlong.exr",
+                                            "sky_060000000.exr", "sky_060000000_latlong.exr", "sky.welkin",
+                                            "timing.json", "report.json"});
+}
+
 TEST_CASE("FullDisk, BakeLeavesEveryFileOldOrNew") {
-  const Folder folder;
-  prepare(folder);
-  const auto welkin = fs::file_size(folder / "fresh/sky.welkin");
-  std::uintmax_t pictures = 0;
-  for (const auto& name : filesUnder(folder / "fresh/cubemaps"))
-    pictures += fs::file_size(folder.path() / "fresh/cubemaps" / name);
+  TwoBakes bakes(kCubemapSize);
+  bakes.putOld();
+  REQUIRE(runTool(bakes.command("new")).status == 0);
+  std::uintmax_t pictures = fs::file_size(bakes.file("out.d"));
+  for (const auto& name : filesUnder(bakes.file("new/cubemaps")))
+    pictures += fs::file_size(bakes.file("new/cubemaps/" + name));
+  const auto welkin = fs::file_size(bakes.file("new/sky.welkin"));
   for (const std::uintmax_t bytes : {std::uintmax_t{0}, pictures / 2, pictures + 1, pictures + welkin - 1}) {
     INFO(bytes << " bytes free");
-    const Run run = runTool({"bake", folder / "sky.toml", "-o", folder / "out"}, fullAfter(bytes));
+    bakes.putOld();
+    const Run run = runTool(bakes.command("new"), fullAfter(bytes));
     INFO(run.err);
-    REQUIRE(run.status == 2);
-    REQUIRE(run.said("No space left on device"));
-    REQUIRE(run.said(folder / "out/"));
-    requireOldOrNew(folder);
-    REQUIRE(readBytes(folder / "out/sky.welkin") == readBytes(folder / "old/sky.welkin"));
-    fs::remove_all(folder / "out/cubemaps");
-    fs::copy(folder / "old/cubemaps", folder / "out/cubemaps");
+    requireRefusal(run, bakes, "No space left on device");
+    bakes.requireWhole();
+    REQUIRE(readBytes(bakes.out() / "sky.welkin") == readBytes(bakes.file("old/sky.welkin")));
   }
-  REQUIRE(runTool({"bake", folder / "sky.toml", "-o", folder / "out"}).status == 0);  // with room again
-  REQUIRE(readBytes(folder / "out/sky.welkin") == readBytes(folder / "fresh/sky.welkin"));
+  REQUIRE(runTool(bakes.command("new")).status == 0);  // with room again
+  bakes.requireIs("new");
 }
 
 TEST_CASE("FullDisk, InitLeavesNoHalfFile") {
@@ -75,20 +150,18 @@ TEST_CASE("FullDisk, InitLeavesNoHalfFile") {
 }
 
 TEST_CASE("FullDisk, FileSizeLimitIsAnErrorAndNotASignal") {
-  const Folder folder;
-  prepare(folder);
+  TwoBakes bakes(kCubemapSize);
+  bakes.putOld();
   Setting setting;
   setting.largest_file = 200;
-  const Run run = runTool({"bake", folder / "sky.toml", "-o", folder / "out"}, setting);
-  REQUIRE(run.status == 2);
-  REQUIRE(run.said("File too large"));
-  requireOldOrNew(folder);
+  requireRefusal(runTool(bakes.command("new"), setting), bakes, "File too large");
+  bakes.requireWhole();
 }
 
 TEST_CASE("FullDisk, ResultsThatCannotBeWrittenAreAnError") {
   const Folder folder;
-  prepare(folder);
   const std::string out = folder / "out";
+  REQUIRE(runTool({"bake", folder.write("sky.toml", sky(1.0)), "-o", out}).status == 0);
   Setting setting;
   setting.out_path = "/dev/full";
   for (const auto& arguments :

@@ -154,6 +154,29 @@ TEST_CASE("Runtime, TableAtItsKeysIsTheModel") {
   }
 }
 
+TEST_CASE("Runtime, LightsStandWhereTheModelHasThem") {
+  constexpr double kFloat = 1e-7;
+  Sky model = equatorSky(*findLuminance("cie-12"), true);
+  model.sun.path = sunPathFromPlace(48.0, 11.0, 3.0, 2020, 100);
+  model.sun.path.north_offset_rad = 0.3;
+  model.moon.emplace();
+  model.moon->path.key_time_h = {1.0, 9.0, 20.0};
+  model.moon->path.key_azimuth_rad = {6.0, 1.0, 3.0};
+  model.moon->path.key_elevation_rad = {0.5, -0.4, 1.1};
+  const Baked baked(model, 2, 2);
+  for (double time_h = 0.0; time_h < 24.0; time_h += 0.37) {
+    WelkinSkySample s;
+    REQUIRE(baked.sky.sample(time_h, s));
+    const Number3 sun = model.sun.path.directionAt(time_h);
+    const Number3 moon = model.moon->path.directionAt(time_h);
+    CAPTURE(time_h);
+    for (int c = 0; c < 3; ++c) {
+      CHECK(double{s.sun.direction[c]} == Approx(sun[c]).margin(kFloat));
+      CHECK(double{s.moon.direction[c]} == Approx(moon[c]).margin(kFloat));
+    }
+  }
+}
+
 TEST_CASE("Runtime, BlendsBetweenKeysAndOverMidnight") {
   const Sky model = equatorSky(*findLuminance("cie-12"), false);
   const Baked baked(model, 2, 4);

@@ -71,6 +71,20 @@ TEST_CASE("HandPath, HalfATurnGoesClockwise") {
   CHECK(path.directionAt(18.0).x == Approx(-1.0));  // and back over the west
 }
 
+TEST_CASE("HandPath, HalfATurnGoesClockwiseWhateverItsRounding") {
+  for (int from_deg = 0; from_deg < 360; ++from_deg)
+    for (const double north_deg : {0.0, 20.0, -33.3}) {
+      LightPath path;
+      path.key_time_h = {0.0, 12.0};
+      for (const double azimuth_deg : {from_deg + 0.0, std::fmod(from_deg + 180.0, 360.0)})
+        path.key_azimuth_rad.push_back(azimuth_deg * kDegree + north_deg * kDegree);
+      path.key_elevation_rad = {0.0, 0.0};
+      const auto expected = det::directionOf((from_deg + north_deg + 90.0) * kDegree, 0.0);
+      CAPTURE(from_deg, north_deg);
+      CHECK(dot(path.directionAt(6.0), expected) == Approx(1.0));
+    }
+}
+
 TEST_CASE("Light, IlluminanceIsTheLuminanceOfItsIrradiance") {
   Light light;
   light.illuminance = Curve::constant(3.0);

@@ -45,16 +45,19 @@ void bake(const Options& options) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   const sky::SkyFile file = sky::readSkyFile(options.file);
   const std::filesystem::path folder = options.folder;
-  nlohmann::ordered_json timing;
-  const auto report = bakeSky(file, folder, ProgressReport::styleOf(options.progress), timing);
-  timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report), textOf(report));
-  writeFile(folder / "timing.json", textOf(timing));
+  // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
+  // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
   if (!options.depfile.empty()) {
+    makeFolder(folder);
     std::string rule = escaped(folder / "sky.welkin") + ":";
     for (const auto& input : file.inputs) rule += " " + escaped(input.path);
     writeFile(options.depfile, rule + "\n");
   }
+  nlohmann::ordered_json timing;
+  const auto report = bakeSky(file, folder, ProgressReport::styleOf(options.progress), timing);
+  timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  writeFile(folder / "timing.json", textOf(timing));
+  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report), textOf(report));
   printWarnings(report["warnings"]);
 }
 

@@ -10,6 +10,7 @@
 #include <new>
 #include <system_error>
 
+#include "sh/arithmetic.h"
 #include "sky/error.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
@@ -39,6 +40,11 @@ void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
 
 int run(int argc, char** argv) {
   using namespace welkin::tools;
+  if (const char* why = welkin::sh::whyArithmeticDiffers())
+    return fail(welkin::ExitStatus::internal,
+                fmt::format("{}: what is baked would differ from what other machines bake. A library that was loaded "
+                            "with the program, by LD_PRELOAD perhaps, has changed the floating-point environment",
+                            why));
   CLI::App app("Precomputed sky and ambient lighting for games.", "welkin");
   app.set_version_flag("--version", WELKIN_VERSION);
   app.require_subcommand(1);

@@ -23,8 +23,8 @@ nlohmann::ordered_json highestJson(const sky::LightPath& path) {
 /// Where a light stands highest, and whether that is above the horizon.
 std::string highestText(const sky::LightPath& path) {
   const auto top = sky::culminationOf(path);
-  return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "", top.time_h,
-                     top.elevation_rad / kDegree);
+  return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "",
+                     top.time_h, top.elevation_rad / kDegree);
 }
 
 void plan(const std::string& path, bool as_json) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sun and the moon by libnova (VSOP87, ELP 2000-82B): what the almanac is compared with.
+#pragma once
+
+#include "sky/light.h"
+
+namespace welkin::test {
+
+/// Mean equatorial coordinates of date.
+struct Equatorial {
+  double right_ascension_deg;
+  double declination_deg;
+};
+
+/// Julian day of an hour of UT, any finite number, of a day of the proleptic Gregorian calendar. Day 366 of a year of
+/// 365 days is the next year's first.
+double julianDayOf(int year, int day_of_year, double ut_h);
+
+/// The sun with aberration, the moon with light time; geocentric, without nutation, which tilts the equator by at most
+/// 9.2 seconds of arc, and without parallax (of the moon about 1 degree). The moon's series is cut at 0.0005 degrees.
+Equatorial novaSun(double julian_day_ut);
+Equatorial novaMoon(double julian_day_ut);
+
+/// (-180, 180], west of the meridian positive; longitude positive east.
+double hourAngleOf_deg(const Equatorial& place, double julian_day_ut, double longitude_deg);
+
+/// Unit direction on the world's axes, by libnova's horizontal coordinates, without refraction.
+sky::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg);
+
+/// Seconds by which dynamical time is ahead of UT.
+double deltaT_s(double julian_day_ut);
+
+/// Ecliptic longitude of mean equatorial coordinates of date, in [0, 360).
+double eclipticLongitudeOf_deg(const Equatorial& place, double julian_day_ut);
+
+}  // namespace welkin::test
