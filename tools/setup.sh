@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages that building, baking, drawing and testing need, when some are missing.
+# Installs the Debian packages that building, baking and drawing need, when some are missing.
+#   tools/setup.sh [--tests]      --tests: and those that only the tests need
 set -eu
 
 # what builds: compiler, build system, shader compiler, schema compiler
@@ -10,8 +11,10 @@ link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimag
 libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libvulkan-dev libvulkan-volk-dev"
 # what pictures need: a Vulkan device for machines without one, and a font for their labels
 draw="mesa-vulkan-drivers fonts-dejavu-core"
-# what only the tests need
-test="catch2 libbenchmark-dev vulkan-validationlayers openexr"
+test=""
+if [ "${1-}" = --tests ]; then
+  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr"
+fi
 
 missing=""
 for package in $build $link $draw $test; do

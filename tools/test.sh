@@ -1,18 +1,35 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds with warnings as errors and runs every test: the unit tests under the address and
-# undefined-behaviour sanitizers first, then all tests of the release build. Ends with ctest's summary.
-# Tests on real levels run when WELKIN_DATA names their folder.
+# Installs what is missing, builds with warnings as errors and runs every test: by Clang with the address and
+# undefined-behaviour sanitizers the unit tests and every fuzzer for half a minute, then all tests of GCC's release
+# build. Ends with ctest's summary. Tests on real levels run when WELKIN_DATA names their folder.
+#   tools/test.sh [--long]      --long: before the release build also every fuzzer for 20 minutes, the unit tests
+#                               without optimisation, and the faults of tests/mutation
 set -eu
 cd "$(dirname "$0")/.."
 
-tools/setup.sh
+long=""
+seconds=30
+case "${1-}" in
+  '') ;;
+  --long) long=1 seconds=1200 ;;
+  *) echo "tools/test.sh [--long]" >&2; exit 1 ;;
+esac
+
+tools/setup.sh --tests
 export LP_NATIVE_VECTOR_WIDTH=256  # the width of Mesa's software rasteriser changes the last bits of cube sampling
 [ -n "${WELKIN_DATA:-}" ] || echo "WELKIN_DATA is not set: tests on real levels are skipped"
 
-cmake --preset asan -DWELKIN_WERROR=ON -DWELKIN_BUILD_TOOLS=ON >/dev/null
-cmake --build --preset asan --target unit_tests
-ctest --preset asan -L unit
+cmake --preset fuzz -DWELKIN_WERROR=ON -DWELKIN_BUILD_TOOLS=ON -DWELKIN_FUZZ_SECONDS="$seconds" >/dev/null
+cmake --build --preset fuzz --target unit_tests fuzzers
+ctest --preset fuzz -L 'unit|fuzz'
+
+if [ -n "$long" ]; then
+  cmake --preset debug -DWELKIN_WERROR=ON >/dev/null
+  cmake --build --preset debug --target unit_tests
+  ctest --preset debug -L unit
+  tests/mutation/run.sh build/mutation
+fi
 
 cmake --preset release -DWELKIN_WERROR=ON -DWELKIN_BUILD_TESTS=ON >/dev/null
 cmake --build --preset release

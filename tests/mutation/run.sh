@@ -28,7 +28,7 @@ while IFS="$tab" read -r file from to program filter; do
   outcome="LIVES"
   if ! ninja -C ../build "$program" >>"$work/log" 2>&1; then
     outcome="does not compile"
-  elif ! "$(find ../build/tests -name "$program" -type f)" $filter >"$work/out" 2>&1; then
+  elif ! "$(find ../build/tests -name "$program" -type f)" --abort $filter >"$work/out" 2>&1; then
     outcome="$(grep -A1 '^-----' "$work/out" | grep -v '^--' | grep ', ' | sort -u | head -1 || true)"
   fi
   case "$outcome" in LIVES|"does not compile") lived=1 ;; esac
