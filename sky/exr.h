@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// EXR files of the dome: half floats, the envmap, chromaticities and whiteLuminance attributes, no dates.
+// EXR files: those of the dome, half floats with envmap, chromaticities and whiteLuminance attributes and no dates; and
+// any that are read.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "sky/cubemap.h"
+#include "sky/image.h"
 
 namespace welkin::sky {
 
@@ -14,5 +16,9 @@ namespace welkin::sky {
 /// bakeDayTable.
 std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
                                  const Progress& progress = {});
+
+/// The channels R, G and B of a flat file's first part, or Y thrice, any type, as they are stored; and its `envmap`
+/// attribute. readImage's part for this format, and its errors; the values are not looked at.
+Image readExr(const std::filesystem::path& path, const ImageLimits& limits);
 
 }  // namespace welkin::sky

@@ -4,13 +4,17 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cfenv>
+#include <limits>
 #include <string_view>
 
 #include "sky/atomic_file.h"
 #include "sky/error.h"
+#include "sky/exr.h"
+#include "sky/image_header.h"
 #include "sky/image_module.h"
 
 namespace welkin::sky {
@@ -18,15 +22,17 @@ namespace {
 
 constexpr std::size_t kMagicBytes = 4;
 
-/// OpenImageIO's name of the format that a file's first bytes belong to; null for none that Welkin reads.
-const char* formatOf(std::string_view start) {
+constexpr std::string_view kOpenExr = "openexr";
+
+/// OpenImageIO's name of the format that a file's first bytes belong to; empty for none that Welkin reads.
+std::string_view formatOf(std::string_view start) {
   using namespace std::string_view_literals;
   struct Magic {
     std::string_view bytes;
     const char* format;
   };
   static constexpr std::array<Magic, 13> kMagic = {{{"\x89PNG"sv, "png"},
-                                                    {"\x76\x2f\x31\x01"sv, "openexr"},
+                                                    {"\x76\x2f\x31\x01"sv, kOpenExr.data()},
                                                     {"II*\0"sv, "tiff"},
                                                     {"MM\0*"sv, "tiff"},
                                                     {"II+\0"sv, "tiff"},
@@ -40,7 +46,21 @@ const char* formatOf(std::string_view start) {
                                                     {"PF"sv, "pnm"}}};
   for (const Magic& magic : kMagic)
     if (start.starts_with(magic.bytes)) return magic.format;
-  return nullptr;
+  return {};
+}
+
+/// Throws for the first value that is not finite, or below 0 where that is not allowed.
+void requireValues(const std::filesystem::path& path, const Image& image, const ImageLimits& limits) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  const float least = limits.negative ? -kLargest : 0.0F;
+  const auto found =
+      std::find_if_not(image.rgb.begin(), image.rgb.end(), [least](float v) { return v >= least && v <= kLargest; });
+  if (found == image.rgb.end()) return;
+  const auto i = found - image.rgb.begin();
+  throw Error(
+      ExitStatus::content,
+      fmt::format("{}: {} at column {}, row {} from the top, channel {}; finite values{} are allowed", path.string(),
+                  *found, i / 3 % image.width, i / 3 / image.width, i % 3, limits.negative ? "" : " from 0"));
 }
 
 }  // namespace
@@ -62,12 +82,16 @@ const ImageModule& imageModule() {
 Image readImage(const std::filesystem::path& path, const ImageLimits& limits) {
   // A file that is not there or may not be read is the system's refusal, not the image's.
   const auto start = readStart(path, kMagicBytes);
-  const char* format = formatOf({reinterpret_cast<const char*>(start.data()), start.size()});
-  if (format == nullptr)
+  const std::string_view format = formatOf({reinterpret_cast<const char*>(start.data()), start.size()});
+  if (format.empty())
     throw Error(ExitStatus::content,
                 fmt::format("{}: not an image that can be read: PNG, OpenEXR, TIFF, JPEG, Radiance HDR and PNM are",
                             path.string()));
-  return imageModule().read(path, format, limits);
+  if (const auto why = whyHeaderUnusable(path, format, limits.largest_side))
+    throw Error(ExitStatus::content, fmt::format("{}: damaged or cut: {}", path.string(), *why));
+  const Image image = format == kOpenExr ? readExr(path, limits) : imageModule().read(path, format.data(), limits);
+  requireValues(path, image, limits);
+  return image;
 }
 
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <fstream>
 
+#include "sky/error.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -59,14 +61,6 @@ Refusal whyValueImpossible(Reader& file, const std::string& name, const std::str
     const std::int64_t height = file.number(std::endian::little);
     if (std::max(width, height) > largest_side)
       return fmt::format("tiles of {} x {} texels; 1 to {} a side are allowed", width, height, largest_side);
-  } else if (type == "chlist") {
-    constexpr std::uint32_t kTypes = 3;  // unsigned integer, half, float
-    constexpr std::streamoff kLinearToSampling = 12;
-    for (std::string channel = file.exrName(); file.stream && !channel.empty(); channel = file.exrName()) {
-      const std::uint32_t pixel_type = file.number(std::endian::little);
-      if (file.stream && pixel_type >= kTypes) return fmt::format("channel {} has no known type", channel);
-      file.moveTo(file.place() + kLinearToSampling);
-    }
   }
   return std::nullopt;
 }
@@ -120,6 +114,15 @@ Refusal whyHeaderUnusable(const std::filesystem::path& path, std::string_view fo
   if (format == "openexr") return whyExrImpossible(file, largest_side);
   if (format == "png") return whyPngImpossible(file);
   return std::nullopt;
+}
+
+void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits) {
+  if (width < 1 || height < 1 || width > limits.largest_side || height > limits.largest_side)
+    throw Error(ExitStatus::content, fmt::format("{}: {} x {} texels; 1 to {} a side are allowed", file, width, height,
+                                                 limits.largest_side));
+  if (static_cast<std::size_t>(width * height) > limits.most_texels)
+    throw Error(ExitStatus::content, fmt::format("{}: {} x {} texels; at most {} in all are allowed", file, width,
+                                                 height, limits.most_texels));
 }
 
 }  // namespace welkin::sky

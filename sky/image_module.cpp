@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "sh/deterministic.h"
 #include "sky/error.h"
@@ -26,20 +25,11 @@ double decodingGamma(const OIIO::ImageSpec& spec) {
   return space.starts_with("Gamma") && gamma > 0.0 && !near_srgb ? gamma : 0.0;
 }
 
-EnvironmentMap environmentMapOf(const OIIO::ImageSpec& spec, std::string_view format) {
-  if (format != "openexr") return EnvironmentMap::none;
-  const std::string kind = spec.get_string_attribute("textureformat");
-  return kind == "CubeFace Environment"  ? EnvironmentMap::cube
-         : kind == "LatLong Environment" ? EnvironmentMap::latlong
-                                         : EnvironmentMap::none;
-}
-
 Image read(const std::filesystem::path& path, const char* format, const ImageLimits& limits) {
   const std::string name = path.string();
   const auto invalid = [&](const std::string& why) {
     return Error(ExitStatus::content, fmt::format("{}: {}", name, why));
   };
-  if (const auto why = whyHeaderUnusable(path, format, limits.largest_side)) throw invalid("damaged or cut: " + *why);
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
   OIIO::ImageSpec wanted;
@@ -49,38 +39,25 @@ Image read(const std::filesystem::path& path, const char* format, const ImageLim
     throw Error(ExitStatus::file, fmt::format("{}: OpenImageIO lacks {}: {}", name, format, OIIO::geterror()));
   OIIO::ImageSpec spec;
   if (!input->open(name, spec, wanted)) throw invalid("not an image that can be read: " + input->geterror());
-  if (spec.width < 1 || spec.height < 1 || spec.width > limits.largest_side || spec.height > limits.largest_side ||
-      spec.depth > 1 || spec.deep)
-    throw invalid(fmt::format("{} x {} x {} texels{}; 1 to {} a side, flat, are allowed", spec.width, spec.height,
-                              spec.depth, spec.deep ? " of deep samples" : "", limits.largest_side));
+  if (spec.depth > 1) throw invalid(fmt::format("{} slices of texels; an image is flat", spec.depth));
+  requireSize(name, spec.width, spec.height, limits);
   if (spec.nchannels < 1 || spec.nchannels > 16)
     throw invalid(fmt::format("{} channels; 1 to 16 are allowed", spec.nchannels));
-  const auto texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  if (texels > limits.most_texels)
-    throw invalid(
-        fmt::format("{} x {} texels; at most {} in all are allowed", spec.width, spec.height, limits.most_texels));
 
-  Image image{spec.width, spec.height, std::vector<float>(texels * 3), environmentMapOf(spec, format)};
+  const auto texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  Image image{spec.width, spec.height, std::vector<float>(texels * 3), EnvironmentMap::none};
   const bool grey = spec.nchannels < 3;
   constexpr OIIO::stride_t kTexel = 3 * sizeof(float);
   if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, image.rgb.data(), kTexel))
     throw invalid("damaged or cut: " + input->geterror());
   const double gamma = decodingGamma(spec);
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  const float least = limits.negative ? -kLargest : 0.0F;
   for (std::size_t i = 0; i < texels; ++i) {
     float* texel = image.rgb.data() + 3 * i;
     if (grey) texel[1] = texel[2] = texel[0];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float encoded = texel[c];
-      if (!(encoded >= least && encoded <= kLargest))
-        throw invalid(fmt::format("{} at column {}, row {} from the top, channel {}; finite values{} are allowed",
-                                  encoded, i % static_cast<std::size_t>(spec.width),
-                                  i / static_cast<std::size_t>(spec.width), c, limits.negative ? "" : " from 0"));
-      if (gamma != 1.0)
-        texel[c] =
-            static_cast<float>(gamma == 0.0 ? det::srgbDecode(double{encoded}) : det::pow(double{encoded}, gamma));
-    }
+    if (gamma == 1.0) continue;
+    for (std::size_t c = 0; c < 3; ++c)
+      texel[c] =
+          static_cast<float>(gamma == 0.0 ? det::srgbDecode(double{texel[c]}) : det::pow(double{texel[c]}, gamma));
   }
   return image;
 }

@@ -9,7 +9,11 @@ first="${2:-1}"
 last="${3:-999}"
 here="$(cd "$(dirname "$0")" && pwd)"
 mkdir -p "$work"
-[ -d "$work/tree" ] || git clone -q "$(git -C "$here" rev-parse --show-toplevel)" "$work/tree"
+if [ -d "$work/tree" ]; then
+  git -C "$work/tree" pull -q --ff-only
+else
+  git clone -q "$(git -C "$here" rev-parse --show-toplevel)" "$work/tree"
+fi
 cd "$work/tree"
 cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWELKIN_INSTALL=OFF >"$work/log"
 ninja -C ../build sh_test sky_test runtime_test welkin_vulkan_tests >>"$work/log"
