@@ -182,7 +182,7 @@ constexpr TexelRule kRules[] = {TexelRule::half_texel, TexelRule::edge_centres};
 
 TEST_CASE("ProjectCube, IsTheSlowSumOfTheSameTexels") {
   for (const TexelRule rule : kRules)
-    for (const int size : {1, 2, 3, 4, 5, 8, 15, 16}) {
+    for (const int size : {1, 2, 3, 4, 5, 8, 16}) {
       if (rule == TexelRule::edge_centres && size == 1) continue;
       const Cube cube{size, noise(6 * static_cast<std::size_t>(size * size), 3)};
       for (const int bands : {1, 3, kMostBands}) {

@@ -32,6 +32,7 @@ std::vector<Number3> directions() {
 }
 
 TEST_CASE("Day, RadianceIsFiniteAndNonNegativeForEveryModel") {
+  int looks = 0;  // millions: an assertion each would take most of the time
   for (const auto& [name, model] : namedLuminances())
     for (const bool to_sun : {true, false}) {
       const Sky sky = equatorSky(model, to_sun);
@@ -42,14 +43,14 @@ TEST_CASE("Day, RadianceIsFiniteAndNonNegativeForEveryModel") {
         looked.push_back(-instant.sunDirection());
         for (const Number3& d : looked) {
           const Number3 r = instant.shape(d);
-          for (int c = 0; c < 3; ++c) {
-            CAPTURE(name, to_sun, time, d.x, d.y, d.z);
-            REQUIRE(std::isfinite(r[c]));
-            REQUIRE(r[c] >= 0.0);
-          }
+          ++looks;
+          if (std::min({r.x, r.y, r.z}) >= 0.0 && std::isfinite(r.x + r.y + r.z)) continue;
+          CAPTURE(name, to_sun, time, d.x, d.y, d.z, r.x, r.y, r.z);
+          FAIL("radiance that is negative or not finite");
         }
       }
     }
+  REQUIRE(looks > 1000000);
 }
 
 TEST_CASE("Day, ContinuousThroughSunsetZenithAndMidnight") {
