@@ -15,11 +15,11 @@
 
 namespace welkin::test {
 
-/// A new folder in the system's place for temporary files.
+/// A new folder, in the system's place for temporary files unless it is told another.
 class Folder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "welkin_test_XXXXXX").string();
+  explicit Folder(const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
+    std::string name = (parent / "welkin_test_XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
     path_ = name;
   }

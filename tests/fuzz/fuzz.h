@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "sky/error.h"
+#include "tests/folder.h"
 
 /// The entry that libFuzzer and the replay call with every input.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
@@ -36,34 +37,22 @@ bool isFinite(const Vector3& v) {
 /// A folder of this process alone, in memory where the system has such a place.
 class Folder {
  public:
-  Folder() {
-    const std::filesystem::path memory = "/dev/shm";
-    std::error_code none;
-    const auto parent = std::filesystem::is_directory(memory, none) && ::access(memory.c_str(), W_OK) == 0
-                            ? memory
-                            : std::filesystem::temp_directory_path();
-    std::string name = (parent / "welkin_fuzz_XXXXXX").string();
-    require(::mkdtemp(name.data()) != nullptr, "a temporary folder can be made");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
+  Folder() : folder_(parent()) {}
 
   std::filesystem::path write(const std::string& name, std::span<const std::uint8_t> bytes) const {
-    const std::filesystem::path path = path_ / name;
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    require(file != nullptr, "the input's file can be made");
-    const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file);
-    require(std::fclose(file) == 0 && written == bytes.size(), "the input's file can be written");
-    return path;
+    return folder_.write(name, std::string(bytes.begin(), bytes.end()));
   }
 
  private:
-  std::filesystem::path path_;
+  static std::filesystem::path parent() {
+    const std::filesystem::path memory = "/dev/shm";
+    std::error_code none;
+    return std::filesystem::is_directory(memory, none) && ::access(memory.c_str(), W_OK) == 0
+               ? memory
+               : std::filesystem::temp_directory_path();
+  }
+
+  test::Folder folder_;
 };
 
 /// Whether `read` takes the input. It may refuse by nothing but an Error about a file or its content, in words; any
