@@ -259,7 +259,8 @@ TEST_CASE("Minimax, PointsThatFallTogether") {
       for (double& entry : target) entry = std::round(2.0 * entry);
     } else {
       for (double& entry : basis) entry = entry > 0.0 ? 1.0 : 0.0;
-      std::fill(target.begin() + 1, target.end(), 0.0);
+      std::fill(target.begin(), target.end(), 0.0);
+      target[seed % points] = 1.0;
     }
     const MinimaxFit fit = Minimax(basis, columns).fit(target);
     CAPTURE(seed, columns, points, fit.steps, fit.error, fit.lower_bound);
