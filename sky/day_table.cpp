@@ -3,29 +3,44 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 
-#include "sh/basis.h"
 #include "sky/error.h"
 
 namespace welkin::sky {
 
+bool isGrey(const Sky& sky) {
+  const auto grey = [](const Gradient& gradient) {
+    for (std::size_t i = 0; i < gradient.rgb.size(); i += 3)
+      if (gradient.rgb[i] != gradient.rgb[i + 1] || gradient.rgb[i] != gradient.rgb[i + 2]) return false;
+    return true;
+  };
+  return grey(sky.gradient_sun) && grey(sky.gradient_anti);
+}
+
+bool hasGround(const Sky& sky) {
+  return sky.ground_albedo.x > 0.0 || sky.ground_albedo.y > 0.0 || sky.ground_albedo.z > 0.0;
+}
+
 DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
                       double tolerance) {
-  const auto count = static_cast<std::size_t>(sh::coefficientCount(bands));
-  DayTable table{bands, key_time_h, std::vector<float>(key_time_h.size() * count * 3),
-                 std::vector<float>(key_time_h.size() * 3), 0};
+  DayTable table;
+  table.bands = bands;
+  table.channels = isGrey(sky) ? 1 : 3;
+  const std::size_t coefficients = polarIndex(bands, 0);
+  table.rows = static_cast<int>(coefficients) + (hasGround(sky) ? 1 : 0);
+  table.key_time_h = key_time_h;
+  table.number.resize(key_time_h.size() * table.numbersOfKey());
   const SkyProjector projector(sky.luminance, bands, tolerance);
   std::atomic<std::size_t> evaluations = 0;
   tbb::parallel_for(std::size_t{0}, key_time_h.size(), [&](std::size_t key) {
-    const SkyMoments moments = projector.project(SkyInstant(sky, key_time_h[key]));
-    for (std::size_t i = 0; i < count; ++i)
-      for (int c = 0; c < 3; ++c)
-        table.shape_sh[(key * count + i) * 3 + static_cast<std::size_t>(c)] =
-            static_cast<float>(moments.radiance_sh[i][c]);
-    for (int c = 0; c < 3; ++c)
-      table.shape_irradiance[key * 3 + static_cast<std::size_t>(c)] =
-          static_cast<float>(moments.horizontal_irradiance[c]);
+    const PolarMoments moments = projector.projectPolar(SkyInstant(sky, key_time_h[key]));
+    double* out = table.number.data() + key * table.numbersOfKey();
+    for (std::size_t row = 0; row < static_cast<std::size_t>(table.rows); ++row) {
+      const Number3& value = row < coefficients ? moments.radiance_sh[row] : moments.horizontal_irradiance;
+      for (int c = 0; c < table.channels; ++c) *out++ = value[c];
+    }
     evaluations += moments.evaluations;
     if (!progress()) throw Error(ExitStatus::interrupted, "interrupted");
   });

@@ -1,26 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day's SH table: the shape of the sky's radiance at every key.
+// The day's table: the shape of the sky's radiance at every key, in the frame of the sun's azimuth.
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "sky/projection.h"
 
 namespace welkin::sky {
 
+/// Modes of the irradiance as a file holds them: runtime/format/welkin.fbs, table Modes.
+struct ModeTable {
+  int count = 0;                      ///< 1..8
+  int columns = 0;
+  int rows = 0;
+  std::vector<std::uint16_t> texels;  ///< halfs: row, column, mode
+  std::vector<float> polar_sh;        ///< mode, coefficient: radiance
+};
+
+/// Numbers as computed, before they are encoded. With modes the rows are their weights; without, the coefficients of
+/// m >= 0 (polarIndex), and the horizontal irradiance where the ground is not black.
 struct DayTable {
   int bands = 2;
+  int channels = 3;  ///< 1 for a grey sky: all three would be the same
+  int rows = 0;
   std::vector<double> key_time_h;
-  std::vector<float> shape_sh;          ///< key, coefficient, RGB: at intensity 1, without ground
-  std::vector<float> shape_irradiance;  ///< key, RGB: horizontal irradiance of the same
-  std::size_t evaluations = 0;          ///< of the sky's radiance
+  std::vector<double> number;  ///< key, row, channel
+  std::optional<ModeTable> modes;
+  std::size_t evaluations = 0;  ///< of the sky's radiance
+
+  std::size_t numbersOfKey() const { return static_cast<std::size_t>(rows * channels); }
 };
 
 /// Told after every finished piece of work, from any thread; returns false to stop, which throws Error(interrupted).
 using Progress = std::function<bool()>;
 
-/// Projects every key within `tolerance` (projection.h), in parallel (oneTBB's current arena); the same bytes for any
-/// number of threads.
+/// Whether the sky has no hue at all, at any time.
+bool isGrey(const Sky& sky);
+
+/// Whether a file of this sky needs the horizontal irradiance: its ground reflects.
+bool hasGround(const Sky& sky);
+
+/// Projects every key within `tolerance` (projection.h) into `bands` bands, in parallel (oneTBB's current arena); the
+/// same bytes for any number of threads.
 DayTable bakeDayTable(const Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
                       double tolerance = kTolerance);
 

@@ -50,9 +50,34 @@ Offset<format::Cubemap> encodeCubemap(FlatBufferBuilder& b, double time_h, const
   return format::CreateCubemap(b, time_h, texels);
 }
 
+Offset<format::Day> encodeDay(FlatBufferBuilder& b, const DayTable& table, Encoding encoding) {
+  const EncodedNumbers e = encodeNumbers(table, encoding);
+  Offset<format::Modes> modes;
+  if (table.modes)
+    modes = format::CreateModesDirect(b, static_cast<std::uint8_t>(table.modes->count),
+                                      static_cast<std::uint16_t>(table.modes->columns),
+                                      static_cast<std::uint16_t>(table.modes->rows), &table.modes->texels,
+                                      &table.modes->polar_sh);
+  b.ForceVectorAlignment(e.numbers.size(), 1, 16);
+  const auto numbers = b.CreateVector(e.numbers);
+  const auto times = b.CreateVector(table.key_time_h);
+  const auto key_scale = e.key_scale.empty() ? 0 : b.CreateVector(e.key_scale);
+  const auto row_scale = e.row_scale.empty() ? 0 : b.CreateVector(e.row_scale);
+  return format::CreateDay(b, static_cast<std::uint8_t>(table.bands), static_cast<std::uint8_t>(table.channels), times,
+                           static_cast<std::uint8_t>(table.rows), encoding, numbers, key_scale, row_scale, modes);
+}
+
+Offset<format::Certificate> encodeCertificate(FlatBufferBuilder& b, const Certificate& c) {
+  const format::Direction normal(c.normal.x, c.normal.y, c.normal.z);
+  return format::CreateCertificate(b, static_cast<std::uint8_t>(c.method), c.max_error, c.time_h, &normal,
+                                   static_cast<std::uint8_t>(c.channel), c.mean_error, c.parts.quadrature,
+                                   c.parts.truncation, c.parts.time, c.parts.encoding);
+}
+
 }  // namespace
 
-std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps) {
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps,
+                                 Encoding encoding, const Certificate* certificate) {
   FlatBufferBuilder b(1 << 16);
   const Sky& s = file.sky;
   std::vector<Offset<format::Cubemap>> cubemap;
@@ -74,11 +99,12 @@ std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, con
   const auto stars = s.stars ? encodeStars(b, *s.stars) : Offset<format::Stars>();
   const auto gradient_sun = encodeGradient(b, s.gradient_sun);
   const auto gradient_anti = encodeGradient(b, s.gradient_anti);
+  const auto day = encodeDay(b, table, encoding);
+  const auto certified = certificate != nullptr ? encodeCertificate(b, *certificate) : Offset<format::Certificate>();
   const auto sky = format::CreateSkyDirect(
       b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti,
-      kGradientDelta, static_cast<std::uint8_t>(table.bands), &table.key_time_h, &table.shape_sh,
-      &table.shape_irradiance, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap,
-      stars);
+      kGradientDelta, day, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap, stars,
+      certified);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, file.settings.c_str(), &input, sky));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
 }

@@ -5,12 +5,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "sky/certificate.h"
 #include "sky/cubemap.h"
+#include "sky/day_encoding.h"
 #include "sky/sky_file.h"
 
 namespace welkin::sky {
 
-/// `cubemaps` are renders of Layout::vulkan_cube at the settings' times, in their order.
-std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps);
+/// `cubemaps` are renders of Layout::vulkan_cube at the settings' times, in their order. `certificate`: of these very
+/// numbers, or null when nothing was measured.
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps,
+                                 Encoding encoding = Encoding::float32, const Certificate* certificate = nullptr);
 
 }  // namespace welkin::sky

@@ -17,16 +17,19 @@ struct Nodes {
   int coarse, middle, fine, azimuth;
   double smallest_h;
 };
-Nodes nodesFor(double tolerance, int bands) {
+Nodes nodesFor(double tolerance, int orders) {
   Nodes nodes = tolerance >= 1e-4   ? Nodes{2, 3, 5, 5, 3e-3}
                 : tolerance >= 1e-5 ? Nodes{2, 4, 6, 7, 1e-3}
                 : tolerance >= 1e-9 ? Nodes{5, 8, 12, 12, 3e-4}
                                     : Nodes{9, 14, 22, 22, 3e-5};
-  if (bands > 3) {
+  if (orders > 3) {
     ++nodes.middle;
     ++nodes.fine;
     ++nodes.azimuth;
   }
+  // A panel may be a quarter circle, over which cos(m alpha) turns m / 4 times: three nodes a turn, and those that the
+  // sky's own change needs.
+  nodes.azimuth = std::max(nodes.azimuth, 4 + 3 * orders / 4);
   return nodes;
 }
 
@@ -44,8 +47,8 @@ SunFrame::SunFrame(const SkyInstant& instant_, const IndicatrixTable* table_)
       half_cosine(det::cos(0.5 * elevation)),
       length(det::horizontalLength(instant_.sunDirection())) {}
 
-HemisphereQuadrature::HemisphereQuadrature(double tolerance, int bands) {
-  const Nodes nodes = nodesFor(tolerance, bands);
+HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders) {
+  const Nodes nodes = nodesFor(tolerance, orders);
   smallest_h_ = nodes.smallest_h;
   coarse_ = sh::gaussLegendre(nodes.coarse);
   middle_ = sh::gaussLegendre(nodes.middle);
@@ -89,6 +92,25 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
   addFadeCrossings(frame, edge);
   tidy();
   return edge;
+}
+
+std::size_t HemisphereQuadrature::addOrders(const SunFrame& sun, const Latitude& at, std::span<Number3> order) const {
+  std::size_t evaluations = 0;
+  double storage[1];
+  forEachAzimuth(at, fadeCrossing(at, storage), [&](const Azimuth& azimuth) {
+    const double cosine = azimuth.cosine;
+    const Number3 shape = shapeOn(sun, at, azimuth) * azimuth.weight;
+    double before = cosine;  // Chebyshev's recurrence: cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a
+    double current = 1.0;
+    for (auto& sum : order) {
+      sum += shape * current;
+      const double next = 2.0 * cosine * current - before;
+      before = current;
+      current = next;
+    }
+    ++evaluations;
+  });
+  return evaluations;
 }
 
 bool HemisphereQuadrature::fades(const SkyInstant& instant) {

@@ -52,7 +52,8 @@ struct SunFrame {
 
 class HemisphereQuadrature {
  public:
-  HemisphereQuadrature(double tolerance, int bands);
+  /// `orders`: how many cosines of multiples of the azimuth the caller integrates against.
+  HemisphereQuadrature(double tolerance, int orders);
 
   /// Elevations in [0, pi/2] between which the sky is smooth, ascending; `extra` adds the caller's own.
   std::vector<double> panels(const SunFrame& sun, std::span<const double> extra) const;
@@ -82,6 +83,10 @@ class HemisphereQuadrature {
       visit(Azimuth{(t * t - 1.0) * norm, 2.0 * t * norm, norm, t * t * norm, 2.0 * norm * weight});
     });
   }
+
+  /// Adds to order[m] the integral of the sky's radiance times cos(m alpha) over half the circle; returns how many
+  /// directions it looked at.
+  std::size_t addOrders(const SunFrame& sun, const Latitude& at, std::span<Number3> order) const;
 
   /// Whether a gradient is dark enough here for its colours to fade, which takes twice the nodes: within the texel
   /// beside a black one the hue changes as 1 / luminance.

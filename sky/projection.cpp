@@ -40,50 +40,45 @@ const HemisphereQuadrature& SkyProjector::quadratureFor(const SkyInstant& instan
   return HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
 }
 
-SkyMoments SkyProjector::project(const SkyInstant& instant) const {
-  const auto count = static_cast<std::size_t>(sh::coefficientCount(bands_));
+void addMoments(const Latitude& at, std::span<const Number3> order, std::span<const double> factor, int bands,
+                PolarMoments& moments) {
+  for (int l = 0; l < bands; ++l)
+    for (int m = 0; m <= l; ++m)
+      moments.radiance_sh[polarIndex(l, m)] += order[static_cast<std::size_t>(m)] *
+                                               (2.0 * at.weight * factor[static_cast<std::size_t>(sh::indexOf(l, m))]);
+  moments.horizontal_irradiance += order[0] * (2.0 * at.weight * at.sine);
+}
+
+PolarMoments SkyProjector::projectPolar(const SkyInstant& instant) const {
   const HemisphereQuadrature& quadrature = quadratureFor(instant);
-  SkyMoments moments;
-  std::vector<Number3> in_sun_frame(count);  // orders m >= 0 only: the sky is symmetric about the sun's plane
-  std::vector<double> factor(count);
+  PolarMoments moments;
+  moments.radiance_sh.resize(polarIndex(bands_, 0));
+  std::vector<double> factor(static_cast<std::size_t>(sh::coefficientCount(bands_)));
   std::vector<Number3> order(static_cast<std::size_t>(bands_));
 
   const SunFrame sun(instant, table_ ? &*table_ : nullptr);
   quadrature.forEachLatitude(sun, {}, [&](const Latitude& at) {
     std::fill(order.begin(), order.end(), Number3(0.0));
-    double storage[1];
-    quadrature.forEachAzimuth(at, HemisphereQuadrature::fadeCrossing(at, storage), [&](const Azimuth& azimuth) {
-      const double cosine = azimuth.cosine;
-      const Number3 shape = shapeOn(sun, at, azimuth) * azimuth.weight;
-      double before = cosine;  // Chebyshev's recurrence: cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a
-      double current = 1.0;
-      for (auto& sum : order) {
-        sum += shape * current;
-        const double next = 2.0 * cosine * current - before;
-        before = current;
-        current = next;
-      }
-      ++moments.evaluations;
-    });
+    moments.evaluations += quadrature.addOrders(sun, at, order);
     recurrence_.evaluate(at.sine, at.cosine, factor);
-    for (int l = 0; l < bands_; ++l)
-      for (int m = 0; m <= l; ++m) {
-        const auto i = static_cast<std::size_t>(sh::indexOf(l, m));
-        in_sun_frame[i] += order[static_cast<std::size_t>(m)] * (2.0 * at.weight * factor[i]);
-      }
-    moments.horizontal_irradiance += order[0] * (2.0 * at.weight * at.sine);
+    addMoments(at, order, factor, bands_, moments);
   });
+  return moments;
+}
 
+SkyMoments SkyProjector::project(const SkyInstant& instant) const {
+  const PolarMoments in_sun_frame = projectPolar(instant);
+  const auto count = static_cast<std::size_t>(sh::coefficientCount(bands_));
+  SkyMoments moments{std::vector<Number3>(count), in_sun_frame.horizontal_irradiance, in_sun_frame.evaluations};
   const Turn turn(instant.sunDirection());
   std::vector<double> polar(count);
   std::vector<double> world(count);
-  moments.radiance_sh.resize(count);
   for (int channel = 0; channel < 3; ++channel) {
     double cos_m = 1.0;
     double sin_m = 0.0;
     for (int m = 0; m < bands_; ++m) {
       for (int l = m; l < bands_; ++l) {
-        const double moment = in_sun_frame[static_cast<std::size_t>(sh::indexOf(l, m))][channel];
+        const double moment = in_sun_frame.radiance_sh[polarIndex(l, m)][channel];
         polar[static_cast<std::size_t>(sh::indexOf(l, m))] = moment * cos_m;
         if (m > 0) polar[static_cast<std::size_t>(sh::indexOf(l, -m))] = moment * sin_m;
       }

@@ -26,6 +26,24 @@ struct SkyMoments {
   std::size_t evaluations = 0;       ///< directions that the quadrature looked at
 };
 
+/// The same in the frame of the sun's azimuth: pole +y, azimuth counted from the sun's. Only the orders m >= 0 are there,
+/// for the sky is symmetric about the sun's vertical plane; index polarIndex(l, m).
+struct PolarMoments {
+  std::vector<Number3> radiance_sh;  ///< bands (bands + 1) / 2
+  Number3 horizontal_irradiance;
+  std::size_t evaluations = 0;
+};
+
+/// Index of degree l and order 0 <= m <= l among the coefficients of m >= 0.
+constexpr std::size_t polarIndex(int l, int m) {
+  return static_cast<std::size_t>(l * (l + 1) / 2 + m);
+}
+
+/// Adds the share of a circle whose radiance has the half integrals `order` against cos(m alpha); `factor`: the latitude's
+/// factors of the basis (sh::LatitudeRecurrence).
+void addMoments(const Latitude& at, std::span<const Number3> order, std::span<const double> factor, int bands,
+                PolarMoments& moments);
+
 /// What a bake promises of every coefficient, relative to c0.
 inline constexpr double kTolerance = 1e-5;
 
@@ -38,6 +56,7 @@ class SkyProjector {
   SkyProjector(const LuminanceModel& model, int bands, double tolerance = kTolerance);
 
   SkyMoments project(const SkyInstant& instant) const;
+  PolarMoments projectPolar(const SkyInstant& instant) const;
 
   /// Irradiance (pi included) of a surface with unit `normal` from the sky at intensity 1, integrated directly: no SH.
   Number3 irradiance(const SkyInstant& instant, const Number3& normal) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/sky.h"
+#include "format/day_numbers.h"
 #include "format/key_segment.h"
 
 namespace welkin::core {
@@ -106,18 +107,100 @@ void checkGradient(Check& check, const format::Gradient* gradient, const char* n
   check.that(within(rgb, 0.0, kAny), name, "has a value out of its domain");
 }
 
-void checkTable(Check& check, const format::Sky& sky) {
-  const std::size_t bands = sky.bands();
-  check.that(bands >= 2 && bands <= WELKIN_MAX_BANDS, "bands", "must be 2 to 5");
-  if (!check.that(aligned(sky.key_time_h()), "the SH table", "has misaligned key times")) return;
-  const auto times = spanOf(sky.key_time_h());
-  const auto shape = spanOf(sky.shape_sh());
-  const auto irradiance = spanOf(sky.shape_irradiance());
-  check.that(format::areKeyTimes(times), "the SH table", "must have ascending key times in [0, 24)");
-  check.that(shape.size() == times.size() * bands * bands * 3 && irradiance.size() == times.size() * 3, "the SH table",
-             "must have every coefficient of every key");
-  check.that(within(shape, -kAny, kAny) && within(irradiance, 0.0, kAny), "the SH table",
-             "has a value out of its domain");
+/// Largest number that is stored, NaN and infinity included; what it may be times its scales is checked apart.
+double largestStored(const format::Day& day) {
+  using format::Encoding;
+  const std::uint8_t* numbers = day.numbers()->data();
+  const std::size_t count = day.numbers()->size() / format::bytesOf(day.encoding());
+  double largest = 0.0;
+  const auto look = [&](double v) { largest = !(std::abs(v) <= largest) ? std::abs(v) : largest; };
+  for (std::size_t i = 0; i < count && std::isfinite(largest); ++i)
+    switch (day.encoding()) {
+      case Encoding::float32:
+        look(format::storedNumber<Encoding::float32>(numbers, i));
+        break;
+      case Encoding::float16:
+        look(format::storedNumber<Encoding::float16>(numbers, i));
+        break;
+      case Encoding::fixed16:
+        look(format::storedNumber<Encoding::fixed16>(numbers, i));
+        break;
+      case Encoding::fixed8:
+        look(format::storedNumber<Encoding::fixed8>(numbers, i));
+        break;
+    }
+  return largest;
+}
+
+double largestScale(const flatbuffers::Vector<float>* scale) {
+  double largest = scale == nullptr ? 1.0 : 0.0;
+  for (const float s : spanOf(scale)) largest = std::max(largest, double{s});
+  return largest;
+}
+
+void checkModes(Check& check, const format::Modes& modes, std::size_t bands) {
+  const std::size_t count = modes.count();
+  const std::size_t columns = modes.columns();
+  const std::size_t rows = modes.rows();
+  if (!check.that(count >= 1 && count <= kMostModes, "the modes", "must be 1 to 8") ||
+      !check.that(columns >= 2 && columns <= 256 && rows >= 2 && rows <= 256, "the modes' map",
+                  "must be 2 to 256 texels along an edge") ||
+      !check.that(modes.texels() != nullptr && modes.polar_sh() != nullptr, "the modes", "have no map or no SH"))
+    return;
+  const auto texels = spanOf(modes.texels());
+  const auto sh = spanOf(modes.polar_sh());
+  check.that(texels.size() == columns * rows * count && sh.size() == count * format::polarCount(bands), "the modes",
+             "must have every texel and coefficient");
+  check.that(std::all_of(texels.begin(), texels.end(), format::isFiniteHalf) && within(sh, -1e6, 1e6), "the modes",
+             "have a value out of their domain");
+}
+
+void checkDay(Check& check, const format::Sky& sky) {
+  constexpr const char* kName = "the day's table";
+  const auto* day = sky.day();
+  if (!check.that(day != nullptr && day->numbers() != nullptr, kName, "is missing")) return;
+  const std::size_t bands = day->bands();
+  if (!check.that(bands >= 2 && bands <= WELKIN_MAX_BANDS, "bands", "must be 2 to 5") ||
+      !check.that(day->channels() == 1 || day->channels() == 3, kName, "must have 1 or 3 channels") ||
+      !check.that(day->encoding() <= format::Encoding::MAX, kName, "has an encoding that is not known") ||
+      !check.that(aligned(day->key_time_h()), kName, "has misaligned key times"))
+    return;
+  const auto times = spanOf(day->key_time_h());
+  if (!check.that(format::areKeyTimes(times), kName, "must have ascending key times in [0, 24)")) return;
+  if (day->modes() != nullptr) checkModes(check, *day->modes(), bands);
+  if (check.result != WELKIN_OK) return;
+  const std::size_t coefficients = format::polarCount(bands);
+  const std::size_t rows = day->rows();
+  check.that(day->modes() != nullptr ? rows == day->modes()->count() : rows == coefficients || rows == coefficients + 1,
+             kName, "must have a row for every coefficient or mode");
+  const auto* albedo = sky.ground_albedo();
+  const bool has_ground = albedo != nullptr && (albedo->r() > 0.0F || albedo->g() > 0.0F || albedo->b() > 0.0F);
+  check.that(!has_ground || day->modes() != nullptr || rows == coefficients + 1, kName,
+             "must have the horizontal irradiance, for the ground is not black");
+  const std::size_t numbers = rows * day->channels();
+  const bool has_row_scale = format::hasRowScale(day->encoding());
+  check.that(day->numbers()->size() == times.size() * numbers * format::bytesOf(day->encoding()) &&
+                 spanOf(day->key_scale()).size() == (format::hasKeyScale(day->encoding()) ? times.size() : 0) &&
+                 spanOf(day->row_scale()).size() == (has_row_scale ? numbers : 0),
+             kName, "must have a number and a scale for every key, row and channel");
+  if (check.result != WELKIN_OK) return;
+  check.that(within(spanOf(day->key_scale()), 0.0, kAny) && within(spanOf(day->row_scale()), 0.0, kAny), kName,
+             "has a scale out of its domain");
+  check.that(largestStored(*day) * largestScale(has_row_scale ? day->row_scale() : nullptr) *
+                     largestScale(format::hasKeyScale(day->encoding()) ? day->key_scale() : nullptr) <=
+                 kAny,
+             kName, "has a value out of its domain");
+}
+
+void checkCertificate(Check& check, const format::Certificate& c) {
+  constexpr const char* kName = "the certificate";
+  if (!check.that(c.normal() != nullptr, kName, "has no normal")) return;
+  const double numbers[] = {c.max_error(), c.mean_error(), c.quadrature(), c.truncation(), c.time(), c.encoding()};
+  check.that(within(std::span<const double>(numbers), 0.0, kAny), kName, "has an error out of its domain");
+  const double normal[] = {c.normal()->x(), c.normal()->y(), c.normal()->z()};
+  check.that(within(std::span<const double>(normal), -1.0, 1.0) && c.channel() <= 2 && c.time_h() >= 0.0 &&
+                 c.time_h() < 24.0 && (c.method() == 1 || c.method() == 2),
+             kName, "has a value out of its domain");
 }
 
 /// `bytes`: the file's. Cubemaps that share texels, which no writer makes, could ask for any number of times as many.
@@ -185,7 +268,8 @@ WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMes
   if (check.result == WELKIN_OK) checkNorm(check, *sky);
   checkGradient(check, sky->gradient_sun(), "gradient_sun");
   checkGradient(check, sky->gradient_anti(), "gradient_anti");
-  checkTable(check, *sky);
+  checkDay(check, *sky);
+  if (sky->certificate() != nullptr) checkCertificate(check, *sky->certificate());
   checkCubemaps(check, *sky, bytes);
   return check.result;
 }

@@ -69,6 +69,28 @@ WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float
   return WELKIN_OK;
 }
 
+WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* sample, const float normal[3],
+                                   float irradiance[3]) {
+  using namespace welkin;
+  using namespace welkin::core;
+  if (sky == nullptr || sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (sample->mode_count == 0) return welkin_sample_irradiance(sample, normal, irradiance);
+  if (sample->mode_count != sky->day.modes().count()) return WELKIN_ERROR_ARGUMENT;
+  const Number3 n = load(normal);
+  const Number3 up = n.y < 0.0 ? -n : n;
+  const double horizontal = f64::horizontalLength(up);
+  const double column =
+      f64::modeColumn(up, horizontal, double{sample->mode_azimuth[0]}, double{sample->mode_azimuth[1]});
+  const auto mode = sky->day.modes().at(column, std::clamp(f64::modeRow(horizontal, up.y), 0.0, 1.0));
+  Number3 sum = load(sample->ambient_ground) * f64::groundIrradiance(up.y);
+  if (n.y < 0.0)
+    sum += f64::excessIrradiance(n, load(sample->ambient_sh[1]), load(sample->ambient_sh[2]),
+                                 load(sample->ambient_sh[3]));
+  for (std::uint32_t k = 0; k < sample->mode_count; ++k) sum += load(sample->mode_weight[k]) * mode[k];
+  for (int i = 0; i < 3; ++i) irradiance[i] = toFloat(std::max(sum[i], 0.0));
+  return WELKIN_OK;
+}
+
 WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
                                  WelkinSkySample* blended) {
   using namespace welkin::core;
@@ -85,6 +107,9 @@ WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySa
     lerp3(first->radiance_sh[i], second->radiance_sh[i], weight, out.radiance_sh[i]);
     lerp3(first->ambient_sh[i], second->ambient_sh[i], weight, out.ambient_sh[i]);
   }
+  lerp3(first->ambient_ground, second->ambient_ground, weight, out.ambient_ground);
+  out.mode_count = 0;  // two skies have two sets of modes
+  std::fill_n(&out.mode_weight[0][0], 3 * WELKIN_MAX_MODES, 0.0F);
   out.unchanged = 0;
   *blended = out;
   return WELKIN_OK;

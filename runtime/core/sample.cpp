@@ -87,35 +87,34 @@ WelkinLight lightOf(const LightAt& at, double disc_radius_rad) {
   return light;
 }
 
-Number3 lerpKeys(const float* first, const float* second, double weight) {
-  Number3 v;
-  for (int i = 0; i < 3; ++i) v[i] = (1.0 - weight) * double{first[i]} + weight * double{second[i]};
-  return v;
-}
-
 void blendTable(const WelkinSky& opened, double time_h, double intensity, const LightAt& sun, const LightAt* moon,
                 WelkinSkySample& out) {
-  const format::Sky& sky = *opened.file->sky();
-  const std::uint32_t count = sky.bands() * sky.bands();
-  const auto s = format::findSegment(spanOf(sky.key_time_h()), time_h);
-  const float* shape = sky.shape_sh()->data();
-  const float* irradiance = sky.shape_irradiance()->data();
+  Day::Shape shape;
+  opened.day.shapeAt(time_h, shape);
+  const Azimuth azimuth(sun.direction);
+  Number3 world[WELKIN_MAX_COEFFICIENTS];
+  opened.frame.toWorld(opened.day.bands(), shape.polar, azimuth, world);
 
-  Number3 horizontal = intensity * lerpKeys(irradiance + 3 * s.first, irradiance + 3 * s.second, s.weight);
+  Number3 horizontal = intensity * shape.horizontal_irradiance;
   horizontal += sun.normal_irradiance * std::max(sun.direction.y, 0.0);
   if (moon != nullptr) horizontal += moon->normal_irradiance * std::max(moon->direction.y, 0.0);
-  const auto* albedo = sky.ground_albedo();
+  const auto* albedo = opened.file->sky()->ground_albedo();
   const Number3 ground = Number3(double{albedo->r()}, double{albedo->g()}, double{albedo->b()}) * horizontal / f64::kPi;
+  const double saturation = double{out.ambient_saturation};
   store(ground, out.ground_radiance);
+  store(f64::desaturate(ground, saturation), out.ambient_ground);
 
-  out.coefficient_count = count;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Number3 radiance =
-        intensity * lerpKeys(shape + 3 * (s.first * count + i), shape + 3 * (s.second * count + i), s.weight) +
-        ground * opened.ground_sh[i];
+  out.coefficient_count = static_cast<std::uint32_t>(opened.day.bands() * opened.day.bands());
+  for (std::uint32_t i = 0; i < out.coefficient_count; ++i) {
+    const Number3 radiance = intensity * world[i] + ground * opened.ground_sh[i];
     store(radiance, out.radiance_sh[i]);
-    store(f64::desaturate(radiance, double{out.ambient_saturation}), out.ambient_sh[i]);
+    store(f64::desaturate(radiance, saturation), out.ambient_sh[i]);
   }
+  out.mode_count = static_cast<std::uint32_t>(opened.day.modes().count());
+  for (std::uint32_t k = 0; k < out.mode_count; ++k)
+    store(f64::desaturate(intensity * shape.weight[k], saturation), out.mode_weight[k]);
+  out.mode_azimuth[0] = toFloat(azimuth.sine);
+  out.mode_azimuth[1] = toFloat(azimuth.cosine);
 }
 
 void chooseCubemaps(const format::Sky& sky, double time_h, WelkinSkySample& out) {

@@ -28,6 +28,7 @@ WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky,
   if (file.sky()->moon() != nullptr) opened.moon = Course(*file.sky()->moon()->path());
   opened.constant_norm =
       f64::constantNorm(luminanceModel(*file.sky()->luminance()), file.sky()->luminance()->normalise_to_sun() != 0);
+  opened.day = Day(*file.sky()->day());
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::uint32_t i = 0; i < 25; ++i) opened.ground_sh[i] = f64::groundLobe(bandOf(i)) * up.v[i];
   *sky = new (std::nothrow) WelkinSky(std::move(opened));
@@ -120,9 +121,10 @@ WelkinResult welkin_sky_info(const WelkinSky* sky, WelkinSkyInfo* info) {
   if (sky == nullptr || info == nullptr) return WELKIN_ERROR_ARGUMENT;
   const auto& s = *sky->file->sky();
   *info = {};
-  info->bands = s.bands();
+  info->bands = s.day()->bands();
   info->coefficient_count = info->bands * info->bands;
-  info->key_count = s.key_time_h()->size();
+  info->key_count = s.day()->key_time_h()->size();
+  info->mode_count = s.day()->modes() != nullptr ? s.day()->modes()->count() : 0;
   info->cubemap_count = s.cubemaps() != nullptr ? s.cubemaps()->size() : 0;
   info->cubemap_size = info->cubemap_count != 0 ? s.cubemap_size() : 0;
   info->has_moon = s.moon() != nullptr ? 1 : 0;
@@ -175,9 +177,34 @@ WelkinResult welkin_sky_stars(const WelkinSky* sky, WelkinStars* stars) {
   return WELKIN_OK;
 }
 
+WelkinResult welkin_sky_modes(const WelkinSky* sky, WelkinModes* modes) {
+  if (sky == nullptr || modes == nullptr) return WELKIN_ERROR_ARGUMENT;
+  *modes = {};
+  if (const auto* m = sky->file->sky()->day()->modes(); m != nullptr)
+    *modes = {m->count(), m->columns(), m->rows(), m->texels()->data()};
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sky_certificate(const WelkinSky* sky, WelkinCertificate* certificate) {
+  if (sky == nullptr || certificate == nullptr) return WELKIN_ERROR_ARGUMENT;
+  *certificate = {};
+  if (const auto* c = sky->file->sky()->certificate(); c != nullptr)
+    *certificate = {static_cast<WelkinCertificateMethod>(c->method()),
+                    c->max_error(),
+                    c->time_h(),
+                    {c->normal()->x(), c->normal()->y(), c->normal()->z()},
+                    c->channel(),
+                    c->mean_error(),
+                    c->quadrature(),
+                    c->truncation(),
+                    c->time(),
+                    c->encoding()};
+  return WELKIN_OK;
+}
+
 WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h) {
   if (sky == nullptr || time_h == nullptr) return WELKIN_ERROR_ARGUMENT;
-  const auto keys = spanOf(sky->file->sky()->key_time_h());
+  const auto keys = spanOf(sky->file->sky()->day()->key_time_h());
   if (index >= keys.size()) return WELKIN_ERROR_ARGUMENT;
   *time_h = keys[index];
   return WELKIN_OK;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/day.h"
 #include "core/file_map.h"
 #include "format/container.h"
 #include "shared.h"
@@ -62,6 +63,8 @@ struct WelkinSky {
   welkin::core::FileMap map;
   const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
   welkin::core::Course sun, moon;              ///< moon: only when the file has one
+  welkin::core::Day day;
+  welkin::core::PolarFrame frame;
   double constant_norm = 1.0;                  ///< of the luminance
   double ground_sh[25] = {};                   ///< coefficients of a radiance of 1 below the horizon
 };

@@ -13,7 +13,7 @@
 namespace welkin::format {
 
 /// Version of the container and of the meaning of welkin.fbs. Another one is refused.
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 
 /// Alignment that openContainer needs of its bytes; a memory map gives more.
 inline constexpr std::size_t kAlignment = 16;

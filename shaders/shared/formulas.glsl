@@ -8,3 +8,4 @@
 #include "disc.glsl"
 #include "stars.glsl"
 #include "sh.glsl"
+#include "modes.glsl"

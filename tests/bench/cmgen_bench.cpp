@@ -111,9 +111,9 @@ int main(int argc, char** argv) try {
   for (int i = 0; i < 5; ++i) in_process = std::min(in_process, seconds(bake));
   double worst = 0.0;
   for (std::size_t k = 0; k < hours.size(); ++k) {
-    const auto want = reference.project(sky::SkyInstant(file.sky, hours[k])).radiance_sh;
-    for (std::size_t i = 0; i < 9; ++i)
-      worst = std::max(worst, std::abs(double{table.shape_sh[(k * 9 + i) * 3]} - want[i].x) / want[0].x);
+    const auto want = reference.projectPolar(sky::SkyInstant(file.sky, hours[k])).radiance_sh;
+    for (std::size_t i = 0; i < want.size(); ++i)
+      worst = std::max(worst, std::abs(table.number[k * table.numbersOfKey() + i * 3] - want[i].x) / want[0].x);
   }
   const std::string bake_command = std::string("'") + argv[1] + "' bake '" + folder / "sky.toml" + "' -o '" +
                                    folder / "out" + "' --progress none --threads 1 2>/dev/null";

@@ -44,6 +44,8 @@ bool use(const WelkinSky* sky) {
       float rgb[3];
       REQUIRE(welkin_sample_irradiance(&s, direction, rgb) == WELKIN_OK);
       sum += double{rgb[0]} + double{rgb[1]} + double{rgb[2]};
+      REQUIRE(welkin_sky_irradiance(sky, &s, direction, rgb) == WELKIN_OK);
+      sum += double{rgb[0]} + double{rgb[1]} + double{rgb[2]};
       REQUIRE(welkin_dome_radiance(sky, &s, direction, rgb) == WELKIN_OK);
     }
     for (const WelkinLight& light : {s.sun, s.moon})
@@ -134,12 +136,23 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"gradient_sun", [](Parts& p) { p.gradient_sun.rgb.pop_back(); }},
                   {"gradient_sun", [](Parts& p) { p.gradient_sun.width = 0; }},
                   {"gradient_anti", [](Parts& p) { p.gradient_anti.height = 0xffffffff; }},
-                  {"bands", [](Parts& p) { p.bands = 1; }},
-                  {"bands", [](Parts& p) { p.bands = 6; }},
-                  {"the SH table", [](Parts& p) { p.bands = 3; }},
-                  {"the SH table", [](Parts& p) { p.shape.pop_back(); }},
-                  {"the SH table", [](Parts& p) { p.irradiance.clear(); }},
-                  {"the SH table", [](Parts& p) { p.key_time_h.clear(); }},
+                  {"bands", [](Parts& p) { p.day.bands = 1; }},
+                  {"bands", [](Parts& p) { p.day.bands = 6; }},
+                  {"the day's table", [](Parts& p) { p.day.bands = 3; }},
+                  {"the day's table", [](Parts& p) { p.day.numbers.pop_back(); }},
+                  {"the day's table", [](Parts& p) { p.day.rows = 3; }},
+                  {"the day's table", [](Parts& p) { p.day.key_time_h.clear(); }},
+                  {"the day's table", [](Parts& p) { p.day.there = false; }},
+                  {"the day's table", [](Parts& p) { p.day.channels = 2; }},
+                  {"the day's table", [](Parts& p) { p.day.encoding = 1; }},
+                  {"the day's table", [](Parts& p) { p.day.encoding = 4; }},
+                  {"the day's table", [](Parts& p) { p.day.key_scale = {1.0F, 1.0F}; }},
+                  {"the day's table", [](Parts& p) { p.day.row_scale = {1.0F}; }},
+                  {"the modes", [](Parts& p) { p.day = withModes(9); }},
+                  {"the day's table", [](Parts& p) { p.day = withModes(3); }},
+                  {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_texels.pop_back(); }},
+                  {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_sh.push_back(0.0F); }},
+                  {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_columns = 1; }},
                   {"a cubemap", [](Parts& p) { p.cubemap_size = 2; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0xffffffff; }}});
@@ -167,13 +180,13 @@ TEST_CASE("Content, TimesMustAscendWithinTheDay") {
                    [](Parts& p) {
                      p.moon.time_h = {12.0, 0.0};
                    }},
-                  {"the SH table",
+                  {"the day's table",
                    [](Parts& p) {
-                     p.key_time_h = {kNan, 1.0};
+                     p.day.key_time_h = {kNan, 1.0};
                    }},
-                  {"the SH table",
+                  {"the day's table",
                    [](Parts& p) {
-                     p.key_time_h = {13.0, 12.0};
+                     p.day.key_time_h = {13.0, 12.0};
                    }},
                   {"the cubemaps",
                    [](Parts& p) {
@@ -225,8 +238,12 @@ TEST_CASE("Content, NumbersMustBeFiniteAndInTheirDomain") {
                   {"moon", [](Parts& p) { p.moon.azimuth[0] = kNan; }},
                   {"gradient_sun", [=](Parts& p) { p.gradient_sun.rgb[0] = nan; }},
                   {"gradient_anti", [](Parts& p) { p.gradient_anti.rgb[5] = -1.0F; }},
-                  {"the SH table", [=](Parts& p) { p.shape[23] = nan; }},
-                  {"the SH table", [](Parts& p) { p.irradiance[0] = -1.0F; }},
+                  {"the day's table", [=](Parts& p) { std::memcpy(p.day.numbers.data() + 4 * 23, &nan, 4); }},
+                  {"the day's table", [](Parts& p) { p.day = withEncoding(2), p.day.key_scale[1] = -1.0F; }},
+                  {"the day's table", [=](Parts& p) { p.day = withEncoding(3), p.day.row_scale[11] = nan; }},
+                  {"the day's table", [](Parts& p) { p.day = withEncoding(1), p.day.numbers[1] = 0x7c; }},
+                  {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_texels[23] = 0x7e00; }},
+                  {"the modes", [=](Parts& p) { p.day = withModes(4), p.day.mode_sh[0] = nan; }},
                   {"a cubemap", [](Parts& p) { p.cubemap[23] = 0x7e00; }},   // NaN
                   {"a cubemap", [](Parts& p) { p.cubemap[0] = 0x7c00; }},    // infinity
                   {"a cubemap", [](Parts& p) { p.cubemap[5] = 0xbc00; }}});  // -1

@@ -27,6 +27,24 @@ Offset<format::Gradient> build(FlatBufferBuilder& b, const GradientParts& g) {
 
 }  // namespace
 
+DayParts withEncoding(std::uint8_t encoding) {
+  DayParts day;
+  day.encoding = encoding;
+  const std::size_t numbers = std::size_t{2} * day.rows * day.channels;
+  day.numbers.assign(numbers * (encoding == 3 ? 1 : 2), 0x31);
+  day.key_scale = {1.0F, 2.0F};
+  if (encoding >= 2) day.row_scale.assign(numbers / 2, 1e-3F);
+  return day;
+}
+
+DayParts withModes(std::uint8_t count) {
+  DayParts day;
+  day.mode_count = count;
+  day.mode_texels.assign(std::size_t{count} * day.mode_columns * day.mode_rows, 0x3800);
+  day.mode_sh.assign(std::size_t{count} * 3, 0.25F);
+  return day;
+}
+
 std::vector<std::uint8_t> payloadOf(const Parts& p) {
   FlatBufferBuilder b;
   std::vector<Offset<format::Cubemap>> cubemaps;
@@ -43,12 +61,20 @@ std::vector<std::uint8_t> payloadOf(const Parts& p) {
   const auto moon = build(b, p.moon);
   const auto gradient_sun = build(b, p.gradient_sun);
   const auto gradient_anti = build(b, p.gradient_anti);
+  const DayParts& d = p.day;
+  const auto modes = d.mode_count > 0 ? format::CreateModesDirect(b, d.mode_count, d.mode_columns, d.mode_rows,
+                                                                  &d.mode_texels, &d.mode_sh)
+                                      : Offset<format::Modes>();
+  const auto day = d.there ? format::CreateDayDirect(b, d.bands, d.channels, &d.key_time_h, d.rows,
+                                                     static_cast<format::Encoding>(d.encoding), &d.numbers,
+                                                     &d.key_scale, &d.row_scale, modes)
+                           : Offset<format::Day>();
   const double* m = p.model;
   const format::Luminance luminance(m[0], m[1], m[2], m[3], m[4], m[5], p.normalise);
   const auto sky =
       format::CreateSkyDirect(b, p.has_luminance ? &luminance : nullptr, p.unit, p.has_albedo ? &p.albedo : nullptr,
-                              intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti, p.delta, p.bands,
-                              &p.key_time_h, &p.shape, &p.irradiance, p.cubemap_size, &cubemaps);
+                              intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti, p.delta, day,
+                              p.cubemap_size, &cubemaps);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, p.has_settings ? "{}" : nullptr, nullptr,
                                                        p.has_sky ? sky : Offset<format::Sky>()));
   return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "format/container.h"
@@ -28,6 +29,26 @@ struct GradientParts {
   bool there = true;
 };
 
+/// Three coefficients and the horizontal irradiance, for a ground that is not black.
+struct DayParts {
+  std::uint8_t bands = 2, channels = 3, rows = 4, encoding = 0;
+  std::vector<double> key_time_h = {0.0, 12.0};
+  std::vector<std::uint8_t> numbers = bytesOf(std::vector<float>(24, 0.5F));
+  std::vector<float> key_scale, row_scale;
+  std::uint8_t mode_count = 0;  ///< 0: no modes
+  std::uint16_t mode_columns = 2, mode_rows = 3;
+  std::vector<std::uint16_t> mode_texels;
+  std::vector<float> mode_sh;
+  bool there = true;
+
+  template <typename T>
+  static std::vector<std::uint8_t> bytesOf(const std::vector<T>& values) {
+    std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+  }
+};
+
 /// A valid file of two keys, two bands and two cubemaps; tests break one part of it.
 struct Parts {
   double model[6] = {-1.0, -0.3, 10.0, -3.0, 0.45, 0.0};
@@ -38,14 +59,18 @@ struct Parts {
   CurveParts intensity{1, {0.0, 12.0}, {1.0, 2.0}}, saturation, tint{3, {0.0}, {1.0, 1.0, 1.0}};
   LightParts sun, moon{0, 0, 0, 0, 0.005, {0.0, 12.0}, {0.0, 3.0}, {-1.0, 1.0}, {}, {3, {0.0}, {1, 1, 1}}, true, true};
   GradientParts gradient_sun, gradient_anti;
-  std::uint8_t bands = 2;
-  std::vector<double> key_time_h = {0.0, 12.0};
-  std::vector<float> shape = std::vector<float>(24, 0.5F), irradiance = std::vector<float>(6, 3.0F);
+  DayParts day;
   std::uint32_t cubemap_size = 1;
   std::vector<double> cubemap_time_h = {6.0, 18.0};
   std::vector<std::uint16_t> cubemap = std::vector<std::uint16_t>(24, 0x3c00);
   bool has_texels = true;
 };
+
+/// The valid file's table in another encoding: 1 float16, 2 fixed16, 3 fixed8.
+DayParts withEncoding(std::uint8_t encoding);
+
+/// A valid table of `count` modes when that is its number of rows, 4.
+DayParts withModes(std::uint8_t count);
 
 /// The FlatBuffer, without the container's header.
 std::vector<std::uint8_t> payloadOf(const Parts& parts);

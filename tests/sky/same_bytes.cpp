@@ -124,8 +124,9 @@ void bake(SkyFile file, const std::string& name, Products& products) {
   file.settings = "{}";
   file.inputs = {{name + ".toml", {}, 1, 2}};
   const DayTable table = bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [] { return true; });
-  add(products.lines, name + ".shape_sh", table.shape_sh);
-  add(products.lines, name + ".shape_irradiance", table.shape_irradiance);
+  add(products.lines, name + ".day", table.number);
+  for (const Encoding encoding : {Encoding::float32, Encoding::float16, Encoding::fixed16, Encoding::fixed8})
+    add(products.lines, name + "." + nameOf(encoding), encodeNumbers(table, encoding).numbers);
   const SkyProjector projector(file.sky.luminance, 1);
   std::vector<DomeImage> cubemaps;
   for (const double time_h : file.bake.cubemap_time_h) {

@@ -59,17 +59,20 @@ Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random
 }  // namespace
 
 std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
-  constexpr std::size_t kCoefficients = 25;
+  constexpr std::size_t kRows = 16;  // 15 coefficients and the horizontal irradiance
   std::mt19937 random(7);  // its sequence is fixed by the C++ standard
   FlatBufferBuilder builder;
   const format::Luminance luminance(-1.0, -0.08, 24.0, -3.0, 0.3, 0.0, options.normalise_to_sun ? 1 : 0);
   const format::Rgb ground_albedo(0.2F, 0.3F, 0.1F);
   const std::vector<double> key_time_h{1.0, 9.0, 16.0};
   std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
-  std::vector<float> shape;
-  for (std::size_t i = 0; i < key_time_h.size() * kCoefficients * 3; ++i)
-    shape.push_back(i / 3 % kCoefficients == 0 ? 2.0F + uniform(random) : uniform(random));
-  const std::vector<float> shape_irradiance{1.0F, 1.1F, 1.2F, 2.0F, 1.9F, 1.8F, 1.5F, 1.6F, 1.4F};
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < key_time_h.size() * kRows * 3; ++i) {
+    const std::size_t row = i / 3 % kRows;
+    numbers.push_back(row == 0 ? 2.0F + uniform(random) : row + 1 == kRows ? 1.5F + uniform(random) : uniform(random));
+  }
+  std::vector<uint8_t> number_bytes(numbers.size() * sizeof(float));
+  std::memcpy(number_bytes.data(), numbers.data(), number_bytes.size());
   std::vector<Offset<format::Cubemap>> cubemaps;
   if (options.cubemaps)
     for (const double time_h : {3.0, 11.0, 20.0}) cubemaps.push_back(cubemap(builder, random, time_h));
@@ -80,9 +83,8 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   const auto moon_light = moon(builder, options.disc_radius_rad);
   const auto gradient_sun = gradient(builder, random, 5, 4);
   const auto gradient_anti = gradient(builder, random, 7, 3);
-  const auto key_times = builder.CreateVector(key_time_h);
-  const auto shape_vector = builder.CreateVector(shape);
-  const auto irradiance_vector = builder.CreateVector(shape_irradiance);
+  builder.ForceVectorAlignment(number_bytes.size(), 1, 16);
+  const auto day = format::CreateDayDirect(builder, 5, 3, &key_time_h, kRows, format::Encoding::float32, &number_bytes);
   const auto cubemap_vector = builder.CreateVector(cubemaps);
   format::SkyBuilder sky(builder);
   sky.add_luminance(&luminance);
@@ -96,10 +98,7 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   sky.add_gradient_sun(gradient_sun);
   sky.add_gradient_anti(gradient_anti);
   sky.add_gradient_delta(1e-4);
-  sky.add_bands(5);
-  sky.add_key_time_h(key_times);
-  sky.add_shape_sh(shape_vector);
-  sky.add_shape_irradiance(irradiance_vector);
+  sky.add_day(day);
   sky.add_cubemap_size(options.cubemaps ? kCubemapSize : 0);
   sky.add_cubemaps(cubemap_vector);
   const auto finished = sky.Finish();

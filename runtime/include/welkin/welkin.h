@@ -35,6 +35,7 @@ extern "C" {
 
 #define WELKIN_MAX_BANDS 5
 #define WELKIN_MAX_COEFFICIENTS 25
+#define WELKIN_MAX_MODES 8
 
 typedef enum WelkinResult {
   WELKIN_OK = 0,
@@ -60,7 +61,8 @@ typedef struct WelkinSky WelkinSky;
 typedef struct WelkinSkyInfo {
   uint32_t bands;             /* 2..5 */
   uint32_t coefficient_count; /* bands^2 */
-  uint32_t key_count;         /* instants of the SH table, >= 1 */
+  uint32_t key_count;         /* instants of the day's table, >= 1 */
+  uint32_t mode_count;        /* modes of the irradiance, 0..8; 0: irradiance comes from the coefficients */
   uint32_t cubemap_count;     /* 0: no cubemaps */
   uint32_t cubemap_size;      /* texels along a face's edge; 0 without cubemaps */
   uint32_t has_moon;          /* 0 or 1 */
@@ -92,6 +94,11 @@ typedef struct WelkinSkySample {
   uint32_t coefficient_count;                    /* how many of the coefficients below are set; the rest are 0 */
   float radiance_sh[WELKIN_MAX_COEFFICIENTS][3]; /* of sky and ground, RGB, before desaturation, without tint */
   float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: what lights the scene */
+  float ambient_ground[3];                       /* ground_radiance after desaturation */
+  uint32_t mode_count;                           /* the file's modes; 0: none, or a blend of two skies */
+  float mode_weight[WELKIN_MAX_MODES][3];        /* of each mode: irradiance of the sky (pi included) without ground, after
+                                                    desaturation, RGB */
+  float mode_azimuth[2];                         /* x and z of the unit horizontal direction towards the sun's azimuth */
   uint32_t cubemap[2];                           /* the two cubemaps to blend; equal when there is one, 0 when none */
   float cubemap_weight;                          /* of the second: sky = mix(first, second, weight), in [0, 1) */
   uint32_t unchanged;                            /* 1: the call found here, bit for bit, what it was about to write */
@@ -149,6 +156,33 @@ typedef struct WelkinStars {
   double midnight_h; /* clock time at which the middle column crosses the meridian */
 } WelkinStars;
 
+/* Modes of the sky's irradiance over the day, as a map of half floats by row, column and mode, to be read bilinearly at
+ * modeColumn and modeRow of an upper normal (shaders/shared/modes.glsl); coordinates 0 and 1 are the centres of the
+ * outer texels. Borrowed from the sky. */
+typedef struct WelkinModes {
+  uint32_t count; /* 0: none */
+  uint32_t columns, rows;
+  const uint16_t* texels;
+} WelkinModes;
+
+typedef enum WelkinCertificateMethod {
+  WELKIN_CERTIFICATE_NONE = 0,
+  WELKIN_CERTIFICATE_FAST = 1, /* against irradiance from many SH bands */
+  WELKIN_CERTIFICATE_FULL = 2  /* against direct integration */
+} WelkinCertificateMethod;
+
+/* The error of the irradiance that a file makes, measured through this runtime when it was baked: |E - E_ref| of the
+ * worst channel over the mean of E_ref over all normals. Fractions. */
+typedef struct WelkinCertificate {
+  WelkinCertificateMethod method; /* NONE: not measured, and all else is 0 */
+  double max_error;
+  double time_h; /* where max_error is */
+  double normal[3];
+  uint32_t channel; /* 0, 1, 2: red, green, blue */
+  double mean_error;
+  double quadrature, truncation, time, encoding; /* largest part of each cause */
+} WelkinCertificate;
+
 /* What a result means, in a few words. Never null. */
 WELKIN_API const char* welkin_result_string(WelkinResult result);
 
@@ -169,6 +203,9 @@ WELKIN_API WelkinResult welkin_sky_gradients(const WelkinSky* sky, WelkinGradien
 WELKIN_API WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCubemap* cubemap);
 /* The star map; all zero when there is none. */
 WELKIN_API WelkinResult welkin_sky_stars(const WelkinSky* sky, WelkinStars* stars);
+/* The modes of the irradiance; count 0 when the file has none. */
+WELKIN_API WelkinResult welkin_sky_modes(const WelkinSky* sky, WelkinModes* modes);
+WELKIN_API WelkinResult welkin_sky_certificate(const WelkinSky* sky, WelkinCertificate* certificate);
 /* The hour of key `index` < key_count, ascending. */
 WELKIN_API WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index, double* time_h);
 /* The settings that the file was baked with, as JSON; terminated, borrowed from the sky. */
@@ -178,13 +215,18 @@ WELKIN_API WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** j
  * bit, it stays as it is with `unchanged` 1, and an upload that followed the last call need not be repeated. */
 WELKIN_API WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample);
 
-/* Irradiance E (pi included) of a surface with unit `normal`, from the sample's ambient coefficients, RGB, clamped at
- * 0. */
+/* Irradiance E (pi included) of a surface with unit `normal` from sky and ground, RGB, clamped at 0: the best that the
+ * file holds, from its modes when it has them, else from the coefficients. The file's certificate speaks of this one.
+ * `sample` has come from the same sky, or from welkin_sample_blend. */
+WELKIN_API WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* sample,
+                                              const float normal[3], float irradiance[3]);
+
+/* The same from the sample's ambient coefficients alone. */
 WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3],
                                                  float irradiance[3]);
 
 /* Cross-blend of two skies (weather): lights, tint, ambient coefficients and ground, `weight` in [0, 1] of the second.
- * Directions are blended and normalised. What only makes sense with one sky's file (luminance_norm, intensity,
+ * Directions are blended and normalised; modes are left out, and irradiance comes from the coefficients. What only makes sense with one sky's file (luminance_norm, intensity,
  * cubemaps) stays the first's: draw both domes, the second with the weight as opacity. Both must have the same
  * coefficient count. */
 WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,

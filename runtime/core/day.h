@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The day's table of an opened file: its numbers at any hour, and the modes that they may weigh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/polar_frame.h"
+#include "welkin_generated.h"
+
+namespace welkin::core {
+
+/// Most rows of a table: 15 coefficients and the horizontal irradiance.
+inline constexpr std::size_t kMostRows = 16;
+inline constexpr std::size_t kMostModes = 8;
+
+/// The map of the modes, bilinear as a GPU filters it.
+class ModeMap {
+ public:
+  ModeMap() = default;
+  explicit ModeMap(const format::Modes& modes)
+      : count_(modes.count()), columns_(modes.columns()), rows_(modes.rows()), texels_(modes.texels()->data()) {}
+
+  std::size_t count() const { return count_; }
+  /// Every mode at the coordinates modeColumn and modeRow of a normal, in [0, 1].
+  std::array<double, kMostModes> at(double column, double row) const;
+
+ private:
+  std::size_t count_ = 0;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  const std::uint16_t* texels_ = nullptr;
+};
+
+/// Borrows the file's numbers; the file is one that checkContent let pass.
+class Day {
+ public:
+  Day() = default;
+  explicit Day(const format::Day& day);
+
+  /// The shape of the sky at an hour in [0, 24), intensity 1, without ground.
+  struct Shape {
+    std::array<f64::Number3, kMostModes> weight{};  ///< of the modes
+    std::array<f64::Number3, 15> polar{};           ///< coefficients of radiance in the sun's frame
+    f64::Number3 horizontal_irradiance{0.0};        ///< 0 where the file needs none
+  };
+  void shapeAt(double time_h, Shape& shape) const;
+
+  std::size_t bands() const { return bands_; }
+  const ModeMap& modes() const { return modes_; }
+
+ private:
+  using Rows = std::array<f64::Number3, kMostRows>;
+  template <format::Encoding kEncoding>
+  void blend(double time_h, Rows& rows) const;
+
+  const format::Day* day_ = nullptr;
+  std::size_t bands_ = 0, rows_ = 0;
+  ModeMap modes_;
+};
+
+}  // namespace welkin::core

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the frame of the sun's azimuth, in which the day's table is, to the world's spherical harmonics.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "shared.h"
+
+namespace welkin::core {
+
+/// An azimuth by its unit horizontal direction: cosine is its z, sine its x.
+struct Azimuth {
+  double cosine = 1.0;
+  double sine = 0.0;
+
+  Azimuth() = default;
+  /// Of a direction's horizontal part; towards +z when it has none.
+  explicit Azimuth(const f64::Number3& direction);
+};
+
+/// Turns coefficients of m >= 0 about the pole +y into all coefficients about the pole +z of the basis. Holds the blocks
+/// of every band.
+class PolarFrame {
+ public:
+  PolarFrame();
+
+  /// `polar`: index l (l + 1) / 2 + m, of `bands` <= 5 bands; `world`: bands^2 coefficients, axes of the world.
+  void toWorld(std::size_t bands, std::span<const f64::Number3> polar, const Azimuth& azimuth,
+               std::span<f64::Number3> world) const;
+
+ private:
+  std::array<std::array<double, 25>, 25> block_{};  ///< of coefficients; 0 between bands
+};
+
+}  // namespace welkin::core

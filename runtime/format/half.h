@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// IEEE 754 half precision to float, exactly.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace welkin::format {
+
+/// Value of a half; subnormals, infinities and NaNs included. Giesen (2012), "half_to_float_fast": the exponent is moved
+/// by one multiplication.
+inline float floatFromHalf(std::uint16_t half) {
+  const auto magnitude = std::uint32_t{half & 0x7fffU} << 13;
+  const float scaled = std::bit_cast<float>(magnitude) * 0x1p112F;
+  const std::uint32_t infinite = magnitude >= (0x7c00U << 13) ? 0x7f800000U : 0U;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(scaled) | infinite | std::uint32_t{half & 0x8000U} << 16);
+}
+
+/// Whether a half is neither an infinity nor a NaN.
+inline bool isFiniteHalf(std::uint16_t half) {
+  return (half & 0x7c00U) != 0x7c00U;
+}
+
+}  // namespace welkin::format

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a bake says about its own error.
+#pragma once
+
+#include "sky/curve.h"
+
+namespace welkin::sky {
+
+/// Largest errors of each cause at one instant or over a day, fractions of the mean irradiance.
+struct ErrorParts {
+  double quadrature = 0.0;  ///< of the moments, under the bake's tolerance
+  double truncation = 0.0;  ///< of the bands or modes
+  double time = 0.0;        ///< of the interpolation between keys
+  double encoding = 0.0;    ///< of the stored numbers and the map of the modes
+};
+
+/// The irradiance error of docs/conventions.md: the largest |E - E_ref| of a channel over all normals and instants,
+/// divided by the mean of E_ref over the normals.
+struct Certificate {
+  enum class Method { fast = 1, full = 2 };
+  Method method = Method::fast;
+  double max_error = 0.0;
+  double time_h = 0.0;  ///< of max_error, as normal and channel
+  Number3 normal{0.0, 1.0, 0.0};
+  int channel = 0;
+  double mean_error = 0.0;  ///< over normals, channels and instants
+  ErrorParts parts;
+  std::size_t instants = 0;
+};
+
+}  // namespace welkin::sky

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/irradiance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sh/basis.h"
+
+namespace welkin::sky {
+namespace {
+
+constexpr double kFieldTolerance = 1e-4;  // of the quadrature; with the extra panels its error is far below it
+constexpr int kPanels = 12;          // of elevation, at the least
+
+}  // namespace
+
+Number3 IrradianceField::excess(double y, double cos_alpha) const {
+  const double across = std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0));
+  return (moments.radiance_sh[polarIndex(1, 0)] * y + moments.radiance_sh[polarIndex(1, 1)] * (across * cos_alpha)) /
+         det::kShLinear;
+}
+
+IrradianceProjector::IrradianceProjector(const LuminanceModel& model)
+    : quadrature_(kFieldTolerance, kOrders), fading_(kFieldTolerance * kFieldTolerance, kOrders), recurrence_(kBands) {
+  for (int r = 0; r < kRows; ++r) {
+    const double y = det::yOfModeRow(r / (kRows - 1.0));
+    row_.push_back({y, std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0))});
+  }
+  for (int i = 1; i < kPanels; ++i) extra_.push_back(det::kHalfPi * i / kPanels);
+  if (model.d >= -IndicatrixTable::kSteepest) table_.emplace(model.d);
+}
+
+void IrradianceProjector::addCircle(const Latitude& at, const std::vector<Number3>& order,
+                                    IrradianceField& field) const {
+  const double weight = 2.0 * at.weight / det::kPi;
+  for (std::size_t r = 0; r < row_.size(); ++r) {
+    const double a = at.sine * row_[r].y;
+    const double b = at.cosine * row_[r].across;
+    if (a <= -b) continue;  // all of the circle is behind the surface
+    Number3* sum = field.series.data() + r * kOrders;
+    if (a >= b) {  // all of it is before
+      sum[0] += order[0] * (weight * det::kPi * a);
+      sum[1] += order[1] * (weight * det::kPi * b);
+      continue;
+    }
+    const double cosine = -a / b;  // of the azimuth at which the surface's plane cuts the circle
+    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+    const double clip = det::atan(sine, cosine);
+    double before = sine;  // sin((m - 1) clip)
+    double current = 2.0 * cosine * sine;
+    sum[0] += order[0] * (weight * (a * clip + b * sine));
+    sum[1] += order[1] * (weight * (2.0 * a * sine + b * (clip + 0.5 * current)));
+    for (int m = 2; m < kOrders; ++m) {
+      const double next = 2.0 * cosine * current - before;
+      sum[m] += order[static_cast<std::size_t>(m)] *
+                (weight * (2.0 * a * current / m + b * (before / (m - 1) + next / (m + 1))));
+      before = current;
+      current = next;
+    }
+  }
+}
+
+IrradianceField IrradianceProjector::fieldOf(const SkyInstant& instant) const {
+  const HemisphereQuadrature& quadrature = HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
+  IrradianceField field;
+  field.series.assign(row_.size() * kOrders, Number3(0.0));
+  field.moments.radiance_sh.assign(polarIndex(kBands, 0), Number3(0.0));
+  std::vector<double> factor(static_cast<std::size_t>(sh::coefficientCount(kBands)));
+  std::vector<Number3> order(kOrders);
+
+  const SunFrame sun(instant, table_ ? &*table_ : nullptr);
+  quadrature.forEachLatitude(sun, extra_, [&](const Latitude& at) {
+    std::fill(order.begin(), order.end(), Number3(0.0));
+    field.moments.evaluations += quadrature.addOrders(sun, at, order);
+    addCircle(at, order, field);
+    recurrence_.evaluate(at.sine, at.cosine, factor);
+    addMoments(at, order, factor, kBands, field.moments);
+  });
+  field.mean = field.moments.radiance_sh[0] * (det::kPi * det::kShConstant);
+  return field;
+}
+
+double IrradianceProjector::truncationOf(const IrradianceField& field) const {
+  double last = 0.0;
+  for (std::size_t r = 0; r < row_.size(); ++r)
+    for (int c = 0; c < 3; ++c) {
+      const Number3* series = field.series.data() + (r + 1) * kOrders;
+      last = std::max(last, std::abs(series[-1][c]) + std::abs(series[-2][c]));
+    }
+  const double mean = std::max({field.mean.x, field.mean.y, field.mean.z});
+  return mean > 0.0 ? 0.5 * last * kOrders / 3.0 / mean : 0.0;
+}
+
+std::vector<double> azimuthCosines(int columns, int orders) {
+  std::vector<double> cosine;
+  for (int i = 0; i < columns; ++i)
+    for (int m = 0; m < orders; ++m)
+      cosine.push_back(det::cos(det::kPi * static_cast<double>(i * m % (2 * (columns - 1))) / (columns - 1)));
+  return cosine;
+}
+
+}  // namespace welkin::sky

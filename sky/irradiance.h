@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Irradiance of every normal at once. On a circle of constant elevation the sky is a cosine series of the azimuth from
+// the sun's; the clipped cosine of a surface is one too, in closed form (the Fourier coefficients of max(0, a + b cos)).
+// So irradiance is a sum over circles of products of the two: exact at the clip, without kernels of spherical harmonics,
+// whose series converges slowly for a bright horizon.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sky/projection.h"
+
+namespace welkin::sky {
+
+/// Irradiance at intensity 1, pi included, without ground, sun and moon, of normals in the frame of the sun's azimuth:
+/// of row r and azimuth alpha from the sun's the sum over orders m of series[r orders + m] cos(m alpha).
+struct IrradianceField {
+  std::vector<Number3> series;
+  Number3 mean;          ///< over all normals
+  PolarMoments moments;  ///< of the same quadrature, in five bands
+
+  /// n . V of a normal with component y and azimuth alpha from the sun's: by what it exceeds its opposite.
+  Number3 excess(double y, double cos_alpha) const;
+};
+
+/// Immutable after construction; fieldOf may be called from many threads. The same bits everywhere.
+class IrradianceProjector {
+ public:
+  /// Elevations of the upper normals, from the horizon to the zenith: rows of y, the sine of the elevation, evenly spaced
+  /// in modeRow (shaders/shared/modes.glsl). A lower normal has what its opposite has less n . V.
+  static constexpr int kRows = 33;
+  static constexpr int kOrders = 24;
+  static constexpr int kBands = 5;
+  /// Largest error of a row's series against direct integration, over the mean, for every named model and sun elevation
+  /// (tests/sky/irradiance_test.cpp).
+  static constexpr double kError = 8e-5;
+
+  explicit IrradianceProjector(const LuminanceModel& model);
+
+  IrradianceField fieldOf(const SkyInstant& instant) const;
+  /// What the orders that are left out may add, over the mean of the brightest channel: those fall as m^-4 at a cusp, so
+  /// they sum to a third of m times the last ones. An estimate, and large only for lobes that kOrders do not resolve.
+  double truncationOf(const IrradianceField& field) const;
+  double rowY(int row) const { return row_[static_cast<std::size_t>(row)].y; }
+
+ private:
+  struct Row {
+    double y, across;  ///< sine and cosine of the normal's elevation
+  };
+  void addCircle(const Latitude& at, const std::vector<Number3>& order, IrradianceField& field) const;
+
+  std::vector<Row> row_;
+  std::vector<double> extra_;  ///< elevations of further panels: the clip may lie anywhere
+  HemisphereQuadrature quadrature_, fading_;
+  sh::LatitudeRecurrence recurrence_;
+  std::optional<IndicatrixTable> table_;
+};
+
+/// Values cos(m alpha) of `orders` orders at `columns` azimuths 0..pi, evenly spaced: order-major rows of a column.
+std::vector<double> azimuthCosines(int columns, int orders);
+
+}  // namespace welkin::sky
