@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as people read them: 1e-4 as 0.01 %, 1500 bytes as 1.5 KB, 2e-8 s as 20 ns.
+#pragma once
+
+#include <string>
+
+namespace welkin::study {
+
+/// What a number stands for, which decides how it is written.
+enum class Quantity {
+  number,   ///< as it is
+  share,    ///< of 1, written in per cent
+  bytes,    ///< B, KB, MB, GB by powers of 1000
+  seconds,  ///< ns, us, ms, s
+};
+
+/// `value` with at most `digits` significant digits and its unit; the same for every locale.
+std::string inWords(double value, Quantity quantity, int digits);
+
+}  // namespace welkin::study
