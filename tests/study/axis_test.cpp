@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Axes of charts: where numbers lie and what is marked.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "sky/error.h"
+#include "study/chart_axis.h"
+
+namespace welkin::study {
+namespace {
+
+constexpr double kRounding = 1e-12;  // of positions in [0, 1]: a few logarithms and divisions
+
+std::vector<std::string> labelsOf(const AxisScale& scale) {
+  std::vector<std::string> labels;
+  for (const Tick& tick : scale.ticks()) {
+    if (!tick.label.empty()) labels.push_back(tick.label);
+  }
+  return labels;
+}
+
+TEST_CASE("AxisScale, DecadesAreEquallyWide") {
+  const AxisScale scale({"error", Quantity::share, Scale::log}, {1e-4, 0.3});
+  const double decade = scale.position(1e-3) - scale.position(1e-4);
+  CHECK(scale.position(0.1) - scale.position(0.01) == Approx(decade).margin(kRounding));
+  CHECK(scale.position(0.02) - scale.position(0.01) == Approx(decade * std::log10(2.0)).margin(kRounding));
+  CHECK(scale.position(1e-4) > 0.0);
+  CHECK(scale.position(0.3) < 1.0);
+  CHECK(labelsOf(scale) == std::vector<std::string>{"0.01 %", "0.1 %", "1 %", "10 %"});
+}
+
+TEST_CASE("AxisScale, FewDecadesAreDividedFurther") {
+  const AxisScale scale({"size", Quantity::bytes, Scale::log}, {700.0, 30000.0});
+  CHECK(labelsOf(scale) == std::vector<std::string>{"1 KB", "2 KB", "5 KB", "10 KB", "20 KB"});
+}
+
+TEST_CASE("AxisScale, TicksLieAtTheirNumbers") {
+  for (const Scale kind : {Scale::linear, Scale::log}) {
+    const AxisScale scale({"n", Quantity::number, kind}, {0.031, 47.0});
+    int compared = 0;
+    for (const Tick& tick : scale.ticks()) {
+      if (tick.label.empty()) continue;
+      CHECK(scale.position(std::stod(tick.label)) == Approx(tick.position).margin(kRounding));
+      ++compared;
+    }
+    CHECK(compared >= 3);
+  }
+}
+
+TEST_CASE("AxisScale, ZerosLieApartBelowTheDecades") {
+  const AxisScale scale({"error", Quantity::share, Scale::log}, {0.0, 1e-3, 0.1});
+  CHECK(scale.position(0.0) > 0.0);
+  CHECK(scale.position(0.0) < scale.position(1e-3));
+  CHECK(labelsOf(scale).front() == "0 %");
+}
+
+TEST_CASE("AxisScale, LinearStepsAreRound") {
+  CHECK(labelsOf(AxisScale({"x"}, {0.0, 1.0})) == std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
+  CHECK(labelsOf(AxisScale({"bands"}, {2.0, 3.0, 4.0, 5.0})) == std::vector<std::string>{"2", "3", "4", "5"});
+  CHECK(labelsOf(AxisScale({"x"}, {-30.0, 70.0})) ==
+        std::vector<std::string>{"-40", "-20", "0", "20", "40", "60", "80"});
+}
+
+TEST_CASE("AxisScale, LinearIsLinearAndInside") {
+  const AxisScale scale({"x"}, {3.7, 11.9});
+  CHECK(scale.position(7.8) == Approx((scale.position(3.7) + scale.position(11.9)) / 2.0).margin(kRounding));
+  CHECK(scale.position(3.7) >= 0.0);
+  CHECK(scale.position(11.9) <= 1.0);
+  CHECK(scale.position(3.7) < scale.position(11.9));
+}
+
+TEST_CASE("AxisScale, RangeWidens") {
+  const AxisScale scale({"x", Quantity::share, Scale::log, Range{1e-4, 1.0}}, {0.01});
+  CHECK(labelsOf(scale) == std::vector<std::string>{"0.01 %", "0.1 %", "1 %", "10 %", "100 %"});
+}
+
+TEST_CASE("AxisScale, OneValueIsShown") {
+  for (const Scale kind : {Scale::linear, Scale::log}) {
+    for (const double value : {0.0, 5.0, 1e-30, 1e30}) {
+      const AxisScale scale({"x", Quantity::number, kind}, {value});
+      CAPTURE(value);
+      CHECK(scale.position(value) >= 0.0);
+      CHECK(scale.position(value) <= 1.0);
+      CHECK_FALSE(labelsOf(scale).empty());
+    }
+  }
+}
+
+TEST_CASE("AxisScale, RefusesWhatHasNoPlace") {
+  CHECK_THROWS_WITH(AxisScale({"error"}, {1.0, std::nan("")}), Catch::Contains("nan along 'error'"));
+  CHECK_THROWS_AS(AxisScale({"x"}, {std::numeric_limits<double>::infinity()}), Error);
+  CHECK_THROWS_AS(AxisScale({"x", Quantity::number, Scale::log}, {1.0, -1.0}), Error);
+  CHECK_THROWS_AS(AxisScale({"x"}, {}), Error);
+}
+
+}  // namespace
+}  // namespace welkin::study
