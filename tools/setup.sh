@@ -4,8 +4,8 @@
 #   tools/setup.sh [--tests]      --tests: and those that only the tests need
 set -eu
 
-# what builds: compiler, build system, shader compiler, schema compiler
-build="g++ cmake ninja-build pkg-config glslang-tools flatbuffers-compiler"
+# what builds: compiler, build system, shader compiler and optimiser, schema compiler
+build="g++ cmake ninja-build pkg-config glslang-tools spirv-tools spirv-headers flatbuffers-compiler"
 # what the libraries and the tool link
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libtomlplusplus-dev libxxhash-dev
 libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
