@@ -113,7 +113,7 @@ std::vector<std::optional<PlacedLabel>> placeLabels(const std::vector<LabelReque
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     Placed placed = placedInOrder(requests, order, obstacles, frame);
     const std::ptrdiff_t left_out = std::ranges::count_if(placed, [](const auto& label) { return !label; });
-    std::ranges::stable_partition(order, [&](std::size_t i) { return !placed[i]; });  // these go first next time
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !placed[i]; });  // first next time
     if (left_out < fewest_left_out) {
       fewest_left_out = left_out;
       best = std::move(placed);
