@@ -53,6 +53,7 @@ TEST_CASE("AxisScale, ZerosLieApartBelowTheDecades") {
   CHECK(scale.position(0.0) > 0.0);
   CHECK(scale.position(0.0) < scale.position(1e-3));
   CHECK(labelsOf(scale).front() == "0 %");
+  CHECK(scale.position(0.0) == Approx(scale.ticks().front().position).margin(kRounding));
 }
 
 TEST_CASE("AxisScale, LinearStepsAreRound") {

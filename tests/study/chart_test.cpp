@@ -59,6 +59,20 @@ TEST_CASE("Chart, NamesNoDayAndNoProgram") {
   CHECK_FALSE(std::regex_search(pictures.svg, std::regex("20[0-9][0-9]-[0-9][0-9]|[Cc]airo|<metadata")));
 }
 
+TEST_CASE("Chart, BudgetsAreHorizontalLines") {
+  const std::string svg = drawChart(sample()).svg;
+  const std::regex dashed("stroke-dasharray:5,4[^>]*d=\"([^\"]*)\"");
+  const std::regex horizontal("M [0-9.]+ ([0-9.]+) L [0-9.]+ ([0-9.]+) ");
+  int count = 0;
+  for (std::sregex_iterator path(svg.begin(), svg.end(), dashed); path != std::sregex_iterator(); ++path, ++count) {
+    const std::string corners = (*path)[1];
+    std::smatch match;
+    REQUIRE(std::regex_match(corners, match, horizontal));  // two corners: words before it leave no third
+    CHECK(match[1] == match[2]);
+  }
+  CHECK(count == 4);
+}
+
 TEST_CASE("Chart, NothingIsCut") {
   Chart wordy = sample();
   wordy.title = std::string(200, 'W');

@@ -10,6 +10,7 @@
 namespace welkin::study {
 namespace {
 
+#include "spirv/kArrayInBranches.h"
 #include "spirv/kBranch.h"
 #include "spirv/kDataIndex.h"
 #include "spirv/kDataLoop.h"
@@ -17,6 +18,7 @@ namespace {
 #include "spirv/kFetchesOfOnePlace.h"
 #include "spirv/kLeftOut.h"
 #include "spirv/kNestedBranches.h"
+#include "spirv/kPartsOfOneRow.h"
 #include "spirv/kProduct.h"
 #include "spirv/kWeightedByHand.h"
 #include "spirv/kWeightedInLoops.h"
@@ -54,6 +56,16 @@ TEST_CASE("CountShader, BothSidesOfABranch") {
 
 TEST_CASE("CountShader, BranchesWithinBranches") {
   CHECK(countShader(kNestedBranches).scalar_operations == 6);  // two of compare, function, select
+}
+
+TEST_CASE("CountShader, ArraysThatDifferByTheSideOfABranch") {
+  CHECK(countShader(kArrayInBranches).scalar_operations == 5);  // two comparisons, one sin, two selections
+}
+
+TEST_CASE("CountShader, PartsOfAVectorAreOneLoad") {
+  const ShaderCost cost = countShader(kPartsOfOneRow);
+  CHECK(cost.uniform_loads == 1);
+  CHECK(cost.scalar_operations == 1);
 }
 
 TEST_CASE("CountShader, WhatIsNotNeededIsNotCounted") {

@@ -48,6 +48,20 @@ vec3 caseNestedBranches() {
   return vec3(x);
 }
 
+vec3 casePartsOfOneRow() { return vec3(rows[3].x * rows[3].z); }
+
+vec3 caseArrayInBranches() {
+  float kept[2];
+  kept[0] = given.y;
+  kept[1] = given.z;
+  for (int i = 0; i < 2; ++i) {
+    if (given.x > float(i + 2)) kept[i] = sin(given.y);
+  }
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 2; ++i) sum[i] = kept[i];
+  return sum;
+}
+
 vec3 caseDataLoop() {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < int(given.x); ++i) sum = sum * rows[1].rgb + rows[0].rgb;
