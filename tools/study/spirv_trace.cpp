@@ -15,7 +15,8 @@ namespace {
 
 using spv::Op;
 
-constexpr int kMostBlocks = 10000;  // executed; a loop that depends on data never ends
+constexpr int kMostBlocks = 100000;  // executed
+constexpr int kMostNested = 64;      // branches that depend on data
 
 [[noreturn]] void refuse(const std::string& why) {
   throw Error(ExitStatus::internal, "SPIR-V: " + why);
@@ -49,6 +50,7 @@ class Tracer {
 
   // Both sides of a branch up to where they meet; the values there.
   Phis bothSides(std::uint32_t from, const SpirvInstruction& branch, const TraceNumber& condition, std::uint32_t join) {
+    if (++nested_ > kMostNested) refuse("a loop whose end depends on data");
     const SpirvMemory before = state_.memory();
     Phis phis = side(from, branch.operands.at(1), join);
     const SpirvMemory memory_if_so = std::exchange(state_.memory(), before);
@@ -59,6 +61,7 @@ class Tracer {
         phis[i][j] = state_.operations().selected(condition, phis[i][j], otherwise[i][j]);
       }
     }
+    --nested_;
     return phis;
   }
 
@@ -70,7 +73,7 @@ class Tracer {
   // From the head of a block to that of `stop`; the values of the phis there.
   Phis flow(std::uint32_t label, Phis phis, std::uint32_t stop) {
     while (true) {
-      if (++blocks_ > kMostBlocks) refuse("a loop whose end depends on data");
+      if (++blocks_ > kMostBlocks) refuse("a loop without an end");
       const SpirvBlock& block = module_.blocks.at(label);
       for (std::size_t i = 0; i < phis.size(); ++i) state_.setValue(block.instructions[i], std::move(phis[i]));
       for (std::size_t i = phis.size(); i + 1 < block.instructions.size(); ++i) state_.execute(block.instructions[i]);
@@ -106,6 +109,7 @@ class Tracer {
   const std::map<std::uint32_t, std::uint32_t> joins_;
   SpirvState state_;
   int blocks_ = 0;
+  int nested_ = 0;
 };
 
 }  // namespace
