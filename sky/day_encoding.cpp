@@ -71,6 +71,30 @@ EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding) {
   return out;
 }
 
+std::vector<double> decodeNumbers(const DayTable& table, const EncodedNumbers& encoded) {
+  const auto stored = [&](std::size_t i) {
+    switch (encoded.encoding) {
+      case Encoding::float32:
+        return format::storedNumber<Encoding::float32>(encoded.numbers.data(), i);
+      case Encoding::float16:
+        return format::storedNumber<Encoding::float16>(encoded.numbers.data(), i);
+      case Encoding::fixed16:
+        return format::storedNumber<Encoding::fixed16>(encoded.numbers.data(), i);
+      case Encoding::fixed8:
+        break;
+    }
+    return format::storedNumber<Encoding::fixed8>(encoded.numbers.data(), i);
+  };
+  std::vector<double> number(table.number.size());
+  const std::size_t of_key = table.numbersOfKey();
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    number[i] = stored(i);
+    if (format::hasKeyScale(encoded.encoding)) number[i] *= double{encoded.key_scale[i / of_key]};
+    if (format::hasRowScale(encoded.encoding)) number[i] *= double{encoded.row_scale[i % of_key]};
+  }
+  return number;
+}
+
 const char* nameOf(Encoding encoding) {
   return format::EnumNameEncoding(encoding);
 }

@@ -27,6 +27,9 @@ struct EncodedNumbers {
 /// off by at most 1/65534 (fixed16) or 1/254 (fixed8) of the product of the two.
 EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding);
 
+/// The numbers that a reader gets, in the table's order.
+std::vector<double> decodeNumbers(const DayTable& table, const EncodedNumbers& encoded);
+
 /// "float32", "float16", "fixed16", "fixed8".
 const char* nameOf(Encoding encoding);
 

@@ -48,6 +48,11 @@ Number3 ErrorGrid::Normal::inSunFrame() const {
   return {across * std::sqrt(std::max((1.0 - cos_alpha) * (1.0 + cos_alpha), 0.0)), y, across * cos_alpha};
 }
 
+double ErrorGrid::y(std::size_t point) const {
+  const std::size_t upper = rows_.size() * kColumns;
+  return point < upper ? row_y_[point / kColumns] : -row_y_[(point - upper) / kColumns];
+}
+
 ErrorGrid::Normal ErrorGrid::normal(std::size_t point) const {
   const std::size_t upper = rows_.size() * kColumns;
   const std::size_t i = point % upper;
@@ -83,7 +88,7 @@ DayFields::Error DayFields::errorOf(const DayInstant& at, const ErrorGrid& grid,
   Error worst;
   const Number3 ground = sky->ground_albedo * horizontal;  // E / pi on a unit albedo, times pi (1 - y) / 2
   for (std::size_t i = 0; i < shape.size(); ++i) {
-    const double seen = 0.5 * (1.0 - grid.normal(i).y);
+    const double seen = 0.5 * (1.0 - grid.y(i));
     const Number3 off = det::desaturate((shape[i] + ground * seen) * at.intensity, at.saturation);
     for (int c = 0; c < 3; ++c) {
       const double error = at.divisor[c] > 0.0 ? std::abs(off[c]) / at.divisor[c] : 0.0;

@@ -33,6 +33,7 @@ class ErrorGrid {
     Number3 inSunFrame() const;  ///< x across, y up, z towards the sun's azimuth
   };
   Normal normal(std::size_t point) const;
+  double y(std::size_t point) const;  ///< of that normal
   /// Irradiance at every normal: the upper ones first, by row and column, then their opposites in the same order.
   std::vector<double> valuesOf(const FieldChannel& channel) const;
   /// The same from values of the upper normals alone and the two coefficients of n . V.

@@ -28,7 +28,7 @@ class IrradianceProjector {
  public:
   /// Elevations of the upper normals, from the horizon to the zenith: rows of y, the sine of the elevation, evenly spaced
   /// in modeRow (shaders/shared/modes.glsl). A lower normal has what its opposite has less n . V.
-  static constexpr int kRows = 33;
+  static constexpr int kRows = 49;
   static constexpr int kOrders = 24;
   static constexpr int kBands = 5;
   /// Largest error of a row's series against direct integration, over the mean, for every named model and sun elevation

@@ -24,7 +24,7 @@ struct ModeSet {
 /// Finds the modes of a day.
 class DayModes {
  public:
-  static constexpr std::size_t kMost = 8;  ///< that a file may hold
+  static constexpr std::size_t kMost = 12;  ///< that a file may hold
 
   DayModes(const DayFields& day, const ErrorGrid& grid);
 

@@ -142,7 +142,7 @@ void checkModes(Check& check, const format::Modes& modes, std::size_t bands) {
   const std::size_t count = modes.count();
   const std::size_t columns = modes.columns();
   const std::size_t rows = modes.rows();
-  if (!check.that(count >= 1 && count <= kMostModes, "the modes", "must be 1 to 8") ||
+  if (!check.that(count >= 1 && count <= kMostModes, "the modes", "must be 1 to 12") ||
       !check.that(columns >= 2 && columns <= 256 && rows >= 2 && rows <= 256, "the modes' map",
                   "must be 2 to 256 texels along an edge") ||
       !check.that(modes.texels() != nullptr && modes.polar_sh() != nullptr, "the modes", "have no map or no SH"))

@@ -13,7 +13,7 @@ namespace welkin::core {
 
 /// Most rows of a table: 15 coefficients and the horizontal irradiance.
 inline constexpr std::size_t kMostRows = 16;
-inline constexpr std::size_t kMostModes = 8;
+inline constexpr std::size_t kMostModes = 12;
 
 /// The map of the modes, bilinear as a GPU filters it.
 class ModeMap {

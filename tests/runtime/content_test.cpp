@@ -148,7 +148,7 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"the day's table", [](Parts& p) { p.day.encoding = 4; }},
                   {"the day's table", [](Parts& p) { p.day.key_scale = {1.0F, 1.0F}; }},
                   {"the day's table", [](Parts& p) { p.day.row_scale = {1.0F}; }},
-                  {"the modes", [](Parts& p) { p.day = withModes(9); }},
+                  {"the modes", [](Parts& p) { p.day = withModes(13); }},
                   {"the day's table", [](Parts& p) { p.day = withModes(3); }},
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_texels.pop_back(); }},
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_sh.push_back(0.0F); }},

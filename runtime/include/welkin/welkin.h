@@ -35,7 +35,7 @@ extern "C" {
 
 #define WELKIN_MAX_BANDS 5
 #define WELKIN_MAX_COEFFICIENTS 25
-#define WELKIN_MAX_MODES 8
+#define WELKIN_MAX_MODES 12
 
 typedef enum WelkinResult {
   WELKIN_OK = 0,
@@ -62,7 +62,7 @@ typedef struct WelkinSkyInfo {
   uint32_t bands;             /* 2..5 */
   uint32_t coefficient_count; /* bands^2 */
   uint32_t key_count;         /* instants of the day's table, >= 1 */
-  uint32_t mode_count;        /* modes of the irradiance, 0..8; 0: irradiance comes from the coefficients */
+  uint32_t mode_count;        /* modes of the irradiance, 0..12; 0: irradiance comes from the coefficients */
   uint32_t cubemap_count;     /* 0: no cubemaps */
   uint32_t cubemap_size;      /* texels along a face's edge; 0 without cubemaps */
   uint32_t has_moon;          /* 0 or 1 */

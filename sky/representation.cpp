@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/representation.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "format/day_numbers.h"
+#include "sh/minimax.h"
+
+namespace welkin::sky {
+namespace {
+
+/// Irradiance of the coefficients (l, m >= 0) of `bands` bands at the grid's normals: normal, coefficient.
+std::vector<double> coefficientValues(const ErrorGrid& grid, int bands) {
+  const sh::LatitudeRecurrence recurrence(bands);
+  std::vector<double> factor(static_cast<std::size_t>(sh::coefficientCount(bands)));
+  std::vector<double> values;
+  for (std::size_t p = 0; p < grid.count(); ++p) {
+    const auto normal = grid.normal(p);
+    recurrence.evaluate(normal.y, std::sqrt(std::max((1.0 - normal.y) * (1.0 + normal.y), 0.0)), factor);
+    for (int l = 0; l < bands; ++l) {
+      double before = normal.cos_alpha;  // Chebyshev's recurrence
+      double current = 1.0;
+      for (int m = 0; m <= l; ++m) {
+        values.push_back(det::cosineLobe(l) * factor[static_cast<std::size_t>(sh::indexOf(l, m))] * current);
+        const double next = 2.0 * normal.cos_alpha * current - before;
+        before = current;
+        current = next;
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+const char* nameOf(Reconstruction reconstruction) {
+  switch (reconstruction) {
+    case Reconstruction::projected:
+      return "projected";
+    case Reconstruction::fitted:
+      return "fitted";
+    case Reconstruction::modes:
+      break;
+  }
+  return "modes";
+}
+
+DayValues::DayValues(const DayFields& day_, const ErrorGrid& grid_)
+    : day(&day_), grid(&grid_), value(day_.instant.size() * grid_.count()) {
+  tbb::parallel_for(std::size_t{0}, day->instant.size(), [&](std::size_t i) {
+    for (int c = 0; c < 3; ++c) {
+      const auto of_channel = grid->valuesOf(FieldChannel(day->instant[i].field, c));
+      for (std::size_t p = 0; p < of_channel.size(); ++p) value[i * of_channel.size() + p][c] = of_channel[p];
+    }
+  });
+}
+
+std::string Representation::name() const {
+  if (!modes) return fmt::format("{} bands{}", bands, reconstruction == Reconstruction::fitted ? ", fitted" : "");
+  return fmt::format("{} modes, map {} x {}", modes->count, modes->columns, modes->rows);
+}
+
+std::size_t Representation::fixedBytes() const {
+  return modes ? 2 * modes->texels.size() + 4 * modes->polar_sh.size() : 0;
+}
+
+void fitWeights(const DayValues& day, Representation& r) {
+  std::vector<std::size_t> columns;  // irradiance has no band 3
+  for (std::size_t k = 0; k < r.functions; ++k)
+    if (r.modes || k < polarIndex(3, 0) || k >= polarIndex(4, 0)) columns.push_back(k);
+  const std::size_t points = day.grid->count();
+  std::vector<double> basis;
+  for (std::size_t p = 0; p < points; ++p)
+    for (const std::size_t column : columns) basis.push_back(r.values[p * r.functions + column]);
+  const sh::Minimax minimax(basis, columns.size());
+  const int channels = isGrey(*day.day->sky) ? 1 : 3;
+  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
+    std::vector<double> target(points);
+    for (int c = 0; c < 3; ++c) {
+      for (std::size_t p = 0; p < points; ++p) target[p] = day.value[i * points + p][std::min(c, channels - 1)];
+      const sh::MinimaxFit fitted = minimax.fit(target);
+      for (std::size_t k = 0; k < columns.size(); ++k) r.weight[i * r.rows + columns[k]][c] = fitted.coefficient[k];
+    }
+  });
+  if (!r.modes) r.reconstruction = Reconstruction::fitted;
+}
+
+Representation coefficientsOf(const DayValues& day, int bands, bool fitted) {
+  Representation r;
+  r.bands = bands;
+  r.functions = polarIndex(bands, 0);
+  r.rows = r.functions + (hasGround(*day.day->sky) ? 1 : 0);
+  r.values = coefficientValues(*day.grid, bands);
+  for (const DayInstant& at : day.day->instant) {
+    const PolarMoments& moments = at.field.moments;
+    r.weight.insert(r.weight.end(), moments.radiance_sh.begin(),
+                    moments.radiance_sh.begin() + static_cast<std::ptrdiff_t>(r.functions));
+    if (r.rows > r.functions) r.weight.push_back(moments.horizontal_irradiance);
+  }
+  if (fitted) fitWeights(day, r);
+  return r;
+}
+
+Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, int rows, int bands) {
+  Representation r;
+  r.reconstruction = Reconstruction::modes;
+  r.bands = bands;
+  r.functions = r.rows = modes.count();
+  r.modes = mapOf(modes, columns, rows, bands);
+  r.values = mapValues(*r.modes, *day.grid);
+  std::size_t zenith = 0;
+  while (day.grid->normal(zenith).y < 1.0) ++zenith;
+  r.horizontal.assign(r.values.begin() + static_cast<std::ptrdiff_t>(zenith * r.functions),
+                      r.values.begin() + static_cast<std::ptrdiff_t>((zenith + 1) * r.functions));
+  r.weight.resize(day.day->instant.size() * r.rows);
+  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
+    for (int c = 0; c < 3; ++c) {
+      const auto weights = modes.weightsOf(FieldChannel(day.day->instant[i].field, c));
+      for (std::size_t k = 0; k < weights.size(); ++k) r.weight[i * r.rows + k][c] = weights[k];
+    }
+  });
+  return r;
+}
+
+DayFields::Error errorOf(const DayValues& day, const Representation& r, std::size_t instant,
+                         std::span<const Number3> weight) {
+  const std::size_t points = day.grid->count();
+  std::vector<Number3> off(points);
+  const Number3* want = day.value.data() + instant * points;
+  for (std::size_t p = 0; p < points; ++p) {
+    Number3 sum(0.0);
+    const double* value = r.values.data() + p * r.functions;
+    for (std::size_t k = 0; k < r.functions; ++k) sum += weight[k] * value[k];
+    off[p] = sum - want[p];
+  }
+  const DayInstant& at = day.day->instant[instant];
+  Number3 horizontal = at.field.moments.horizontal_irradiance * -1.0;
+  if (r.horizontal.empty())
+    horizontal = r.rows > r.functions ? horizontal + weight[r.functions] : Number3(0.0);
+  else
+    for (std::size_t k = 0; k < r.functions; ++k) horizontal += weight[k] * r.horizontal[k];
+  return day.day->errorOf(at, *day.grid, off, horizontal);
+}
+
+}  // namespace welkin::sky

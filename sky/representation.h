@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to hold a day's irradiance: functions of the normal, and at every hour the weights that a table would hold.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sky/day_encoding.h"
+#include "sky/modes.h"
+
+namespace welkin::sky {
+
+/// The day's irradiance as read at a grid of normals, once for all ways to hold it.
+struct DayValues {
+  DayValues(const DayFields& day, const ErrorGrid& grid);
+
+  const DayFields* day;
+  const ErrorGrid* grid;
+  std::vector<Number3> value;  ///< instant, normal
+};
+
+enum class Reconstruction { projected, fitted, modes };
+const char* nameOf(Reconstruction reconstruction);
+
+/// What a table's rows weigh.
+struct Representation {
+  Reconstruction reconstruction = Reconstruction::projected;
+  int bands = 2;  ///< of the coefficients that a sample holds
+  std::optional<ModeTable> modes;
+  std::size_t functions = 0;  ///< rows but the horizontal irradiance
+  std::size_t rows = 0;
+  std::vector<double> values;      ///< of the functions: normal, function
+  std::vector<double> horizontal;  ///< of the functions; none when it is a row of its own
+  std::vector<Number3> weight;     ///< instant, row
+
+  std::string name() const;
+  /// Bytes that do not depend on the keys.
+  std::size_t fixedBytes() const;
+};
+
+/// Coefficients of 2 to 5 bands: of the radiance, or fitted for the least largest error of the irradiance
+/// (sh/minimax.h), which only touches bands that irradiance has.
+Representation coefficientsOf(const DayValues& day, int bands, bool fitted);
+
+/// Replaces the weights by those of the least largest error at every instant and channel (sh/minimax.h).
+void fitWeights(const DayValues& day, Representation& r);
+
+/// Weights of modes read from a map of columns x rows texels.
+Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, int rows, int bands);
+
+/// The error of an instant when its rows are `weight`.
+DayFields::Error errorOf(const DayValues& day, const Representation& r, std::size_t instant,
+                         std::span<const Number3> weight);
+
+}  // namespace welkin::sky
