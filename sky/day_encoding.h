@@ -23,8 +23,8 @@ struct EncodedNumbers {
 };
 
 /// float32 rounds each number. float16 stores it over the largest of its key: 2^-11 of itself, 2^-25 of that largest at
-/// the least. The fixed-point encodings store it over the largest of its key and over the largest that its row then has:
-/// off by at most 1/65534 (fixed16) or 1/254 (fixed8) of the product of the two.
+/// the least. The fixed-point encodings store it over the largest of its key and over the largest that its row then
+/// has: off by at most 1/65534 (fixed16) or 1/254 (fixed8) of the product of the two.
 EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding);
 
 /// The numbers that a reader gets, in the table's order.

@@ -11,7 +11,7 @@ namespace welkin::sky {
 
 /// Modes of the irradiance as a file holds them: runtime/format/welkin.fbs, table Modes.
 struct ModeTable {
-  int count = 0;                      ///< 1..12
+  int count = 0;  ///< 1..12
   int columns = 0;
   int rows = 0;
   std::vector<std::uint16_t> texels;  ///< halfs: row, column, mode

@@ -54,10 +54,9 @@ Offset<format::Day> encodeDay(FlatBufferBuilder& b, const DayTable& table, Encod
   const EncodedNumbers e = encodeNumbers(table, encoding);
   Offset<format::Modes> modes;
   if (table.modes)
-    modes = format::CreateModesDirect(b, static_cast<std::uint8_t>(table.modes->count),
-                                      static_cast<std::uint16_t>(table.modes->columns),
-                                      static_cast<std::uint16_t>(table.modes->rows), &table.modes->texels,
-                                      &table.modes->polar_sh);
+    modes = format::CreateModesDirect(
+        b, static_cast<std::uint8_t>(table.modes->count), static_cast<std::uint16_t>(table.modes->columns),
+        static_cast<std::uint16_t>(table.modes->rows), &table.modes->texels, &table.modes->polar_sh);
   b.ForceVectorAlignment(e.numbers.size(), 1, 16);
   const auto numbers = b.CreateVector(e.numbers);
   const auto times = b.CreateVector(table.key_time_h);
@@ -101,10 +100,10 @@ std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, con
   const auto gradient_anti = encodeGradient(b, s.gradient_anti);
   const auto day = encodeDay(b, table, encoding);
   const auto certified = certificate != nullptr ? encodeCertificate(b, *certificate) : Offset<format::Certificate>();
-  const auto sky = format::CreateSkyDirect(
-      b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti,
-      kGradientDelta, day, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap, stars,
-      certified);
+  const auto sky = format::CreateSkyDirect(b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun,
+                                           moon, gradient_sun, gradient_anti, kGradientDelta, day,
+                                           static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size),
+                                           &cubemap, stars, certified);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, file.settings.c_str(), &input, sky));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
 }

@@ -10,7 +10,7 @@ namespace welkin::sky {
 namespace {
 
 constexpr double kFieldTolerance = 1e-4;  // of the quadrature; with the extra panels its error is far below it
-constexpr int kPanels = 12;          // of elevation, at the least
+constexpr int kPanels = 12;               // of elevation, at the least
 
 }  // namespace
 

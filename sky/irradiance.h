@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Irradiance of every normal at once. On a circle of constant elevation the sky is a cosine series of the azimuth from
-// the sun's; the clipped cosine of a surface is one too, in closed form (the Fourier coefficients of max(0, a + b cos)).
-// So irradiance is a sum over circles of products of the two: exact at the clip, without kernels of spherical harmonics,
-// whose series converges slowly for a bright horizon.
+// the sun's; the clipped cosine of a surface is one too, in closed form (the Fourier coefficients of max(0, a + b
+// cos)). So irradiance is a sum over circles of products of the two: exact at the clip, without kernels of spherical
+// harmonics, whose series converges slowly for a bright horizon.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ struct IrradianceField {
 /// Immutable after construction; fieldOf may be called from many threads. The same bits everywhere.
 class IrradianceProjector {
  public:
-  /// Elevations of the upper normals, from the horizon to the zenith: rows of y, the sine of the elevation, evenly spaced
-  /// in modeRow (shaders/shared/modes.glsl). A lower normal has what its opposite has less n . V.
+  /// Elevations of the upper normals, from the horizon to the zenith: rows of y, the sine of the elevation, evenly
+  /// spaced in modeRow (shaders/shared/modes.glsl). A lower normal has what its opposite has less n . V.
   static constexpr int kRows = 49;
   static constexpr int kOrders = 24;
   static constexpr int kBands = 5;
@@ -38,8 +38,9 @@ class IrradianceProjector {
   explicit IrradianceProjector(const LuminanceModel& model);
 
   IrradianceField fieldOf(const SkyInstant& instant) const;
-  /// What the orders that are left out may add, over the mean of the brightest channel: those fall as m^-4 at a cusp, so
-  /// they sum to a third of m times the last ones. An estimate, and large only for lobes that kOrders do not resolve.
+  /// What the orders that are left out may add, over the mean of the brightest channel: those fall as m^-4 at a cusp,
+  /// so they sum to a third of m times the last ones. An estimate, and large only for lobes that kOrders do not
+  /// resolve.
   double truncationOf(const IrradianceField& field) const;
   double rowY(int row) const { return row_[static_cast<std::size_t>(row)].y; }
 

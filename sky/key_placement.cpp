@@ -51,6 +51,20 @@ bool oneKeyDoes(const DayValues& day, const Representation& r, double error) {
   return true;
 }
 
+/// A table's rows at an hour, from its numbers or from what is stored of them.
+std::vector<Number3> rowsAt(const DayTable& table, const std::vector<double>& number, double time_h) {
+  const auto s = format::findSegment(table.key_time_h, time_h);
+  const auto channels = static_cast<std::size_t>(table.channels);
+  std::vector<Number3> row(static_cast<std::size_t>(table.rows));
+  for (std::size_t k = 0; k < row.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t at = k * channels + std::min(c, channels - 1);
+      row[k][static_cast<int>(c)] = (1.0 - s.weight) * number[s.first * table.numbersOfKey() + at] +
+                                    s.weight * number[s.second * table.numbersOfKey() + at];
+    }
+  return row;
+}
+
 }  // namespace
 
 std::vector<std::size_t> placeKeys(const DayValues& day, const Representation& r, double error, std::size_t most) {
@@ -107,21 +121,33 @@ DayTable tableAt(const DayValues& day, const Representation& r, const std::vecto
 TableError errorOf(const DayValues& day, const Representation& r, const DayTable& table, Encoding encoding) {
   const std::vector<double> number = decodeNumbers(table, encodeNumbers(table, encoding));
   std::vector<double> error(day.day->instant.size());
-  const auto channels = static_cast<std::size_t>(table.channels);
   tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
-    const auto s = format::findSegment(table.key_time_h, day.day->instant[i].time_h);
-    std::vector<Number3> row(r.rows);
-    for (std::size_t k = 0; k < r.rows; ++k)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t at = k * channels + std::min(c, channels - 1);
-        row[k][static_cast<int>(c)] = (1.0 - s.weight) * number[s.first * table.numbersOfKey() + at] +
-                                      s.weight * number[s.second * table.numbersOfKey() + at];
-      }
-    error[i] = errorOf(day, r, i, row).value;
+    error[i] = errorOf(day, r, i, rowsAt(table, number, day.day->instant[i].time_h)).value;
   });
   TableError worst;
   for (std::size_t i = 0; i < error.size(); ++i)
     if (error[i] > worst.value) worst = {error[i], i};
+  return worst;
+}
+
+ErrorParts partsOf(const DayValues& day, const Representation& r, const DayTable& table, Encoding encoding) {
+  const std::vector<double> stored = decodeNumbers(table, encodeNumbers(table, encoding));
+  std::vector<ErrorParts> parts(day.day->instant.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    const double time_h = day.day->instant[i].time_h;
+    const std::span<const Number3> exact(r.weight.data() + i * r.rows, r.rows);
+    const auto between = rowsAt(table, table.number, time_h);
+    const auto rounded = rowsAt(table, stored, time_h);
+    parts[i].truncation = errorOf(day, r, i, exact).value;
+    parts[i].time = differenceOf(day, r, i, between, exact);
+    parts[i].encoding = differenceOf(day, r, i, rounded, between);
+  });
+  ErrorParts worst;
+  for (const ErrorParts& p : parts) {
+    worst.truncation = std::max(worst.truncation, p.truncation);
+    worst.time = std::max(worst.time, p.time);
+    worst.encoding = std::max(worst.encoding, p.encoding);
+  }
   return worst;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "sky/certificate.h"
 #include "sky/representation.h"
 
 namespace welkin::sky {
@@ -17,6 +18,10 @@ std::vector<std::size_t> placeKeys(const DayValues& day, const Representation& r
 
 /// The table of the day's instants with those indices.
 DayTable tableAt(const DayValues& day, const Representation& r, const std::vector<std::size_t>& keys);
+
+/// What each cause makes of the irradiance: the rows that are left out, the time between keys, the stored numbers. Each
+/// the largest over the day's instants; without quadrature.
+ErrorParts partsOf(const DayValues& day, const Representation& r, const DayTable& table, Encoding encoding);
 
 /// The largest error over the day's instants of a table as it is stored, and at which instant.
 struct TableError {

@@ -44,8 +44,8 @@ void addMoments(const Latitude& at, std::span<const Number3> order, std::span<co
                 PolarMoments& moments) {
   for (int l = 0; l < bands; ++l)
     for (int m = 0; m <= l; ++m)
-      moments.radiance_sh[polarIndex(l, m)] += order[static_cast<std::size_t>(m)] *
-                                               (2.0 * at.weight * factor[static_cast<std::size_t>(sh::indexOf(l, m))]);
+      moments.radiance_sh[polarIndex(l, m)] +=
+          order[static_cast<std::size_t>(m)] * (2.0 * at.weight * factor[static_cast<std::size_t>(sh::indexOf(l, m))]);
   moments.horizontal_irradiance += order[0] * (2.0 * at.weight * at.sine);
 }
 

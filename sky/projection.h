@@ -26,8 +26,8 @@ struct SkyMoments {
   std::size_t evaluations = 0;       ///< directions that the quadrature looked at
 };
 
-/// The same in the frame of the sun's azimuth: pole +y, azimuth counted from the sun's. Only the orders m >= 0 are there,
-/// for the sky is symmetric about the sun's vertical plane; index polarIndex(l, m).
+/// The same in the frame of the sun's azimuth: pole +y, azimuth counted from the sun's. Only the orders m >= 0 are
+/// there, for the sky is symmetric about the sun's vertical plane; index polarIndex(l, m).
 struct PolarMoments {
   std::vector<Number3> radiance_sh;  ///< bands (bands + 1) / 2
   Number3 horizontal_irradiance;
@@ -39,8 +39,8 @@ constexpr std::size_t polarIndex(int l, int m) {
   return static_cast<std::size_t>(l * (l + 1) / 2 + m);
 }
 
-/// Adds the share of a circle whose radiance has the half integrals `order` against cos(m alpha); `factor`: the latitude's
-/// factors of the basis (sh::LatitudeRecurrence).
+/// Adds the share of a circle whose radiance has the half integrals `order` against cos(m alpha); `factor`: the
+/// latitude's factors of the basis (sh::LatitudeRecurrence).
 void addMoments(const Latitude& at, std::span<const Number3> order, std::span<const double> factor, int bands,
                 PolarMoments& moments);
 

@@ -32,6 +32,34 @@ std::vector<double> coefficientValues(const ErrorGrid& grid, int bands) {
   return values;
 }
 
+/// Irradiance at the grid's normals.
+std::vector<Number3> irradianceOf(const Representation& r, std::span<const Number3> weight, std::size_t points) {
+  std::vector<Number3> irradiance(points);
+  for (std::size_t p = 0; p < points; ++p) {
+    const double* value = r.values.data() + p * r.functions;
+    for (std::size_t k = 0; k < r.functions; ++k) irradiance[p] += weight[k] * value[k];
+  }
+  return irradiance;
+}
+
+/// Horizontal irradiance; 0 where none is held.
+Number3 horizontalOf(const Representation& r, std::span<const Number3> weight) {
+  Number3 sum(0.0);
+  for (std::size_t k = 0; k < r.horizontal.size(); ++k) sum += weight[k] * r.horizontal[k];
+  return r.rows > r.functions ? weight[r.functions] : sum;
+}
+
+/// Weights of the nearest combination of the modes at every instant.
+void weighModes(const DayValues& day, Representation& r) {
+  r.weight.resize(day.day->instant.size() * r.rows);
+  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
+    for (int c = 0; c < 3; ++c) {
+      const auto weights = r.set.weightsOf(FieldChannel(day.day->instant[i].field, c));
+      for (std::size_t k = 0; k < weights.size(); ++k) r.weight[i * r.rows + k][c] = weights[k];
+    }
+  });
+}
+
 }  // namespace
 
 const char* nameOf(Reconstruction reconstruction) {
@@ -83,6 +111,7 @@ void fitWeights(const DayValues& day, Representation& r) {
       for (std::size_t k = 0; k < columns.size(); ++k) r.weight[i * r.rows + columns[k]][c] = fitted.coefficient[k];
     }
   });
+  r.fitted = true;
   if (!r.modes) r.reconstruction = Reconstruction::fitted;
 }
 
@@ -108,39 +137,43 @@ Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, 
   r.bands = bands;
   r.functions = r.rows = modes.count();
   r.modes = mapOf(modes, columns, rows, bands);
+  r.set = modes;
   r.values = mapValues(*r.modes, *day.grid);
   std::size_t zenith = 0;
-  while (day.grid->normal(zenith).y < 1.0) ++zenith;
+  while (day.grid->y(zenith) < 1.0) ++zenith;
   r.horizontal.assign(r.values.begin() + static_cast<std::ptrdiff_t>(zenith * r.functions),
                       r.values.begin() + static_cast<std::ptrdiff_t>((zenith + 1) * r.functions));
-  r.weight.resize(day.day->instant.size() * r.rows);
-  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
-    for (int c = 0; c < 3; ++c) {
-      const auto weights = modes.weightsOf(FieldChannel(day.day->instant[i].field, c));
-      for (std::size_t k = 0; k < weights.size(); ++k) r.weight[i * r.rows + k][c] = weights[k];
-    }
-  });
+  weighModes(day, r);
   return r;
+}
+
+Representation atHoursOf(const DayValues& day, const Representation& r) {
+  if (!r.modes) return coefficientsOf(day, r.bands, r.fitted);
+  Representation other = r;
+  weighModes(day, other);
+  if (r.fitted) fitWeights(day, other);
+  return other;
 }
 
 DayFields::Error errorOf(const DayValues& day, const Representation& r, std::size_t instant,
                          std::span<const Number3> weight) {
   const std::size_t points = day.grid->count();
-  std::vector<Number3> off(points);
+  std::vector<Number3> off = irradianceOf(r, weight, points);
   const Number3* want = day.value.data() + instant * points;
-  for (std::size_t p = 0; p < points; ++p) {
-    Number3 sum(0.0);
-    const double* value = r.values.data() + p * r.functions;
-    for (std::size_t k = 0; k < r.functions; ++k) sum += weight[k] * value[k];
-    off[p] = sum - want[p];
-  }
+  for (std::size_t p = 0; p < points; ++p) off[p] = off[p] - want[p];
   const DayInstant& at = day.day->instant[instant];
-  Number3 horizontal = at.field.moments.horizontal_irradiance * -1.0;
-  if (r.horizontal.empty())
-    horizontal = r.rows > r.functions ? horizontal + weight[r.functions] : Number3(0.0);
-  else
-    for (std::size_t k = 0; k < r.functions; ++k) horizontal += weight[k] * r.horizontal[k];
+  const bool has_horizontal = !r.horizontal.empty() || r.rows > r.functions;
+  const Number3 horizontal =
+      has_horizontal ? horizontalOf(r, weight) - at.field.moments.horizontal_irradiance : Number3(0.0);
   return day.day->errorOf(at, *day.grid, off, horizontal);
+}
+
+double differenceOf(const DayValues& day, const Representation& r, std::size_t instant, std::span<const Number3> weight,
+                    std::span<const Number3> want) {
+  std::vector<Number3> difference(r.rows);
+  for (std::size_t k = 0; k < r.rows; ++k) difference[k] = weight[k] - want[k];
+  const auto off = irradianceOf(r, difference, day.grid->count());
+  return day.day->errorOf(day.day->instant[instant], *day.grid, off, horizontalOf(r, difference)).value;
 }
 
 }  // namespace welkin::sky

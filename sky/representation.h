@@ -32,6 +32,8 @@ struct Representation {
   std::vector<double> values;      ///< of the functions: normal, function
   std::vector<double> horizontal;  ///< of the functions; none when it is a row of its own
   std::vector<Number3> weight;     ///< instant, row
+  ModeSet set;                     ///< the modes before they became a map
+  bool fitted = false;             ///< weights are of the least largest error
 
   std::string name() const;
   /// Bytes that do not depend on the keys.
@@ -48,8 +50,15 @@ void fitWeights(const DayValues& day, Representation& r);
 /// Weights of modes read from a map of columns x rows texels.
 Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, int rows, int bands);
 
+/// The same way to hold it at the hours of another day's sampling.
+Representation atHoursOf(const DayValues& day, const Representation& r);
+
 /// The error of an instant when its rows are `weight`.
 DayFields::Error errorOf(const DayValues& day, const Representation& r, std::size_t instant,
                          std::span<const Number3> weight);
+
+/// The error of an instant when its rows should be `want` and are `weight`.
+double differenceOf(const DayValues& day, const Representation& r, std::size_t instant, std::span<const Number3> weight,
+                    std::span<const Number3> want);
 
 }  // namespace welkin::sky
