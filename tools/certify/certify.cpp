@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certify/certify.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sky/error.h"
+
+namespace welkin::tools {
+namespace {
+
+using sky::DayInstant;
+using sky::Number3;
+
+constexpr double kMinute_h = 1.0 / 60.0;
+constexpr int kFullNormals = 642;
+constexpr double kFullTolerance = 1e-5;
+constexpr std::size_t kQuadratureChecks = 24;  ///< instants at which the moments are compared with finer ones
+
+std::vector<double> instantsOf(const Baked& baked) {
+  std::vector<double> hours = sky::hoursOfInterest(baked.sky, kMinute_h);
+  const auto& keys = baked.table.key_time_h;
+  hours.insert(hours.end(), keys.begin(), keys.end());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double next = i + 1 < keys.size() ? keys[i + 1] : keys[0] + format::kDay_h;
+    hours.push_back(format::wrapTime(0.5 * (keys[i] + next)));
+  }
+  std::sort(hours.begin(), hours.end());
+  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
+  return hours;
+}
+
+/// Directions of a golden-angle spiral.
+std::vector<Number3> spiral(int count) {
+  std::vector<Number3> directions;
+  for (int i = 0; i < count; ++i) {
+    const double y = 1.0 - 2.0 * (i + 0.5) / count;
+    const double azimuth = std::fmod(2.39996322972865332 * i, det::kTwoPi);
+    const double across = std::sqrt(1.0 - y * y);
+    directions.push_back({across * det::sin(azimuth), y, -across * det::cos(azimuth)});
+  }
+  return directions;
+}
+
+/// Errors of an instant by channel, before they are divided.
+struct Looked {
+  double error[3] = {};
+  Number3 normal[3];
+  double sum[3] = {};
+  std::size_t normals = 0;
+
+  void at(const Number3& direction, const Number3& got, const Number3& want) {
+    ++normals;
+    for (int c = 0; c < 3; ++c) {
+      const double off = std::abs(got[c] - want[c]);
+      sum[c] += off;
+      if (off <= error[c]) continue;
+      error[c] = off;
+      normal[c] = direction;
+    }
+  }
+};
+
+class Instant {
+ public:
+  Instant(const WelkinSky* opened, const sky::Sky& model, const DayInstant& at)
+      : opened_(opened), at_(at), instant_(model, at.time_h) {
+    if (welkin_sky_sample(opened, at.time_h, &sample_) != WELKIN_OK)
+      throw Error(ExitStatus::internal, "the certificate: the runtime cannot sample the baked sky");
+    const Number3& sun = instant_.sunDirection();
+    const double length = det::horizontalLength(sun);
+    along_ = length > 0.0 ? Number3(sun.x / length, 0.0, sun.z / length) : Number3(0.0, 0.0, 1.0);
+    ground_ = instant_.groundRadiance(at.field.moments.horizontal_irradiance);
+  }
+
+  /// Of a normal of the sun's frame, on one side of the sun's plane or the other.
+  Number3 inWorld(const Number3& n, double side) const {
+    return along_ * n.z + Number3(along_.z, 0.0, -along_.x) * (side * n.x) + Number3(0.0, n.y, 0.0);
+  }
+  const sky::SkyInstant& model() const { return instant_; }
+
+  /// `shape`: the sky's irradiance there at intensity 1.
+  void look(const Number3& normal, const Number3& shape, Looked& looked) const {
+    const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    float e[3];
+    welkin_sky_irradiance(opened_, &sample_, n, e);
+    const Number3 want =
+        det::desaturate(shape * at_.intensity + ground_ * det::groundIrradiance(normal.y), at_.saturation);
+    looked.at(normal, {double{e[0]}, double{e[1]}, double{e[2]}}, want);
+  }
+
+ private:
+  const WelkinSky* opened_;
+  const DayInstant& at_;
+  sky::SkyInstant instant_;
+  WelkinSkySample sample_{};
+  Number3 along_, ground_;
+};
+
+Looked lookAt(const Instant& instant, const sky::DayValues& day, std::size_t i) {
+  Looked looked;
+  const std::size_t normals = day.grid->count();
+  for (std::size_t p = 0; p < normals; ++p)
+    instant.look(instant.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0), day.value[i * normals + p],
+                 looked);
+  return looked;
+}
+
+/// Largest difference between the irradiance of the moments that were baked and of converged ones.
+double quadratureOf(const sky::DayValues& day, const Baked& baked, const sky::Progress& progress) {
+  const std::size_t apart = std::max<std::size_t>(1, day.day->instant.size() / kQuadratureChecks);
+  const int bands = sky::IrradianceProjector::kBands;
+  const sky::SkyProjector converged(baked.sky.luminance, bands, 1e-9);
+  const sky::Representation r = sky::coefficientsOf(day, bands, false);
+  std::vector<double> error((day.day->instant.size() + apart - 1) / apart);
+  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t k) {
+    const std::size_t i = k * apart;
+    const auto moments = converged.projectPolar(sky::SkyInstant(baked.sky, day.day->instant[i].time_h));
+    std::vector<Number3> want = moments.radiance_sh;
+    if (r.rows > r.functions) want.push_back(moments.horizontal_irradiance);
+    error[k] = sky::differenceOf(day, r, i, {r.weight.data() + i * r.rows, r.rows}, want);
+    if (!progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+  });
+  return *std::max_element(error.begin(), error.end());
+}
+
+}  // namespace
+
+std::size_t certifySteps(const Baked& baked, Certify how) {
+  const std::size_t instants = instantsOf(baked).size();
+  const std::size_t apart = std::max<std::size_t>(1, instants / kQuadratureChecks);
+  return instants * (how == Certify::full ? 2 : 1) + (instants + apart - 1) / apart;
+}
+
+sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress) {
+  const sky::DayFields fields = sky::sampleDay(baked.sky, instantsOf(baked), progress);
+  const sky::ErrorGrid grid;
+  const sky::DayValues day(fields, grid);
+  const std::vector<Number3> spread = spiral(kFullNormals);
+  const sky::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
+  std::vector<Looked> looked(fields.instant.size());
+  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {
+    const Instant instant(opened, baked.sky, fields.instant[i]);
+    looked[i] = lookAt(instant, day, i);
+    if (how != Certify::full) return;
+    for (const Number3& n : spread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
+    if (!progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+  });
+
+  sky::Certificate certificate;
+  certificate.method = how == Certify::full ? sky::Certificate::Method::full : sky::Certificate::Method::fast;
+  certificate.instants = looked.size();
+  double sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double divisor = fields.instant[i].divisor[c];
+      if (!(divisor > 0.0)) continue;
+      sum += looked[i].sum[c] / divisor;
+      weight += static_cast<double>(looked[i].normals);
+      if (looked[i].error[c] / divisor <= certificate.max_error) continue;
+      certificate.max_error = looked[i].error[c] / divisor;
+      certificate.time_h = fields.instant[i].time_h;
+      certificate.normal = looked[i].normal[c];
+      certificate.channel = c;
+    }
+  certificate.mean_error = weight > 0.0 ? sum / weight : 0.0;
+  certificate.parts = sky::partsOf(day, sky::atHoursOf(day, baked.representation), baked.table, baked.encoding);
+  certificate.parts.quadrature = quadratureOf(day, baked, progress);
+  return certificate;
+}
+
+}  // namespace welkin::tools

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The certificate: the irradiance error that a baked sky really makes, measured through the runtime that a game links.
+#pragma once
+
+#include <welkin/welkin.h>
+
+#include "sky/key_placement.h"
+
+namespace welkin::tools {
+
+enum class Certify { none, fast, full };
+
+/// What was baked.
+struct Baked {
+  const sky::Sky& sky;
+  const sky::Representation& representation;
+  const sky::DayTable& table;
+  sky::Encoding encoding;
+};
+
+/// Measures `opened`, the file of `baked`: at every minute of the day, every key and the middle between two, and the
+/// instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals on both sides of the
+/// sun's plane (sky/irradiance.h: within 1e-4); `full` adds direct integration (sky/projection.h, 1e-5) at 642 evenly
+/// spread normals, which takes minutes. The same numbers for any number of threads. `progress` as in bakeDayTable.
+sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress);
+
+/// How many steps of progress that takes.
+std::size_t certifySteps(const Baked& baked, Certify how);
+
+}  // namespace welkin::tools
