@@ -101,31 +101,65 @@ Number3 directionOfTexel(Layout layout, int size, int column, int row) {
                     axes.right * faceCoordinate(layout, size, column));
 }
 
-DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
-                     const Progress& progress) {
-  DomeImage image{extentOf(layout, size), {}, 0};
-  const auto width = static_cast<std::size_t>(image.extent.width);
-  image.rgb_half.resize(width * static_cast<std::size_t>(image.extent.height) * 3);
+namespace {
+
+/// Calls store(index of texel, radiance), which returns how many components it saturated, in parallel over rows.
+/// Returns the sum.
+template <typename Store>
+std::size_t render(const SkyInstant& instant, const Number3& ground, Layout layout, int size, const Progress& progress,
+                   Store&& store) {
   const LuminanceModel& model = instant.sky().luminance;
   std::optional<IndicatrixTable> table;
   if (model.d >= -IndicatrixTable::kSteepest) table.emplace(model.d);
   const RowDirections directions(layout, size);
+  const Extent extent = extentOf(layout, size);
   std::atomic<std::size_t> saturated = 0;
-  tbb::parallel_for(0, image.extent.height, [&](int row) {
+  tbb::parallel_for(0, extent.height, [&](int row) {
     std::size_t past = 0;
-    std::uint16_t* out = image.rgb_half.data() + static_cast<std::size_t>(row) * width * 3;
+    std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(extent.width);
     directions.forEach(row, [&](const Number3& direction) {
-      const Number3 radiance = instant.dome(direction, ground, table ? &*table : nullptr);
-      for (int c = 0; c < 3; ++c) {
-        if (radiance[c] > double{kLargestHalf}) ++past;
-        *out++ = Imath::half(static_cast<float>(std::min(radiance[c], double{kLargestHalf}))).bits();
-      }
+      past += store(texel++, instant.dome(direction, ground, table ? &*table : nullptr));
     });
     saturated += past;
     if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
   });
-  image.saturated = saturated;
+  return saturated;
+}
+
+std::size_t texelCount(const Extent& extent) {
+  return static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height);
+}
+
+}  // namespace
+
+DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
+                     const Progress& progress) {
+  DomeImage image{extentOf(layout, size), {}, 0};
+  image.rgb_half.resize(texelCount(image.extent) * 3);
+  image.saturated = render(instant, ground, layout, size, progress, [&](std::size_t texel, const Number3& radiance) {
+    std::size_t past = 0;
+    for (int c = 0; c < 3; ++c) {
+      if (radiance[c] > double{kLargestHalf}) ++past;
+      image.rgb_half[texel * 3 + static_cast<std::size_t>(c)] =
+          Imath::half(static_cast<float>(std::min(radiance[c], double{kLargestHalf}))).bits();
+    }
+    return past;
+  });
   return image;
+}
+
+Cubemap renderCubemap(const SkyInstant& instant, const Number3& ground, int size, format::CubemapFormat format,
+                      const Progress& progress) {
+  const std::size_t bytes = format::texelBytes(format);
+  Cubemap cubemap{size, format, {}, 0};
+  cubemap.texels.resize(texelCount(extentOf(Layout::vulkan_cube, size)) * bytes);
+  cubemap.saturated =
+      render(instant, ground, Layout::vulkan_cube, size, progress, [&](std::size_t texel, const Number3& radiance) {
+        const float rgb[3] = {static_cast<float>(radiance.x), static_cast<float>(radiance.y),
+                              static_cast<float>(radiance.z)};
+        return format::encodeTexel(format, rgb, cubemap.texels.data() + texel * bytes);
+      });
+  return cubemap;
 }
 
 }  // namespace welkin::sky

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "format/cubemap_format.h"
 #include "sky/day_table.h"
 
 namespace welkin::sky {
@@ -44,5 +45,17 @@ struct DomeImage {
 /// row, as in bakeDayTable.
 DomeImage renderDome(const SkyInstant& instant, const Number3& ground, Layout layout, int size,
                      const Progress& progress = {});
+
+/// A cubemap as sky.welkin holds it: Layout::vulkan_cube, texel after texel.
+struct Cubemap {
+  int size = 0;
+  format::CubemapFormat format = format::CubemapFormat::rgba16f;
+  std::vector<std::uint8_t> texels;
+  std::size_t saturated = 0;  ///< components past the format's largest value, stored as that
+};
+
+/// Renders the dome into the texels of a format, each rounded once; parallel and deterministic as renderDome.
+Cubemap renderCubemap(const SkyInstant& instant, const Number3& ground, int size, format::CubemapFormat format,
+                      const Progress& progress = {});
 
 }  // namespace welkin::sky

@@ -9,8 +9,6 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint16_t kHalfOne = 0x3c00;
-
 Offset<format::Curve> encodeCurve(FlatBufferBuilder& b, const Curve& curve) {
   return format::CreateCurveDirect(b, static_cast<std::uint8_t>(curve.components), &curve.time_h, &curve.value);
 }
@@ -36,17 +34,9 @@ Offset<format::Stars> encodeStars(FlatBufferBuilder& b, const Stars& stars) {
                              texels, stars.intensity, stars.latitude_rad, stars.north_offset_rad, stars.midnight_h);
 }
 
-Offset<format::Cubemap> encodeCubemap(FlatBufferBuilder& b, double time_h, const DomeImage& image) {
-  b.ForceVectorAlignment(image.rgb_half.size() / 3 * 8, 1, 16);
-  std::uint8_t* out = nullptr;
-  const auto texels = b.CreateUninitializedVector(image.rgb_half.size() / 3 * 8, 1, &out);
-  for (std::size_t i = 0; i < image.rgb_half.size(); ++i) {
-    std::memcpy(out, &image.rgb_half[i], 2);
-    out += 2;
-    if (i % 3 != 2) continue;
-    std::memcpy(out, &kHalfOne, 2);
-    out += 2;
-  }
+Offset<format::Cubemap> encodeCubemap(FlatBufferBuilder& b, double time_h, const Cubemap& cubemap) {
+  b.ForceVectorAlignment(cubemap.texels.size(), 1, 16);
+  const auto texels = b.CreateVector(cubemap.texels);
   return format::CreateCubemap(b, time_h, texels);
 }
 
@@ -75,7 +65,7 @@ Offset<format::Certificate> encodeCertificate(FlatBufferBuilder& b, const Certif
 
 }  // namespace
 
-std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps,
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<Cubemap>& cubemaps,
                                  Encoding encoding, const Certificate* certificate) {
   FlatBufferBuilder b(1 << 16);
   const Sky& s = file.sky;
@@ -100,10 +90,11 @@ std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, con
   const auto gradient_anti = encodeGradient(b, s.gradient_anti);
   const auto day = encodeDay(b, table, encoding);
   const auto certified = certificate != nullptr ? encodeCertificate(b, *certificate) : Offset<format::Certificate>();
-  const auto sky = format::CreateSkyDirect(b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun,
-                                           moon, gradient_sun, gradient_anti, kGradientDelta, day,
-                                           static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size),
-                                           &cubemap, stars, certified);
+  const auto sky = format::CreateSkyDirect(
+      b, &luminance, s.luminance_unit, &albedo, intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti,
+      kGradientDelta, day, static_cast<std::uint32_t>(cubemaps.empty() ? 0 : file.bake.cubemap_size), &cubemap, stars,
+      static_cast<std::uint8_t>(cubemaps.empty() ? format::CubemapFormat::rgba16f : cubemaps.front().format),
+      certified);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, file.settings.c_str(), &input, sky));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
 }

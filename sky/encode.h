@@ -12,9 +12,9 @@
 
 namespace welkin::sky {
 
-/// `cubemaps` are renders of Layout::vulkan_cube at the settings' times, in their order. `certificate`: of these very
+/// `cubemaps` are of the settings' times, in their order, all of one size and format. `certificate`: of these very
 /// numbers, or null when nothing was measured.
-std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<DomeImage>& cubemaps,
+std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<Cubemap>& cubemaps,
                                  Encoding encoding = Encoding::float32, const Certificate* certificate = nullptr);
 
 }  // namespace welkin::sky

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "format/cubemap_format.h"
 #include "sky/path_check.h"
 #include "sky/sky.h"
 
@@ -18,6 +19,7 @@ struct BakeSettings {
   std::vector<double> key_time_h;
   int cubemap_size = 128;  ///< 0: none
   std::vector<double> cubemap_time_h;
+  format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
 };
 
 /// A file that was read: its name as written in sky.toml (sky.toml's own name without folders) and XXH3-128.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/sky.h"
+#include "format/cubemap_format.h"
 #include "format/day_numbers.h"
 #include "format/key_segment.h"
 
@@ -208,20 +209,22 @@ void checkCubemaps(Check& check, const format::Sky& sky, std::size_t bytes) {
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;
   const std::uint64_t size = sky.cubemap_size();
   if (!check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384") ||
-      !check.that(sky.cubemaps()->size() <= bytes / (6 * size * size * 8), "a cubemap",
-                  "must have six faces of RGBA half floats of its own"))
+      !check.that(sky.cubemap_format() < format::kCubemapFormats, "cubemap_format", "must be 0 to 2"))
     return;
+  const auto texel_format = static_cast<format::CubemapFormat>(sky.cubemap_format());
+  const std::uint64_t texels = 6 * size * size;
+  const std::uint64_t texel_bytes = texels * format::texelBytes(texel_format);
+  if (!check.that(sky.cubemaps()->size() <= bytes / texel_bytes, "a cubemap", "must have six faces of its own")) return;
   double before = -1.0;
   for (const auto* cubemap : *sky.cubemaps()) {
     check.that(cubemap->time_h() > before && cubemap->time_h() < 24.0, "the cubemaps",
                "must have ascending times in [0, 24)");
     before = cubemap->time_h();
-    if (!check.that(cubemap->rgba16f() != nullptr && cubemap->rgba16f()->size() == 6 * size * size * 8, "a cubemap",
-                    "must have six faces of RGBA half floats"))
+    if (!check.that(cubemap->texels() != nullptr && cubemap->texels()->size() == texel_bytes, "a cubemap",
+                    "must have six faces of texels of its format"))
       return;
-    const auto* half = reinterpret_cast<const std::uint16_t*>(cubemap->rgba16f()->data());
-    const bool finite = std::all_of(half, half + 6 * size * size * 4, [](std::uint16_t h) { return h < 0x7c00; });
-    check.that(finite, "a cubemap", "has a texel that is negative or not finite");
+    check.that(format::hasOnlyLight(texel_format, cubemap->texels()->data(), texels), "a cubemap",
+               "has a texel that is negative or not finite");
   }
 }
 

@@ -127,6 +127,7 @@ WelkinResult welkin_sky_info(const WelkinSky* sky, WelkinSkyInfo* info) {
   info->mode_count = s.day()->modes() != nullptr ? s.day()->modes()->count() : 0;
   info->cubemap_count = s.cubemaps() != nullptr ? s.cubemaps()->size() : 0;
   info->cubemap_size = info->cubemap_count != 0 ? s.cubemap_size() : 0;
+  info->cubemap_format = static_cast<WelkinCubemapFormat>(s.cubemap_format());
   info->has_moon = s.moon() != nullptr ? 1 : 0;
   info->luminance_unit = toFloat(s.luminance_unit());
   info->ground_albedo[0] = s.ground_albedo()->r();
@@ -158,8 +159,8 @@ WelkinResult welkin_sky_cubemap(const WelkinSky* sky, uint32_t index, WelkinCube
   const auto& s = *sky->file->sky();
   if (s.cubemaps() == nullptr || index >= s.cubemaps()->size()) return WELKIN_ERROR_ARGUMENT;
   const auto& c = *s.cubemaps()->Get(index);
-  *cubemap = {c.time_h(), s.cubemap_size(), reinterpret_cast<const uint16_t*>(c.rgba16f()->data()),
-              c.rgba16f()->size()};
+  *cubemap = {c.time_h(), s.cubemap_size(), static_cast<WelkinCubemapFormat>(s.cubemap_format()), c.texels()->data(),
+              c.texels()->size()};
   return WELKIN_OK;
 }
 

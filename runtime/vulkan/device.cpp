@@ -53,6 +53,8 @@ WelkinResult loadFunctions(const WelkinVulkanCreateInfo& info, Functions& fn, We
   return WELKIN_OK;
 }
 
+}  // namespace
+
 WelkinResult checkFormat(const Device& device, VkFormat format, VkFormatFeatureFlags needed, const char* what,
                          WelkinMessage* message) {
   VkFormatProperties properties;
@@ -61,8 +63,6 @@ WelkinResult checkFormat(const Device& device, VkFormat format, VkFormatFeatureF
   return fail(message, WELKIN_ERROR_DEVICE, "%s: VkFormat %d lacks the features %#x (it has %#x)", what,
               static_cast<int>(format), needed, properties.optimalTilingFeatures);
 }
-
-}  // namespace
 
 WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, WelkinMessage* message) {
   if (info.get_instance_proc_addr == nullptr || info.instance == nullptr || info.physical_device == nullptr ||

@@ -83,6 +83,10 @@ struct Device {
 /// WELKIN_OK for success; else "what: VkResult" and WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE.
 WelkinResult check(VkResult result, const char* what, WelkinMessage* message);
 
+/// WELKIN_OK when optimally tiled images of `format` have the features; else WELKIN_ERROR_DEVICE, which names `what`.
+WelkinResult checkFormat(const Device& device, VkFormat format, VkFormatFeatureFlags needed, const char* what,
+                         WelkinMessage* message);
+
 /// Loads the functions and checks version, formats and limits.
 WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, WelkinMessage* message);
 

@@ -111,7 +111,7 @@ VkImageCreateInfo imageInfo(const Image& image) {
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  if (image.mips > 1) info.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (image.mips > 1 && image.blits_mips) info.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
   info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
   return info;
@@ -202,6 +202,7 @@ void recordTransition(const Device& device, VkCommandBuffer commands, const Imag
   device.fn.CmdPipelineBarrier2(commands, &dependency);
 }
 
+constexpr uint32_t kMostMips = 32;  // edges have 32 bits
 constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_BLIT_BIT;
 
 VkImageMemoryBarrier2 barrierOf(VkPipelineStageFlags2 from, VkAccessFlags2 written, VkImageLayout before,
@@ -249,15 +250,22 @@ void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer 
   for (uint32_t i = 0; i < count; ++i) {
     const Image& image = images[i];
     recordTransition(device, commands, image, 0, image.mips, to_copy);
-    VkBufferImageCopy region{};
-    region.bufferOffset = image.staging_offset;
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, image.layers};
-    region.imageExtent = {image.extent.width, image.extent.height, 1};
-    device.fn.CmdCopyBufferToImage(commands, staging, image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    recordMips(device, commands, image);
-    const uint32_t last = image.mips - 1;
-    if (last > 0) recordTransition(device, commands, image, 0, last, to_read(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
-    recordTransition(device, commands, image, last, 1, to_read(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
+    VkBufferImageCopy region[kMostMips]{};
+    VkDeviceSize offset = image.staging_offset;
+    for (uint32_t mip = 0; mip < image.stagedMips(); ++mip) {
+      region[mip].bufferOffset = offset;
+      region[mip].imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, image.layers};
+      region[mip].imageExtent = {Image::edgeAt(image.extent.width, mip), Image::edgeAt(image.extent.height, mip), 1};
+      offset += image.mipBytes(mip);
+    }
+    device.fn.CmdCopyBufferToImage(commands, staging, image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                   image.stagedMips(), region);
+    if (image.blits_mips) recordMips(device, commands, image);
+    const uint32_t blitted = image.blits_mips ? image.mips - 1 : 0;  // the mips that were a blit's source
+    if (blitted > 0)
+      recordTransition(device, commands, image, 0, blitted, to_read(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
+    recordTransition(device, commands, image, blitted, image.mips - blitted,
+                     to_read(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
   }
 }
 

@@ -28,10 +28,21 @@ struct Image {
   VkDeviceSize texel_bytes = 0;
   VkDeviceSize staging_offset = 0;
   uint32_t mips = 1;
-  bool borrowed = false;  ///< the caller's image
+  bool blits_mips = true;  ///< the device makes the mips after the first; else they are staged too
+  bool borrowed = false;   ///< the caller's image
 
-  /// Of the first mip.
-  VkDeviceSize bytes() const { return texel_bytes * extent.width * extent.height * layers; }
+  /// Of one mip: all layers.
+  VkDeviceSize mipBytes(uint32_t mip) const {
+    return texel_bytes * edgeAt(extent.width, mip) * edgeAt(extent.height, mip) * layers;
+  }
+  uint32_t stagedMips() const { return blits_mips ? 1 : mips; }
+  /// Of the mips that are staged, one after the other.
+  VkDeviceSize stagedBytes() const {
+    VkDeviceSize sum = 0;
+    for (uint32_t mip = 0; mip < stagedMips(); ++mip) sum += mipBytes(mip);
+    return sum;
+  }
+  static uint32_t edgeAt(uint32_t edge, uint32_t mip) { return edge >> mip > 0 ? edge >> mip : 1; }
 };
 
 /// Mips of a square of `edge` texels down to one.
@@ -46,8 +57,8 @@ WelkinResult createImages(const Device& device, Image* images, uint32_t count, W
 void destroy(const Device& device, Image& image);
 void freeMemory(const Device& device, WelkinVulkanAllocation& allocation);
 
-/// Records the copy of every image from `staging` and fills their mips, each from the one before by a linear blit;
-/// leaves them in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
+/// Records the copy of every image from `staging` and fills the mips that are not there, each from the one before by a
+/// linear blit; leaves them in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
 void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer staging, const Image* images,
                        uint32_t count);
 

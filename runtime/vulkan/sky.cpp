@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C interface of welkin_vulkan.h.
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <new>
 
@@ -8,6 +9,7 @@
 #include "vulkan/descriptors.h"
 #include "vulkan/dome_pipeline.h"
 #include "vulkan/memory.h"
+#include "vulkan/mips.h"
 
 namespace welkin::vulkan {
 
@@ -59,6 +61,10 @@ uint32_t imageCount(const WelkinSkyInfo& info) {
   return kFixed + (info.cubemap_count > 0 ? info.cubemap_count : 1);
 }
 
+constexpr VkFormat kVulkanFormats[] = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32,
+                                       VK_FORMAT_B10G11R11_UFLOAT_PACK32};
+static_assert(std::size(kVulkanFormats) == format::kCubemapFormats);
+
 Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const WelkinStars& stars, uint32_t index) {
   Image image;
   if (index == kStars) {
@@ -79,9 +85,11 @@ Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const
   const uint32_t edge = info.cubemap_count > 0 ? info.cubemap_size : 1;
   image.extent = {edge, edge};
   image.layers = 6;
-  image.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-  image.texel_bytes = 8;
+  const auto format = static_cast<format::CubemapFormat>(info.cubemap_format);
+  image.format = kVulkanFormats[info.cubemap_format];
+  image.texel_bytes = format::texelBytes(format);
   image.mips = mipCount(edge);
+  image.blits_mips = format == format::CubemapFormat::rgba16f;  // no device need write the others
   return image;
 }
 
@@ -93,6 +101,9 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
   if (welkin_sky_info(sky, &info) != WELKIN_OK || welkin_sky_gradients(sky, &gradients) != WELKIN_OK ||
       welkin_sky_stars(sky, &stars) != WELKIN_OK || welkin_sky_luminance(sky, &o.shape.luminance) != WELKIN_OK)
     return fail(message, WELKIN_ERROR_ARGUMENT, "the sky is null");
+  constexpr VkFormatFeatureFlags kFilter = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT |
+                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  if (const auto r = checkFormat(o.device, kVulkanFormats[info.cubemap_format], kFilter, "cubemaps", message)) return r;
   const uint32_t sizes[4] = {gradients.sun.width, gradients.sun.height, gradients.anti.width, gradients.anti.height};
   std::memcpy(o.shape.gradient_size, sizes, sizeof(sizes));
   o.shape.gradient_delta = gradients.delta;
@@ -117,24 +128,28 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
   for (uint32_t i = 0; i < o.image_count; ++i) {
     bytes = roundUp(bytes, alignment);
     o.images[i].staging_offset = bytes;
-    bytes += o.images[i].bytes();
+    bytes += o.images[i].stagedBytes();
   }
   if (const auto r =
           createMapped(o.device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "welkin staging", o.staging, message))
     return r;
   copyGradient(gradients.sun, o.staging.mapped + o.images[0].staging_offset);
   copyGradient(gradients.anti, o.staging.mapped + o.images[1].staging_offset);
-  std::memset(o.staging.mapped + o.images[kStars].staging_offset, 0, o.images[kStars].bytes());
+  std::memset(o.staging.mapped + o.images[kStars].staging_offset, 0, o.images[kStars].stagedBytes());
   if (stars.width > 0)
-    std::memcpy(o.staging.mapped + o.images[kStars].staging_offset, stars.rgba8, o.images[kStars].bytes());
+    std::memcpy(o.staging.mapped + o.images[kStars].staging_offset, stars.rgba8, o.images[kStars].stagedBytes());
   if (info.cubemap_count == 0)
-    std::memset(o.staging.mapped + o.images[kFixed].staging_offset, 0, o.images[kFixed].bytes());
+    std::memset(o.staging.mapped + o.images[kFixed].staging_offset, 0, o.images[kFixed].stagedBytes());
   for (uint32_t i = 0; i < info.cubemap_count; ++i) {
     WelkinCubemap cubemap;
     const Image& image = o.images[kFixed + i];
-    if (welkin_sky_cubemap(sky, i, &cubemap) != WELKIN_OK || cubemap.bytes != image.bytes())
+    if (welkin_sky_cubemap(sky, i, &cubemap) != WELKIN_OK || cubemap.bytes != image.mipBytes(0))
       return fail(message, WELKIN_ERROR_CONTENT, "cubemap %u cannot be read", i);
-    std::memcpy(o.staging.mapped + image.staging_offset, cubemap.rgba16f, cubemap.bytes);
+    std::memcpy(o.staging.mapped + image.staging_offset, cubemap.texels, cubemap.bytes);
+    if (!image.blits_mips && !makeMips(static_cast<format::CubemapFormat>(cubemap.format), cubemap.size,
+                                       static_cast<const unsigned char*>(cubemap.texels),
+                                       o.staging.mapped + image.staging_offset + image.mipBytes(0)))
+      return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
   }
   return WELKIN_OK;
 }

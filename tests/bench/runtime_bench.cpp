@@ -21,11 +21,11 @@ const std::vector<std::byte>& bakedSky(int bands) {
   file.settings = "{}";
   for (int i = 0; i < 288; ++i) file.bake.key_time_h.push_back(i / 12.0);
   file.bake.cubemap_size = 128;
-  std::vector<welkin::sky::DomeImage> cubemaps;
+  std::vector<welkin::sky::Cubemap> cubemaps;
   for (int i = 0; i < 8; ++i) {
     file.bake.cubemap_time_h.push_back(3.0 * i);
-    cubemaps.push_back(welkin::sky::renderDome(welkin::sky::SkyInstant(file.sky, 3.0 * i), welkin::sky::Number3(0.0),
-                                               welkin::sky::Layout::vulkan_cube, 128));
+    cubemaps.push_back(welkin::sky::renderCubemap(welkin::sky::SkyInstant(file.sky, 3.0 * i), welkin::sky::Number3(0.0),
+                                                  128, file.bake.cubemap_format));
   }
   bytes = welkin::sky::encodeSky(
       file, welkin::sky::bakeDayTable(file.sky, bands, file.bake.key_time_h, [] { return true; }), cubemaps);

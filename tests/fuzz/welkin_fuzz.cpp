@@ -53,14 +53,16 @@ void checkBorrowed(const WelkinSky* sky, const WelkinSkyInfo& info, std::size_t 
     require(numbers > 0, "a gradient has texels");
     requireFinite(g.rgb, numbers, "a gradient");
   }
-  require(std::size_t{48} * info.cubemap_size * info.cubemap_size * info.cubemap_count <= size,
+  const std::size_t texel = info.cubemap_format == WELKIN_CUBEMAP_RGBA16F ? 8 : 4;
+  require(6 * texel * info.cubemap_size * info.cubemap_size * info.cubemap_count <= size,
           "every cubemap has texels of its own");
   for (std::uint32_t i = 0; i < info.cubemap_count; ++i) {
     WelkinCubemap cubemap;
     requireOk(welkin_sky_cubemap(sky, i, &cubemap), "cubemap");
-    require(cubemap.size == info.cubemap_size && cubemap.bytes == std::size_t{48} * cubemap.size * cubemap.size,
+    require(cubemap.size == info.cubemap_size && cubemap.format == info.cubemap_format &&
+                cubemap.bytes == 6 * texel * cubemap.size * cubemap.size,
             "a cubemap has six faces");
-    touch(cubemap.rgba16f, cubemap.bytes);
+    touch(cubemap.texels, cubemap.bytes);
   }
   WelkinStars stars;
   requireOk(welkin_sky_stars(sky, &stars), "stars");

@@ -34,7 +34,8 @@ bool use(const WelkinSky* sky) {
   for (std::uint32_t i = 0; i < info.cubemap_count; ++i) {
     WelkinCubemap cubemap;
     REQUIRE(welkin_sky_cubemap(sky, i, &cubemap) == WELKIN_OK);
-    sum += cubemap.rgba16f[0] + cubemap.rgba16f[cubemap.bytes / 2 - 1];
+    const auto* texels = static_cast<const unsigned char*>(cubemap.texels);
+    sum += texels[0] + texels[cubemap.bytes - 1];
   }
   for (const double time : {0.0, 7.3, 23.99}) {
     WelkinSkySample s;
@@ -99,6 +100,12 @@ TEST_CASE("Content, WholeFileOpens") {
   plain.moon.there = false;
   plain.cubemap_time_h.clear();
   REQUIRE(open(payloadOf(plain)).result == WELKIN_OK);
+  for (const std::uint8_t packed : {1, 2}) {
+    Parts parts;
+    parts.cubemap_format = packed;
+    parts.cubemap.resize(12);
+    REQUIRE(open(payloadOf(parts)).result == WELKIN_OK);
+  }
 }
 
 TEST_CASE("Content, MissingPartsAreRefused") {
@@ -154,6 +161,8 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_sh.push_back(0.0F); }},
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_columns = 1; }},
                   {"a cubemap", [](Parts& p) { p.cubemap_size = 2; }},
+                  {"a cubemap", [](Parts& p) { p.cubemap_format = 1; }},
+                  {"cubemap_format", [](Parts& p) { p.cubemap_format = 3; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0xffffffff; }}});
 }
@@ -244,9 +253,14 @@ TEST_CASE("Content, NumbersMustBeFiniteAndInTheirDomain") {
                   {"the day's table", [](Parts& p) { p.day = withEncoding(1), p.day.numbers[1] = 0x7c; }},
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_texels[23] = 0x7e00; }},
                   {"the modes", [=](Parts& p) { p.day = withModes(4), p.day.mode_sh[0] = nan; }},
-                  {"a cubemap", [](Parts& p) { p.cubemap[23] = 0x7e00; }},   // NaN
-                  {"a cubemap", [](Parts& p) { p.cubemap[0] = 0x7c00; }},    // infinity
-                  {"a cubemap", [](Parts& p) { p.cubemap[5] = 0xbc00; }}});  // -1
+                  {"a cubemap", [](Parts& p) { p.cubemap[23] = 0x7e00; }},  // NaN
+                  {"a cubemap", [](Parts& p) { p.cubemap[0] = 0x7c00; }},   // infinity
+                  {"a cubemap", [](Parts& p) { p.cubemap[5] = 0xbc00; }},   // -1
+                  {"a cubemap", [](Parts& p) {
+                     p.cubemap_format = 2;
+                     p.cubemap.assign(12, 0x3c00);
+                     p.cubemap[10] = 0x07c0;  // infinite red
+                   }}});
 }
 
 TEST_CASE("Content, MisalignedNumbersAreRefused") {

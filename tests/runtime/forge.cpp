@@ -74,7 +74,7 @@ std::vector<std::uint8_t> payloadOf(const Parts& p) {
   const auto sky =
       format::CreateSkyDirect(b, p.has_luminance ? &luminance : nullptr, p.unit, p.has_albedo ? &p.albedo : nullptr,
                               intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti, p.delta, day,
-                              p.cubemap_size, &cubemaps);
+                              p.cubemap_size, &cubemaps, 0, p.cubemap_format);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, p.has_settings ? "{}" : nullptr, nullptr,
                                                        p.has_sky ? sky : Offset<format::Sky>()));
   return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};

@@ -63,6 +63,7 @@ struct Parts {
   std::uint32_t cubemap_size = 1;
   std::vector<double> cubemap_time_h = {6.0, 18.0};
   std::vector<std::uint16_t> cubemap = std::vector<std::uint16_t>(24, 0x3c00);
+  std::uint8_t cubemap_format = 0;
   bool has_texels = true;
 };
 

@@ -25,7 +25,7 @@ const std::vector<std::byte>& smallFile() {
     file.bake.cubemap_size = 2;
     file.bake.cubemap_time_h = {6.0, 18.0};
     const sky::SkyInstant instant(file.sky, 0.0);
-    const auto image = sky::renderDome(instant, sky::Number3(0.1), sky::Layout::vulkan_cube, 2);
+    const auto image = sky::renderCubemap(instant, sky::Number3(0.1), 2, format::CubemapFormat::rgba16f);
     return sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }),
                           {image, image});
   }();

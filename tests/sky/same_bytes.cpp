@@ -128,7 +128,7 @@ void bake(SkyFile file, const std::string& name, Products& products) {
   for (const Encoding encoding : {Encoding::float32, Encoding::float16, Encoding::fixed16, Encoding::fixed8})
     add(products.lines, name + "." + nameOf(encoding), encodeNumbers(table, encoding).numbers);
   const SkyProjector projector(file.sky.luminance, 1);
-  std::vector<DomeImage> cubemaps;
+  std::vector<Cubemap> cubemaps;
   for (const double time_h : file.bake.cubemap_time_h) {
     const SkyInstant instant(file.sky, time_h);
     const Number3 ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
@@ -138,11 +138,13 @@ void bake(SkyFile file, const std::string& name, Products& products) {
                                               {Layout::exr_latlong, "exr_latlong"}}) {
       const DomeImage image = renderDome(instant, ground, layout, file.bake.cubemap_size);
       add(products.lines, at + layout_name, image.rgb_half);
-      if (layout == Layout::vulkan_cube)
-        cubemaps.push_back(image);
-      else
+      if (layout != Layout::vulkan_cube)
         add(products.others, at + layout_name, encodeExr(image, layout, file.sky.luminance_unit));
     }
+    for (const auto packed : {format::CubemapFormat::rgb9e5, format::CubemapFormat::b10g11r11})
+      add(products.lines, at + format::nameOf(packed),
+          renderCubemap(instant, ground, file.bake.cubemap_size, packed).texels);
+    cubemaps.push_back(renderCubemap(instant, ground, file.bake.cubemap_size, file.bake.cubemap_format));
   }
   add(products.lines, name + ".welkin", encodeSky(file, table, cubemaps));
 }

@@ -23,8 +23,10 @@ Number3 faceMean(const WelkinCubemap& cube, std::size_t face) {
   Number3 sum(0.0);
   const std::size_t texels = std::size_t{cube.size} * cube.size;
   for (std::size_t i = 0; i < texels; ++i) {
-    const uint16_t* p = cube.rgba16f + 4 * (face * texels + i);
-    sum += Number3(double{halfToFloat(p[0])}, double{halfToFloat(p[1])}, double{halfToFloat(p[2])});
+    float rgb[3];
+    format::decodeTexel(static_cast<format::CubemapFormat>(cube.format),
+                        static_cast<const unsigned char*>(cube.texels) + 8 * (face * texels + i), rgb);
+    sum += Number3(double{rgb[0]}, double{rgb[1]}, double{rgb[2]});
   }
   return sum / static_cast<double>(texels);
 }
@@ -106,7 +108,7 @@ TEST_CASE("VulkanDome, CubemapsAgreeWithTheFormulas", "[vulkan]") {
   file.bake.cubemap_size = 128;
   file.bake.cubemap_time_h = {9.0};
   const sky::SkyInstant instant(file.sky, 9.0);
-  const auto cube = sky::renderDome(instant, Number3(0.0), sky::Layout::vulkan_cube, 128);
+  const auto cube = sky::renderCubemap(instant, Number3(0.0), 128, format::CubemapFormat::rgba16f);
   const auto bytes = sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, {0.0}, [] { return true; }), {cube});
   Sky sky;
   REQUIRE(sky.open(bytes.data(), bytes.size()));

@@ -46,12 +46,19 @@ Offset<format::Light> moon(FlatBufferBuilder& builder, double disc_radius_rad) {
 }
 
 /// Noise between 1/8 and 2, different in every texel: a wrong face, turn or mirror shows.
-Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random, double time_h) {
-  std::uniform_int_distribution<uint16_t> bits(0x3000, 0x4000);
-  std::vector<uint16_t> half(std::size_t{6} * kCubemapSize * kCubemapSize * 4);
-  for (std::size_t i = 0; i < half.size(); ++i) half[i] = i % 4 == 3 ? 0x3c00 : bits(random);
-  std::vector<uint8_t> bytes(half.size() * 2);
-  std::memcpy(bytes.data(), half.data(), bytes.size());
+Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random, double time_h,
+                                format::CubemapFormat texel_format) {
+  std::uniform_int_distribution<uint16_t> steps(0, 4096);  // 1024 an octave
+  const std::size_t texel = format::texelBytes(texel_format);
+  std::vector<uint8_t> bytes(std::size_t{6} * kCubemapSize * kCubemapSize * texel);
+  for (std::size_t at = 0; at < bytes.size(); at += texel) {
+    float rgb[3];
+    for (float& v : rgb) {
+      const int step = steps(random);
+      v = std::ldexp(1.0F + static_cast<float>(step % 1024) / 1024.0F, step / 1024 - 3);
+    }
+    REQUIRE(format::encodeTexel(texel_format, rgb, bytes.data() + at) == 0);
+  }
   builder.ForceVectorAlignment(bytes.size(), 1, 16);
   return format::CreateCubemapDirect(builder, time_h, &bytes);
 }
@@ -75,7 +82,8 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   std::memcpy(number_bytes.data(), numbers.data(), number_bytes.size());
   std::vector<Offset<format::Cubemap>> cubemaps;
   if (options.cubemaps)
-    for (const double time_h : {3.0, 11.0, 20.0}) cubemaps.push_back(cubemap(builder, random, time_h));
+    for (const double time_h : {3.0, 11.0, 20.0})
+      cubemaps.push_back(cubemap(builder, random, time_h, options.cubemap_format));
   const auto intensity = curve(builder, 1, {0.0, 6.0, 12.0, 18.0}, {0.001, 0.3, 1.0, 0.4});
   const auto saturation = curve(builder, 1, {0.0}, {0.8});
   const auto tint = curve(builder, 3, {0.0, 12.0}, {0.9, 1.0, 1.1, 1.05, 0.95, 0.8});
@@ -101,6 +109,7 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   sky.add_day(day);
   sky.add_cubemap_size(options.cubemaps ? kCubemapSize : 0);
   sky.add_cubemaps(cubemap_vector);
+  sky.add_cubemap_format(static_cast<uint8_t>(options.cubemap_format));
   const auto finished = sky.Finish();
   builder.Finish(format::CreateFile(builder, builder.CreateString("{}"), 0, finished));
   return format::seal({builder.GetBufferPointer(), builder.GetSize()});
@@ -112,10 +121,6 @@ Sky openTestSky(const std::vector<std::byte>& bytes) {
   INFO(status.message);
   REQUIRE(status);
   return sky;
-}
-
-float halfToFloat(uint16_t half) {
-  return std::ldexp(1.0F + static_cast<float>(half & 0x3ff) / 1024.0F, (half >> 10) - 15);
 }
 
 }  // namespace welkin::tests

@@ -7,12 +7,15 @@
 #include <vector>
 #include <welkin/welkin.hpp>
 
+#include "format/cubemap_format.h"
+
 namespace welkin::tests {
 
 struct TestSkyOptions {
   bool cubemaps = true;
   bool normalise_to_sun = true;
   double disc_radius_rad = 0.0;
+  format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
 };
 
 /// Edge of its cubemaps.
@@ -23,8 +26,5 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options);
 
 /// The same, opened. `bytes` must outlive the sky.
 Sky openTestSky(const std::vector<std::byte>& bytes);
-
-/// Value of a half-precision number that is normal and positive.
-float halfToFloat(uint16_t half);
 
 }  // namespace welkin::tests

@@ -86,7 +86,7 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
   timing["table_s"] = watch.lap();
 
   std::size_t saturated = 0;
-  std::vector<sky::DomeImage> cubemaps;
+  std::vector<sky::Cubemap> cubemaps;
   if (!names.empty()) {
     makeFolder(folder / "cubemaps");
     ProgressReport progress(style, "cubemaps", names.size());
@@ -100,7 +100,9 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
         saturated += image.saturated;
         return image;
       };
-      cubemaps.push_back(render(sky::Layout::vulkan_cube));
+      cubemaps.push_back(
+          sky::renderCubemap(instant, ground, file.bake.cubemap_size, file.bake.cubemap_format, keep_going));
+      saturated += cubemaps.back().saturated;
       for (const auto& [layout, suffix] :
            {std::pair(sky::Layout::exr_cube, ".exr"), {sky::Layout::exr_latlong, "_latlong.exr"}})
         outputs.write("cubemaps/" + names[i] + suffix,

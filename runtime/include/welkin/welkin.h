@@ -58,16 +58,24 @@ typedef struct WelkinMessage {
 /* An opened sky; holds the mapping of its file. */
 typedef struct WelkinSky WelkinSky;
 
+/* What a texel of the cubemaps is; little-endian. */
+typedef enum WelkinCubemapFormat {
+  WELKIN_CUBEMAP_RGBA16F = 0,  /* IEEE half floats, alpha 1: VK_FORMAT_R16G16B16A16_SFLOAT, 8 bytes */
+  WELKIN_CUBEMAP_RGB9E5 = 1,   /* shared exponent: VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, 4 bytes */
+  WELKIN_CUBEMAP_B10G11R11 = 2 /* small floats: VK_FORMAT_B10G11R11_UFLOAT_PACK32, 4 bytes */
+} WelkinCubemapFormat;
+
 typedef struct WelkinSkyInfo {
-  uint32_t bands;             /* 2..5 */
-  uint32_t coefficient_count; /* bands^2 */
-  uint32_t key_count;         /* instants of the day's table, >= 1 */
-  uint32_t mode_count;        /* modes of the irradiance, 0..12; 0: irradiance comes from the coefficients */
-  uint32_t cubemap_count;     /* 0: no cubemaps */
-  uint32_t cubemap_size;      /* texels along a face's edge; 0 without cubemaps */
-  uint32_t has_moon;          /* 0 or 1 */
-  float luminance_unit;       /* cd/m2 of radiance 1 */
-  float ground_albedo[3];     /* 0..1 */
+  uint32_t bands;                     /* 2..5 */
+  uint32_t coefficient_count;         /* bands^2 */
+  uint32_t key_count;                 /* instants of the day's table, >= 1 */
+  uint32_t mode_count;                /* modes of the irradiance, 0..12; 0: irradiance comes from the coefficients */
+  uint32_t cubemap_count;             /* 0: no cubemaps */
+  uint32_t cubemap_size;              /* texels along a face's edge; 0 without cubemaps */
+  WelkinCubemapFormat cubemap_format; /* of all cubemaps */
+  uint32_t has_moon;                  /* 0 or 1 */
+  float luminance_unit;               /* cd/m2 of radiance 1 */
+  float ground_albedo[3];             /* 0..1 */
 } WelkinSkyInfo;
 
 /* The sun or the moon at an instant. */
@@ -136,12 +144,13 @@ typedef struct WelkinGradients {
   float delta;         /* luminance under which a gradient fades to neutral, > 0 */
 } WelkinGradients;
 
-/* A cubemap in Vulkan's orientation: faces +x, -x, +y, -y, +z, -z, each size x size texels, rows from the top, RGBA as
- * IEEE half floats, alpha 1. Tint and ground are in it, the sun and moon are not. Borrowed from the sky. */
+/* A cubemap in Vulkan's orientation: faces +x, -x, +y, -y, +z, -z, each size x size texels, rows from the top. Tint and
+ * ground are in it, the sun and moon are not; no component is negative or not finite. Borrowed from the sky. */
 typedef struct WelkinCubemap {
   double time_h;
   uint32_t size;
-  const uint16_t* rgba16f;
+  WelkinCubemapFormat format;
+  const void* texels; /* aligned to 16 */
   size_t bytes;
 } WelkinCubemap;
 

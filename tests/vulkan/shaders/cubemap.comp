@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cubemap in a list of directions, at the mip of each.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WELKIN_SET 1
+#include "welkin/sky_bindings.h"
+#include "welkin/dome.glsl"
+
+layout(local_size_x = 64) in;
+layout(set = 0, binding = 0, std430) readonly buffer Directions { vec4 directions[]; };
+layout(set = 0, binding = 1, std430) writeonly buffer Results { vec4 results[]; };
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= uint(directions.length())) return;
+  results[i] = textureLod(welkinCubemapFirst, directions[i].xyz, directions[i].w);
+}
