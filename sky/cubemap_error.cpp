@@ -22,7 +22,9 @@ struct Density {
   int rounds;      // of looking closer around the worst instant
 };
 Density densityOf(Effort effort) {
-  return effort == Effort::fast ? Density{{1536, 768, 768}, 0.25, 2, 2} : Density{{6144, 3072, 3072}, 0.125, 4, 4};
+  if (effort == Effort::draft) return {{512, 256, 256}, 0.25, 2, 2};
+  if (effort == Effort::fast) return {{1536, 768, 768}, 0.25, 2, 2};
+  return {{6144, 3072, 3072}, 0.125, 4, 4};
 }
 
 /// Sums over the directions of an instant, a number for each channel.
@@ -41,8 +43,8 @@ struct AtInstant {
 
 class Measurement {
  public:
-  Measurement(const Sky& sky, const CubemapSet& cubemaps, const Density& density)
-      : sky_(sky), cubemaps_(cubemaps), scale_(sky), directions_(density.directions) {
+  Measurement(const Sky& sky, const CubemapSet& cubemaps, const DirectionCounts& counts)
+      : sky_(sky), cubemaps_(cubemaps), scale_(sky), directions_(counts) {
     if (sky.luminance.d >= -IndicatrixTable::kSteepest) table_.emplace(sky.luminance.d);
     for (const double time_h : cubemaps.time_h) baked_.emplace_back(sky, time_h);
   }
@@ -67,8 +69,10 @@ class Measurement {
       if (!isClearOfHorizon(cubemaps_.size, direction)) continue;
       compared += solid_angle;
       const Footprint footprint = footprintOf(cubemaps_.size, direction);
-      const Number3 first = show(segment.first, footprint);
-      const Number3 difference = (baked ? first : mix(first, show(segment.second, footprint), segment.weight)) - model;
+      const Shown first = show(segment.first, footprint, baked);
+      const Number3 difference =
+          (baked ? first.shown : mix(first.shown, show(segment.second, footprint, false).shown, segment.weight)) -
+          model;
       shown.add(difference, solid_angle);
       for (int c = 0; c < 3; ++c)
         if (std::abs(difference[c]) > largest[c]) {
@@ -76,9 +80,8 @@ class Measurement {
           where[c] = direction;
         }
       if (baked) {
-        const Number3 exact = filterModel(segment.first, footprint);
-        unencoded.add(exact - model, solid_angle);
-        rounding.add(first - exact, solid_angle);
+        unencoded.add(first.exact - model, solid_angle);
+        rounding.add(first.shown - first.exact, solid_angle);
       } else {
         blending.add(
             mix(dome(baked_[segment.first], direction), dome(baked_[segment.second], direction), segment.weight) -
@@ -108,26 +111,30 @@ class Measurement {
   Number3 dome(const SkyInstant& instant, const Number3& direction) const {
     return instant.dome(direction, Number3(0.0), table_ ? &*table_ : nullptr);
   }
-  Number3 filterModel(std::size_t index, const Footprint& footprint) const {
-    Number3 sum(0.0);
-    for (const TexelShare& share : footprint)
-      if (share.weight > 0.0) sum += dome(baked_[index], directionOfTexel(cubemaps_.size, share.texel)) * share.weight;
-    return sum;
-  }
-  /// From the file's bytes, or from those of the few texels that are seen.
-  Number3 show(std::size_t index, const Footprint& footprint) const {
-    if (!cubemaps_.texels.empty()) return filterTexels(cubemaps_.texels[index].data(), cubemaps_.format, footprint);
-    Number3 sum(0.0);
+  /// What a cubemap shows, and what it would without encoding.
+  struct Shown {
+    Number3 shown, exact;
+  };
+  /// From the file's bytes, or from those of the few texels that are seen; `exact` costs the model's evaluation.
+  Shown show(std::size_t index, const Footprint& footprint, bool exact_too) const {
+    const bool rendered = !cubemaps_.texels.empty();
+    Shown sum{Number3(0.0), Number3(0.0)};
+    if (rendered) sum.shown = filterTexels(cubemaps_.texels[index].data(), cubemaps_.format, footprint);
+    if (rendered && !exact_too) return sum;
     for (const TexelShare& share : footprint) {
       if (!(share.weight > 0.0)) continue;
       const Number3 radiance = dome(baked_[index], directionOfTexel(cubemaps_.size, share.texel));
-      float rgb[3] = {static_cast<float>(radiance.x), static_cast<float>(radiance.y), static_cast<float>(radiance.z)};
-      unsigned char texel[format::kMostTexelBytes];
-      format::encodeTexel(cubemaps_.format, rgb, texel);
-      format::decodeTexel(cubemaps_.format, texel, rgb);
-      sum += Number3(double{rgb[0]}, double{rgb[1]}, double{rgb[2]}) * share.weight;
+      sum.exact += radiance * share.weight;
+      if (!rendered) sum.shown += rounded(radiance) * share.weight;
     }
     return sum;
+  }
+  Number3 rounded(const Number3& radiance) const {
+    float rgb[3] = {static_cast<float>(radiance.x), static_cast<float>(radiance.y), static_cast<float>(radiance.z)};
+    unsigned char texel[format::kMostTexelBytes];
+    format::encodeTexel(cubemaps_.format, rgb, texel);
+    format::decodeTexel(cubemaps_.format, texel, rgb);
+    return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
   }
 
   const Sky& sky_;
@@ -148,7 +155,8 @@ std::vector<double> instantsOf(const Sky& sky, const std::vector<double>& baked,
   std::vector<double> time_h = bendsOf(sky);
   for (std::size_t i = 0; i < baked.size(); ++i) {
     const double next = i + 1 < baked.size() ? baked[i + 1] : baked.front() + 24.0;
-    const int pieces = std::max(density.pieces, static_cast<int>(std::ceil((next - baked[i]) / density.apart_h)));
+    const int halves = static_cast<int>(std::ceil((next - baked[i]) / (2.0 * density.apart_h)));
+    const int pieces = std::max(density.pieces, 2 * halves);  // the middle is always one
     for (int k = 0; k < pieces; ++k) time_h.push_back(baked[i] + (next - baked[i]) * k / pieces);
   }
   tidy(time_h);
@@ -217,9 +225,9 @@ std::size_t worstOf(const std::vector<Found>& found) {
 
 CubemapError summaryOf(const std::vector<Found>& found) {
   CubemapError result;
-  result.instants = found.size();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto& [time_h, at] = found[i];
+    result.day.push_back({time_h, at.error});
     if (at.error > result.error) {
       result.error = at.error;
       result.time_h = time_h;
@@ -240,7 +248,7 @@ CubemapError summaryOf(const std::vector<Found>& found) {
 
 CubemapError measureCubemaps(const Sky& sky, const CubemapSet& cubemaps, Effort effort, const Progress& progress) {
   const Density density = densityOf(effort);
-  const Measurement measurement(sky, cubemaps, density);
+  const Measurement measurement(sky, cubemaps, density.directions);
   std::vector<Found> found;
   for (const double time_h : instantsOf(sky, cubemaps.time_h, density)) found.push_back({time_h, {}});
   const auto measure = [&](std::vector<Found>& list) {
@@ -262,6 +270,16 @@ CubemapError measureCubemaps(const Sky& sky, const CubemapSet& cubemaps, Effort 
     std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.time_h < b.time_h; });
   }
   return summaryOf(found);
+}
+
+std::vector<CubemapError::Parts> partsAt(const Sky& sky, const CubemapSet& cubemaps, const Progress& progress) {
+  const Measurement measurement(sky, cubemaps, {512, 256, 256});
+  std::vector<CubemapError::Parts> parts(cubemaps.time_h.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    parts[i] = measurement.at(cubemaps.time_h[i]).parts;
+    if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted");
+  });
+  return parts;
 }
 
 }  // namespace welkin::sky

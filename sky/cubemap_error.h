@@ -13,8 +13,9 @@
 namespace welkin::sky {
 
 enum class Effort {
-  fast,  ///< within 5 % of full (tests/sky/cubemap_error_test.cpp)
-  full   ///< four times the directions and more instants
+  draft,  ///< a third of the directions of fast: for planning
+  fast,   ///< within 5 % of full (tests/sky/cubemap_error_test.cpp)
+  full    ///< four times the directions and more instants
 };
 
 /// Cubemaps as a file holds them: all of one size and format.
@@ -44,7 +45,12 @@ struct CubemapError {
     double time = 0.0;        ///< blending two instants of the model itself
     double encoding = 0.0;    ///< rounding to the format, at the cubemaps' own times
   } parts;
-  std::size_t instants = 0;
+  /// The error at every instant that was measured, in the order of time.
+  struct At {
+    double time_h;
+    double error;
+  };
+  std::vector<At> day;
 };
 
 /// The sky's own measure: what errors are divided by.
@@ -70,5 +76,8 @@ bool isClearOfHorizon(int size, const Number3& direction);
 /// around the worst of these. Parallel; the same numbers
 /// for any number of threads. `progress` as in bakeDayTable.
 CubemapError measureCubemaps(const Sky& sky, const CubemapSet& cubemaps, Effort effort, const Progress& progress = {});
+
+/// Resolution and encoding of each of the cubemaps at its own time, from a thousand directions: what a plan weighs.
+std::vector<CubemapError::Parts> partsAt(const Sky& sky, const CubemapSet& cubemaps, const Progress& progress = {});
 
 }  // namespace welkin::sky
