@@ -210,7 +210,14 @@ BakeSettings readBake(TomlTable table) {
                    fmt::format("the times {} and {} must be a millisecond apart: they name files",
                                bake.cubemap_time_h[i - 1], bake.cubemap_time_h[i]));
   if (bake.cubemap_size == 0) bake.cubemap_time_h.clear();
-  const double bytes = 48.0 * bake.cubemap_size * bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
+  using format::CubemapFormat;
+  constexpr CubemapFormat kFormats[] = {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11};
+  std::vector<std::string> names;
+  for (const CubemapFormat f : kFormats) names.emplace_back(format::nameOf(f));
+  const std::string name = table.string("cubemap_format", names, names.front());
+  bake.cubemap_format = kFormats[std::find(names.begin(), names.end(), name) - names.begin()];
+  const double bytes = 6.0 * static_cast<double>(format::texelBytes(bake.cubemap_format)) * bake.cubemap_size *
+                           bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
                        12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
   if (bytes > 1.5e9)
     table.refuse(

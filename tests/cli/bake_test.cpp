@@ -183,6 +183,35 @@ TEST_CASE("Plan, CountsTheBytesThatABakeWrites") {
   REQUIRE(real <= plan["bytes"].get<double>() + 3000.0);  // the header, settings, curves and FlatBuffers' own tables
 }
 
+TEST_CASE("Bake, CubemapsAreOfTheFormatThatIsAsked") {
+  const Folder folder;
+  for (const auto& [name, texel] : {std::pair("rgba16f", 8), {"rgb9e5", 4}, {"b10g11r11", 4}}) {
+    const std::string sky = folder.write(
+        "sky.toml", skyText(kUniform, kStillSun, kSmallBake + "\ncubemap_format = \"" + std::string(name) + "\""));
+    INFO(name);
+    const json plan = json::parse(runTool({"plan", sky, "--json"}).out);
+    REQUIRE(plan["cubemaps"]["format"] == name);
+    REQUIRE(plan["cubemaps"]["bytes"] == 3 * 6 * 8 * 8 * texel);
+    REQUIRE(runTool({"plan", sky}).out.find(name) != std::string::npos);
+    bake(sky, folder / name);
+    REQUIRE(json::parse(readBytes(folder.path() / name / "report.json"))["cubemaps"]["format"] == name);
+    REQUIRE(runTool({"inspect", folder / name}).out.find(std::string("3 cubemaps of 8 ") + name) != std::string::npos);
+    const json file = json::parse(runTool({"inspect", folder / name, "--json"}).out);
+    REQUIRE(file["sky"]["cubemaps"].size() == 3);
+    for (const json& cubemap : file["sky"]["cubemaps"]) {
+      REQUIRE(cubemap["format"] == name);
+      REQUIRE(cubemap["bytes"] == 6 * 8 * 8 * texel);
+    }
+    const auto real = static_cast<double>(fs::file_size(folder.path() / name / "sky.welkin"));
+    REQUIRE(real >= plan["bytes"].get<double>());
+    REQUIRE(real <= plan["bytes"].get<double>() + 3000.0);
+  }
+  // EXR files are half floats whatever the format.
+  for (const char* name : {"rgb9e5", "b10g11r11"})
+    REQUIRE(readBytes(folder.path() / name / "cubemaps/sky_071500000.exr") ==
+            readBytes(folder.path() / "rgba16f/cubemaps/sky_071500000.exr"));
+}
+
 TEST_CASE("Validate, NamesEveryGoodFileAndStopsAtTheFirstBad") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform));

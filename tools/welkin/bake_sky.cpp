@@ -124,9 +124,11 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
     warnings.push_back(
         {{"id", "half-saturated"},
          {"count", saturated},
-         {"message", fmt::format("{} components of the cubemaps are past 65504, half's largest value, and "
-                                 "were stored as that; raise luminance_unit and lower intensity",
-                                 saturated)}});
+         {"message",
+          fmt::format("{} components of the cubemaps are past the largest value of their format ({}: {}; EXR: "
+                      "65504) and were stored as that; raise luminance_unit and lower intensity",
+                      saturated, format::nameOf(file.bake.cubemap_format),
+                      format::largestOf(file.bake.cubemap_format, 2))}});
   return {{"format_version", 1},
           {"inputs", inputs},
           {"settings", Json::parse(file.settings)},
@@ -135,7 +137,10 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
             {"keys", table.key_time_h.size()},
             {"evaluations", table.evaluations},
             {"bytes", (table.shape_sh.size() + table.shape_irradiance.size()) * sizeof(float)}}},
-          {"cubemaps", {{"size", names.empty() ? 0 : file.bake.cubemap_size}, {"time_h", file.bake.cubemap_time_h}}},
+          {"cubemaps",
+           {{"size", names.empty() ? 0 : file.bake.cubemap_size},
+            {"format", format::nameOf(file.bake.cubemap_format)},
+            {"time_h", file.bake.cubemap_time_h}}},
           {"outputs", outputs.list},
           {"warnings", warnings}};
 }

@@ -50,6 +50,7 @@ bands = 2                # 2, 3, 4 or 5 bands of spherical harmonics: 4, 9, 16 o
 keys = "auto"            # or a number of keys spread over the day, or a list of hours
 cubemap_size = 128       # texels along a face; 0: no cubemaps
 cubemap_times = 8        # a number spread over the day, or a list of hours
+cubemap_format = "rgba16f"   # or "rgb9e5", "b10g11r11": half the bytes, coarser
 )";
 
 void init(const std::filesystem::path& folder) {

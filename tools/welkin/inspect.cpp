@@ -17,6 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const char* formatName(WelkinCubemapFormat format) {
+  return format::nameOf(static_cast<format::CubemapFormat>(format));
+}
+
 Sky openSky(const std::string& path) {
   Sky sky;
   const Status status = sky.open(path);
@@ -54,7 +58,7 @@ Json skyJson(const Sky& sky) {
   for (std::uint32_t i = 0; i < info.cubemap_count; ++i) {
     WelkinCubemap c{};
     welkin_sky_cubemap(sky.get(), i, &c);
-    cubemaps.push_back({{"time_h", c.time_h}, {"size", c.size}, {"bytes", c.bytes}});
+    cubemaps.push_back({{"time_h", c.time_h}, {"size", c.size}, {"format", formatName(c.format)}, {"bytes", c.bytes}});
   }
   return {{"sky",
            {{"bands", info.bands},
@@ -83,8 +87,9 @@ void inspect(const std::string& path, bool as_json) {
     return;
   }
   const WelkinSkyInfo info = sky.info();
-  fmt::print("{}: sky, {} keys x {} bands, {} cubemaps of {}, {}moon\n", file, info.key_count, info.bands,
-             info.cubemap_count, info.cubemap_size, info.has_moon != 0 ? "" : "no ");
+  fmt::print("{}: sky, {} keys x {} bands, {} cubemaps of {}{}{}, {}moon\n", file, info.key_count, info.bands,
+             info.cubemap_count, info.cubemap_size, info.cubemap_count > 0 ? " " : "",
+             info.cubemap_count > 0 ? formatName(info.cubemap_format) : "", info.has_moon != 0 ? "" : "no ");
   fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun lux", "intensity",
              "ambient c0 (r, g, b)");
   for (std::uint32_t i = 0; i < info.key_count; ++i) {

@@ -34,23 +34,27 @@ void plan(const std::string& path, bool as_json) {
   const std::size_t table_bytes = bake.key_time_h.size() * (8 + 12 * coefficients + 12);
   const std::size_t gradient_bytes = 4 * (file.sky.gradient_sun.rgb.size() + file.sky.gradient_anti.rgb.size());
   const auto size = static_cast<std::size_t>(bake.cubemap_size);
-  const std::size_t cubemap_bytes = bake.cubemap_time_h.size() * 6 * size * size * 8;
+  const std::size_t cubemap_bytes =
+      bake.cubemap_time_h.size() * 6 * size * size * format::texelBytes(bake.cubemap_format);
   nlohmann::ordered_json inputs = nlohmann::json::array();
   for (const auto& input : file.inputs) inputs.push_back(input.name);
-  const nlohmann::ordered_json json = {
-      {"inputs", inputs},
-      {"table",
-       {{"bands", bake.bands},
-        {"coefficients", coefficients},
-        {"keys", bake.key_time_h.size()},
-        {"bytes", table_bytes}}},
-      {"gradients", {{"bytes", gradient_bytes}}},
-      {"cubemaps", {{"count", bake.cubemap_time_h.size()}, {"size", bake.cubemap_size}, {"bytes", cubemap_bytes}}},
-      {"moon", file.sky.moon.has_value()},
-      {"sun_path", highestJson(file.sky.sun.path)},
-      {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
-      {"bytes", table_bytes + gradient_bytes + cubemap_bytes},
-      {"warnings", warningsJson(file)}};
+  const nlohmann::ordered_json json = {{"inputs", inputs},
+                                       {"table",
+                                        {{"bands", bake.bands},
+                                         {"coefficients", coefficients},
+                                         {"keys", bake.key_time_h.size()},
+                                         {"bytes", table_bytes}}},
+                                       {"gradients", {{"bytes", gradient_bytes}}},
+                                       {"cubemaps",
+                                        {{"count", bake.cubemap_time_h.size()},
+                                         {"size", bake.cubemap_size},
+                                         {"format", format::nameOf(bake.cubemap_format)},
+                                         {"bytes", cubemap_bytes}}},
+                                       {"moon", file.sky.moon.has_value()},
+                                       {"sun_path", highestJson(file.sky.sun.path)},
+                                       {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
+                                       {"bytes", table_bytes + gradient_bytes + cubemap_bytes},
+                                       {"warnings", warningsJson(file)}};
   printWarnings(json["warnings"]);
   if (as_json) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -60,8 +64,8 @@ void plan(const std::string& path, bool as_json) {
              coefficients, table_bytes);
   fmt::print("gradients  {} x {} and {} x {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
              file.sky.gradient_anti.width, file.sky.gradient_anti.height, gradient_bytes);
-  fmt::print("cubemaps   {} of 6 x {} x {}: {} bytes, and as EXR cube and latlong\n", bake.cubemap_time_h.size(), size,
-             size, cubemap_bytes);
+  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", bake.cubemap_time_h.size(),
+             size, size, format::nameOf(bake.cubemap_format), cubemap_bytes);
   fmt::print("sun        {}\n", highestText(file.sky.sun.path));
   fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
   fmt::print("sky.welkin about {} bytes\n", table_bytes + gradient_bytes + cubemap_bytes);
