@@ -188,7 +188,7 @@ TEST_CASE("CubemapFormat, OnlyLightIsLetPass") {
     for (const bool second : {false, true})
       CHECK_FALSE(check(CubemapFormat::rgba16f, {0U, 0U, second ? 0U : bad, second ? bad : 0U}));
   CHECK(check(CubemapFormat::b10g11r11, {0x7bfU | 0x7bfU << 11U | 0x3dfU << 22U}));
-  for (const std::uint32_t bad : {0x7c0U, 0x7ffU << 11U, 0x3e0U << 22U})
+  for (const std::uint32_t bad : {0x7c0U, 0x7c0U << 11U, 0x3e0U << 22U, 0x7ffU, 0x7ffU << 11U, 0x3ffU << 22U})
     CHECK_FALSE(check(CubemapFormat::b10g11r11, {0U, bad}));
 }
 
