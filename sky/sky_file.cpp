@@ -11,13 +11,11 @@
 #include "sky/atomic_file.h"
 #include "sky/error.h"
 #include "sky/image.h"
-#include "sky/toml_table.h"
+#include "sky/section.h"
 
 namespace welkin::sky {
 namespace {
 
-constexpr Range kBrightness{0.0, 1e12};  // scene units; its square stays far inside float's range
-constexpr Range kFraction{0.0, 1.0};
 constexpr double kDegree = det::kPi / 180.0;
 constexpr std::size_t kLargestSkyFile = std::size_t{16} << 20;
 
@@ -44,10 +42,10 @@ struct Reading {
   }
 };
 
-Gradient readGradient(TomlTable& table, const std::string& key, Reading& reading) {
-  const toml::node* n = table.node(key);
-  if (n == nullptr || !n->is_string()) return Gradient::constant(table.colour(key, kBrightness, Number3(1.0)));
-  const Image image = reading.image(table, key, *n);
+Gradient readGradient(Section& section, const std::string& key, Reading& reading) {
+  const toml::node* n = section.table().node(key);
+  if (n == nullptr || !n->is_string()) return Gradient::constant(section.colour(key));
+  const Image image = reading.image(section.table(), key, *n);
   Gradient gradient{image.width, image.height, {}};
   const auto line = static_cast<std::size_t>(image.width) * 3;
   for (int row = image.height - 1; row >= 0; --row) {  // the file's last row is the horizon
@@ -58,10 +56,10 @@ Gradient readGradient(TomlTable& table, const std::string& key, Reading& reading
 }
 
 /// A colour, keys, or an image strip over the day, whose rows are averaged.
-Curve readTint(TomlTable& table, Reading& reading) {
-  const toml::node* n = table.node("polarising_tint");
-  if (n == nullptr || !n->is_string()) return table.colourCurve("polarising_tint", kBrightness, Number3(1.0));
-  const Image image = reading.image(table, "polarising_tint", *n);
+Curve readTint(Section& section, Reading& reading) {
+  const toml::node* n = section.table().node("polarising_tint");
+  if (n == nullptr || !n->is_string()) return section.colourCurve("polarising_tint");
+  const Image image = reading.image(section.table(), "polarising_tint", *n);
   Curve curve{3, {}, {}};
   for (int i = 0; i < image.width; ++i) {
     Number3 sum(0.0);
@@ -76,28 +74,28 @@ Curve readTint(TomlTable& table, Reading& reading) {
   return curve;
 }
 
-LuminanceModel readLuminance(TomlTable& table) {
+LuminanceModel readLuminance(Section& section) {
+  TomlTable& table = section.table();
   const toml::node* n = table.node("luminance");
-  if (n == nullptr || n->is_string()) {
-    std::vector<std::string> names;
-    for (const auto& named : namedLuminances()) names.emplace_back(named.name);
-    return *findLuminance(table.string("luminance", names, "far-cry-3"));
-  }
+  if (n == nullptr || n->is_string()) return *findLuminance(section.word("luminance"));
   const toml::array* a = n->as_array();
   if (a == nullptr || a->size() != 5)
     table.refuse("luminance", n, "must be a name or five coefficients [a, b, c, d, e]");
   double v[5];
   for (std::size_t i = 0; i < 5; ++i) {
     const auto value = a->get(i)->value<double>();
-    if (!value || !a->get(i)->is_number() || !(std::abs(*value) <= 1e4))
-      table.refuse("luminance", n, fmt::format("coefficient {} must be a number, -10000 to 10000", "abcde"[i]));
+    const Range& range = section.rangeOf("luminance", std::string_view("abcde").substr(i, 1));
+    // Both signs pass here; which coefficients must be negative whyUnusable says, for the sun of the day.
+    if (!value || !a->get(i)->is_number() || !(std::abs(*value) <= -range.low))
+      table.refuse("luminance", n,
+                   fmt::format("coefficient {} must be a number, {} to {}", "abcde"[i], range.low, -range.low));
     v[i] = *value;
   }
   return {v[0], v[1], v[2], v[3], v[4], 0.0};
 }
 
-void readHandPath(TomlTable& table, LightPath& path) {
-  const auto rows = table.rows("path", {{-1e4, 1e4}, {-90.0, 90.0}});
+void readHandPath(Section& section, LightPath& path) {
+  const auto rows = section.rows("path", {"azimuth_deg", "elevation_deg"});
   for (const auto& row : rows) {
     path.key_time_h.push_back(row[0]);
     path.key_azimuth_rad.push_back(row[1] * kDegree + path.north_offset_rad);
@@ -105,66 +103,67 @@ void readHandPath(TomlTable& table, LightPath& path) {
   }
 }
 
-void readLightLook(TomlTable& table, Light& light) {
-  light.illuminance = table.curve("illuminance", kBrightness, 0.0);
-  light.colour = table.colourCurve("colour", kBrightness, Number3(1.0));
+void readLightLook(Section& section, Light& light) {
+  TomlTable& table = section.table();
+  light.illuminance = section.curve("illuminance");
+  light.colour = section.colourCurve("colour");
   for (std::size_t i = 0; i < light.colour.time_h.size(); ++i) {
     const double* c = light.colour.value.data() + 3 * i;
     if (!(det::luminanceOf({c[0], c[1], c[2]}) > 1e-12))
       table.refuse("colour", table.node("colour"),
                    "must not be black: it gives hue and saturation, illuminance the rest");
   }
-  light.disc_radius_rad = table.number("disc_radius_deg", {0.0, 45.0}, 0.27) * kDegree;
+  light.disc_radius_rad = section.number("disc_radius_deg") * kDegree;
 }
 
-Light readSun(TomlTable table) {
+Light readSun(Section section) {
   Light sun;
-  const double north = table.number("north_offset_deg", {-360.0, 360.0}, 0.0) * kDegree;
+  const double north = section.number("north_offset_deg") * kDegree;
   sun.path.north_offset_rad = north;
-  readHandPath(table, sun.path);
+  readHandPath(section, sun.path);
   if (sun.path.key_time_h.empty()) {
-    const double latitude = table.number("latitude_deg", {-90.0, 90.0}, std::nullopt);
-    const double longitude = table.number("longitude_deg", {-180.0, 180.0}, 0.0);
-    const double offset = table.number("utc_offset_h", {-14.0, 14.0}, longitude / 15.0);
-    const int year = table.integer("year", -2000, 6000, 2000);
-    const int day = table.integer("day_of_year", 1, 366, std::nullopt);
+    const double latitude = section.number("latitude_deg");
+    const double longitude = section.number("longitude_deg");
+    const double offset = section.number("utc_offset_h", longitude / 15.0);
+    const int year = section.wholeNumber("year");
+    const int day = section.wholeNumber("day_of_year");
     sun.path = sunPathFromPlace(latitude, longitude, offset, year, day);
     sun.path.north_offset_rad = north;
   } else {
-    table.exclude({"latitude_deg", "longitude_deg", "utc_offset_h", "year", "day_of_year"},
-                  "cannot stand beside path: a sun has a place and a day, or a path");
+    section.table().exclude({"latitude_deg", "longitude_deg", "utc_offset_h", "year", "day_of_year"},
+                            "cannot stand beside path: a sun has a place and a day, or a path");
   }
-  readLightLook(table, sun);
-  table.finish();
+  readLightLook(section, sun);
+  section.table().finish();
   return sun;
 }
 
-Light readMoon(TomlTable table, const LightPath& sun) {
+Light readMoon(Section section, const LightPath& sun) {
   Light moon;
-  moon.path.north_offset_rad =
-      table.number("north_offset_deg", {-360.0, 360.0}, sun.north_offset_rad / kDegree) * kDegree;
-  readHandPath(table, moon.path);
+  moon.path.north_offset_rad = section.number("north_offset_deg", sun.north_offset_rad / kDegree) * kDegree;
+  readHandPath(section, moon.path);
   if (moon.path.key_time_h.empty()) {
-    if (!table.has("declination_deg"))
-      table.refuse("path", nullptr, "is missing; a moon needs path, or declination_deg and phase");
+    if (!section.table().has("declination_deg"))
+      section.table().refuse("path", nullptr, "is missing; a moon needs path, or declination_deg and phase");
     const bool sun_has_place = sun.key_time_h.empty();
-    moon.path.latitude_rad = table.number("latitude_deg", {-90.0, 90.0},
-                                          sun_has_place ? std::optional(sun.latitude_rad / kDegree) : std::nullopt) *
-                             kDegree;
-    moon.path.declination_rad = table.number("declination_deg", {-90.0, 90.0}, std::nullopt) * kDegree;
+    moon.path.latitude_rad =
+        section.number("latitude_deg", sun_has_place ? std::optional(sun.latitude_rad / kDegree) : std::nullopt) *
+        kDegree;
+    moon.path.declination_rad = section.number("declination_deg") * kDegree;
     // New (0) it crosses the meridian with the sun, full (1/2) twelve hours later.
-    moon.path.transit_h =
-        (sun_has_place ? sun.transit_h : 12.0) + 24.0 * table.number("phase", kFraction, std::nullopt);
+    moon.path.transit_h = (sun_has_place ? sun.transit_h : 12.0) + 24.0 * section.number("phase");
   } else {
-    table.exclude({"latitude_deg", "declination_deg", "phase"}, "cannot stand beside path");
+    section.table().exclude({"latitude_deg", "declination_deg", "phase"}, "cannot stand beside path");
   }
-  readLightLook(table, moon);
-  table.finish();
+  readLightLook(section, moon);
+  section.table().finish();
   return moon;
 }
 
 /// The map turns with the sun's daily circle; a path by hand turns about the zenith of latitude 0 and noon at 12 h.
-Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
+Stars readStars(Section section, const LightPath& sun, Reading& reading) {
+  TomlTable& table = section.table();
+  const Range& values = section.rangeOf("image");
   const toml::node* n = table.node("image");
   if (n == nullptr || !n->is_string()) table.refuse("image", n, "must be the name of a star map, an image");
   const Image image = reading.image(table, "image", *n);
@@ -173,13 +172,14 @@ Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
   stars.height = image.height;
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const double linear = double{image.rgb[i]};
-    if (linear > 1.0)
+    if (!values.contains(linear))
       table.refuse("image", n,
-                   fmt::format("a star map's values must be 0 to 1; one is {}: intensity scales them", linear));
+                   fmt::format("a star map's values must be {} to {}; one is {}: intensity scales them", values.low,
+                               values.high, linear));
     stars.rgba.push_back(static_cast<std::uint8_t>(std::floor(det::srgbEncode(linear) * 255.0 + 0.5)));
     if (i % 3 == 2) stars.rgba.push_back(255);
   }
-  stars.intensity = table.number("intensity", kBrightness, std::nullopt);
+  stars.intensity = section.number("intensity");
   const bool sun_has_place = sun.key_time_h.empty();
   stars.latitude_rad = sun_has_place ? sun.latitude_rad : 0.0;
   stars.north_offset_rad = sun.north_offset_rad;
@@ -188,7 +188,7 @@ Stars readStars(TomlTable table, const LightPath& sun, Reading& reading) {
   return stars;
 }
 
-void warnOfPath(TomlTable table, const std::string& light, const LightPath& path, SkyFile& file) {
+void warnOfPath(TomlTable& table, const std::string& light, const LightPath& path, SkyFile& file) {
   for (Warning& w : pathWarningsOf(path, light)) {
     w.id = light + "-" + w.id;
     w.message = fmt::format("{}:{}: {}.path: {}", file.inputs.front().name, table.node("path")->source().begin.line,
@@ -197,13 +197,16 @@ void warnOfPath(TomlTable table, const std::string& light, const LightPath& path
   }
 }
 
-BakeSettings readBake(TomlTable table) {
+BakeSettings readBake(Section section) {
+  TomlTable& table = section.table();
   BakeSettings bake;
-  bake.bands = table.integer("bands", 2, 5, 2);
-  bake.key_time_h = table.hours("keys", 86400, kAutoKeys, "auto");
-  bake.cubemap_size = table.integer("cubemap_size", 0, 4096, 128);
-  if (bake.cubemap_size == 1) table.refuse("cubemap_size", table.node("cubemap_size"), "must be 0 (none) or 2 to 4096");
-  bake.cubemap_time_h = table.hours("cubemap_times", 1440, 8, nullptr);
+  bake.bands = section.wholeNumber("bands");
+  bake.key_time_h = section.hours("keys", kAutoKeys);
+  bake.cubemap_size = section.wholeNumber("cubemap_size");
+  if (bake.cubemap_size == 1)
+    table.refuse("cubemap_size", table.node("cubemap_size"),
+                 fmt::format("must be 0 (none) or 2 to {}", section.rangeOf("cubemap_size").high));
+  bake.cubemap_time_h = section.hours("cubemap_times", static_cast<int>(*section.numberWithout("cubemap_times")));
   for (std::size_t i = 1; i < bake.cubemap_time_h.size(); ++i)
     if (millisecondOf(bake.cubemap_time_h[i]) == millisecondOf(bake.cubemap_time_h[i - 1]))
       table.refuse("cubemap_times", table.node("cubemap_times"),
@@ -244,28 +247,28 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
   SkyFile result;
   TomlTable top(file, &root, "");
   Sky& sky = result.sky;
-  TomlTable table = top.table("sky");
   if (!top.has("sky")) top.refuse("[sky]", nullptr, "is missing: this is not a sky file");
-  sky.luminance = readLuminance(table);
-  sky.normalise_to_sun = table.string("normalise", {"sun", "zenith"}, "sun") == "sun";
-  sky.intensity = table.curve("intensity", kBrightness, 1.0);
-  sky.gradient_sun = readGradient(table, "gradient_sun", reading);
-  sky.gradient_anti = readGradient(table, "gradient_anti", reading);
+  Section section(top, "sky");
+  sky.luminance = readLuminance(section);
+  sky.normalise_to_sun = section.word("normalise") == "sun";
+  sky.intensity = section.curve("intensity");
+  sky.gradient_sun = readGradient(section, "gradient_sun", reading);
+  sky.gradient_anti = readGradient(section, "gradient_anti", reading);
   normalise(sky.gradient_sun, sky.gradient_anti);
-  sky.polarising_tint = readTint(table, reading);
-  sky.ambient_saturation = table.curve("ambient_saturation", kFraction, 1.0);
-  sky.ground_albedo = table.colour("ground_albedo", kFraction, Number3(0.0));
-  sky.luminance_unit = table.number("luminance_unit", {1e-12, 1e12}, 1.0);
-  table.finish();
+  sky.polarising_tint = readTint(section, reading);
+  sky.ambient_saturation = section.curve("ambient_saturation");
+  sky.ground_albedo = section.colour("ground_albedo");
+  sky.luminance_unit = section.number("luminance_unit");
+  section.table().finish();
 
-  TomlTable sun = top.table("sun");
+  Section sun(top, "sun");
   if (!top.has("sun")) top.refuse("[sun]", nullptr, "is missing; a sky needs latitude_deg and day_of_year, or path");
   sky.sun = readSun(sun);
-  TomlTable moon = top.table("moon");
+  Section moon(top, "moon");
   if (top.has("moon")) sky.moon = readMoon(moon, sky.sun.path);
-  TomlTable stars = top.table("stars");
+  Section stars(top, "stars");
   if (top.has("stars")) sky.stars = readStars(stars, sky.sun.path, reading);
-  result.bake = readBake(top.table("bake"));
+  result.bake = readBake(Section(top, "bake"));
   top.finish();
 
   TomlTable checked(file, root.get_as<toml::table>("sky"), "sky.");
@@ -275,8 +278,8 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
   json << toml::json_formatter(root, toml::format_flags::none);
   result.settings = json.str();
   result.inputs = std::move(reading.inputs);
-  warnOfPath(sun, "sun", sky.sun.path, result);
-  if (sky.moon) warnOfPath(moon, "moon", sky.moon->path, result);
+  warnOfPath(sun.table(), "sun", sky.sun.path, result);
+  if (sky.moon) warnOfPath(moon.table(), "moon", sky.moon->path, result);
   return result;
 }
 

@@ -118,7 +118,7 @@ TomlTable TomlTable::table(const std::string& key) {
 double TomlTable::numberOf(const std::string& key, const toml::node& n, Range range) const {
   const auto value = n.value<double>();
   if (!value || !n.is_number()) refuse(key, &n, fmt::format("must be a number, {}", phrase(range)));
-  if (!(*value >= range.low && *value <= range.high)) refuse(key, &n, fmt::format("must be {}", phrase(range)));
+  if (!range.contains(*value)) refuse(key, &n, fmt::format("must be {}", phrase(range)));
   return *value;
 }
 

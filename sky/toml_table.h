@@ -10,15 +10,10 @@
 #include <vector>
 
 #include "sky/curve.h"
+#include "sky/domain.h"
 #include "sky/error.h"
 
 namespace welkin::sky {
-
-/// Closed range of numbers.
-struct Range {
-  double low;
-  double high;
-};
 
 /// Parses a file's text. Throws Error(content) for what is not TOML, and for a key of more than 16 parts.
 toml::table parseToml(const std::string& file, std::string_view text);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/domain.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "format/key_segment.h"
+#include "sky/luminance.h"
+
+namespace welkin::sky {
+namespace {
+
+constexpr Range kBrightness{0.0, 1e12};  // scene units; its square stays far inside float's range
+constexpr Range kFraction{0.0, 1.0};
+constexpr Range kLatitude{-90.0, 90.0};
+constexpr Range kTurn{-360.0, 360.0};
+constexpr Range kDay{0.0, format::kDay_h, true};
+constexpr Range kCoefficient{-1e4, 1e4};
+constexpr Range kNegativeCoefficient{-1e4, 0.0, true};
+constexpr Range kAzimuth{-1e4, 1e4};
+constexpr Range kDiscRadius{0.0, 45.0};
+constexpr double kSunRadius_deg = 0.27;
+
+constexpr std::string_view kScene = "scene units";
+constexpr std::string_view kDegrees = "degrees";
+constexpr std::string_view kHours = "h";
+
+std::vector<std::string_view> luminanceNames() {
+  std::vector<std::string_view> names;
+  for (const NamedLuminance& named : namedLuminances()) names.push_back(named.name);
+  return names;
+}
+
+std::vector<Parameter> rows() {
+  return {
+      {"", "time_h", "", Kind::part, kHours, kDay, Required{}, "of every key; ascending, periodic"},
+      {"sky",
+       "luminance",
+       "",
+       Kind::luminance,
+       "",
+       {},
+       "far-cry-3",
+       "gradation and indicatrix above 1e-9 wherever the day's sun looks",
+       "refused",
+       luminanceNames()},
+      {"sky", "luminance", "a", Kind::part, "", kCoefficient, Required{}, ""},
+      {"sky", "luminance", "b", Kind::part, "", kNegativeCoefficient, Required{}, ""},
+      {"sky", "luminance", "c", Kind::part, "", kCoefficient, Required{}, ""},
+      {"sky", "luminance", "d", Kind::part, "", kNegativeCoefficient, Required{}, ""},
+      {"sky", "luminance", "e", Kind::part, "", kCoefficient, Required{}, ""},
+      {"sky",
+       "normalise",
+       "",
+       Kind::word,
+       "",
+       {},
+       "sun",
+       "where the relative luminance is 1",
+       "refused",
+       {"sun", "zenith"}},
+      {"sky", "intensity", "", Kind::number_or_keys, kScene, kBrightness, 1.0, "radiance where the luminance is 1",
+       "refused; cubemap texels past 65504 are stored as that, and counted"},
+      {"sky", "gradient_sun", "", Kind::gradient, "", kBrightness, 1.0, "an image's texels: finite, not negative"},
+      {"sky", "gradient_anti", "", Kind::gradient, "", kBrightness, 1.0, "the same at the opposite azimuth"},
+      {"sky", "polarising_tint", "", Kind::tint, "", kBrightness, 1.0,
+       "an image is a strip over the day, its rows averaged; texels finite, not negative"},
+      {"sky", "ambient_saturation", "", Kind::number_or_keys, "", kFraction, 1.0, ""},
+      {"sky", "ground_albedo", "", Kind::colour, "", kFraction, 0.0, ""},
+      {"sky", "luminance_unit", "", Kind::number, "cd/m2", {1e-12, 1e12}, 1.0, "of radiance 1"},
+      {"sun", "latitude_deg", "", Kind::number, kDegrees, kLatitude, Required{}, "or `path`"},
+      {"sun", "longitude_deg", "", Kind::number, kDegrees, {-180.0, 180.0}, 0.0, "east positive; not beside `path`"},
+      {"sun", "utc_offset_h", "", Kind::number, kHours, {-14.0, 14.0}, "longitude_deg / 15", "not beside `path`"},
+      {"sun", "year", "", Kind::whole_number, "", {-2000.0, 6000.0}, 2000.0, "not beside `path`"},
+      {"sun", "day_of_year", "", Kind::whole_number, "", {1.0, 366.0}, Required{}, "or `path`"},
+      {"sun", "north_offset_deg", "", Kind::number, kDegrees, kTurn, 0.0, "added to every azimuth"},
+      {"sun", "path", "", Kind::path, "", {}, "a place and a day", ""},
+      {"sun", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
+      {"sun", "path", "elevation_deg", Kind::part, kDegrees, kLatitude, Required{}, ""},
+      {"sun", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "of a surface that faces the light"},
+      {"sun", "colour", "", Kind::colour_or_keys, "", kBrightness, 1.0, "luminance above 1e-12"},
+      {"sun", "disc_radius_deg", "", Kind::number, kDegrees, kDiscRadius, kSunRadius_deg, "0: no disc"},
+      {"moon", "declination_deg", "", Kind::number, kDegrees, kLatitude, Required{}, "or `path`"},
+      {"moon", "phase", "", Kind::number, "", kFraction, Required{}, "0 new, 0.5 full; or `path`"},
+      {"moon", "latitude_deg", "", Kind::number, kDegrees, kLatitude, "the sun's", "not beside `path`"},
+      {"moon", "north_offset_deg", "", Kind::number, kDegrees, kTurn, "the sun's", "added to every azimuth"},
+      {"moon", "path", "", Kind::path, "", {}, "declination and phase", ""},
+      {"moon", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
+      {"moon", "path", "elevation_deg", Kind::part, kDegrees, kLatitude, Required{}, ""},
+      {"moon", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "of a surface that faces the light"},
+      {"moon", "colour", "", Kind::colour_or_keys, "", kBrightness, 1.0, "luminance above 1e-12"},
+      {"moon", "disc_radius_deg", "", Kind::number, kDegrees, kDiscRadius, kSunRadius_deg, "0: no disc"},
+      {"stars", "image", "", Kind::image, "", kFraction, Required{},
+       "equirectangular, the celestial north pole on top, the middle column on the meridian at midnight"},
+      {"stars", "intensity", "", Kind::number, kScene, kBrightness, Required{},
+       "radiance of the map's white; a sky as bright hides it"},
+      {"bake", "bands", "", Kind::whole_number, "", {2.0, 5.0}, 2.0, ""},
+      {"bake",
+       "keys",
+       "",
+       Kind::hours,
+       "",
+       {1.0, 86400.0},
+       "auto",
+       "`auto`: one every five minutes",
+       "refused",
+       {"auto"}},
+      {"bake", "cubemap_size", "", Kind::whole_number, "texels", {0.0, 4096.0}, 128.0, "along a face; 0: none; not 1"},
+      {"bake", "cubemap_times", "", Kind::hours, "", {1.0, 1440.0}, 8.0, "a millisecond apart"},
+  };
+}
+
+std::string phrase(Kind kind) {
+  switch (kind) {
+    case Kind::number:
+    case Kind::part:
+      return "number";
+    case Kind::whole_number:
+      return "whole number";
+    case Kind::word:
+      return "word";
+    case Kind::colour:
+      return "colour";
+    case Kind::number_or_keys:
+      return "number or keys";
+    case Kind::colour_or_keys:
+      return "colour or keys";
+    case Kind::gradient:
+      return "image or colour";
+    case Kind::tint:
+      return "colour, keys or image";
+    case Kind::luminance:
+      return "name, or `[a, b, c, d, e]`";
+    case Kind::path:
+      return "`[[time_h, azimuth_deg, elevation_deg], ...]`";
+    case Kind::hours:
+      return "a number N (hours 24 i / N), or a list of hours";
+    case Kind::image:
+      return "image";
+  }
+  return {};
+}
+
+bool isColour(Kind kind) {
+  return kind == Kind::colour || kind == Kind::colour_or_keys || kind == Kind::gradient || kind == Kind::tint;
+}
+
+std::string phrase(const Range& range) {
+  if (range.low == range.high) return "";
+  return fmt::format("{:g} to {}{:g}", range.low, range.without_high ? "below " : "", range.high);
+}
+
+std::string phraseDefault(const Parameter& p) {
+  if (p.kind == Kind::part) return "";
+  if (std::holds_alternative<Required>(p.otherwise)) return "required";
+  if (const auto* word = std::get_if<std::string_view>(&p.otherwise))
+    return p.words.empty() ? std::string(*word) : fmt::format("`{}`", *word);
+  const double number = std::get<double>(p.otherwise);
+  if (isColour(p.kind)) return number == 0.0 ? "black" : number == 1.0 ? "white" : fmt::format("{0}, {0}, {0}", number);
+  return fmt::format("{}", number);
+}
+
+}  // namespace
+
+const std::vector<Parameter>& domain() {
+  static const std::vector<Parameter> kRows = rows();
+  return kRows;
+}
+
+const Parameter& parameterOf(std::string_view section, std::string_view key, std::string_view part) {
+  for (const Parameter& p : domain())
+    if (p.section == section && p.key == key && p.part == part) return p;
+  throw std::logic_error(fmt::format("no parameter {}.{} {}", section, key, part));
+}
+
+std::string domainTable() {
+  std::string text = "| key | value | range | default | outside |\n|---|---|---|---|---|\n";
+  std::string_view section;
+  for (const Parameter& p : domain()) {
+    if (p.section != section) text += fmt::format("| **[{}]** | | | | |\n", section = p.section);
+    const std::string range = phrase(p.range);
+    text += fmt::format("| {}{}{} | {}{}{}{}{} | {}{}{} | {} | {} |\n", p.key, p.part.empty() ? "" : ": ", p.part,
+                        phrase(p.kind), p.words.empty() ? "" : ", `", fmt::join(p.words, "`, `"),
+                        p.words.empty() ? "" : "`", p.meaning.empty() ? "" : fmt::format("; {}", p.meaning), range,
+                        range.empty() || p.unit.empty() ? "" : " ", p.unit, phraseDefault(p), p.outside);
+  }
+  return text;
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/section.h"
+
+namespace welkin::sky {
+
+std::optional<double> Section::numberWithout(std::string_view key) const {
+  const auto* number = std::get_if<double>(&parameterOf(name_, key).otherwise);
+  return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+int Section::wholeNumber(const std::string& key) {
+  const Range& range = rangeOf(key);
+  const auto otherwise = numberWithout(key);
+  return table_.integer(key, static_cast<int>(range.low), static_cast<int>(range.high),
+                        otherwise ? std::optional(static_cast<int>(*otherwise)) : std::nullopt);
+}
+
+std::string Section::word(const std::string& key) {
+  const Parameter& row = parameterOf(name_, key);
+  return table_.string(key, {row.words.begin(), row.words.end()},
+                       std::string(std::get<std::string_view>(row.otherwise)));
+}
+
+std::vector<std::vector<double>> Section::rows(const std::string& key, std::initializer_list<std::string_view> parts) {
+  std::vector<Range> ranges;
+  for (const std::string_view part : parts) ranges.push_back(rangeOf(key, part));
+  return table_.rows(key, ranges);
+}
+
+std::vector<double> Section::hours(const std::string& key, int otherwise) {
+  const Parameter& row = parameterOf(name_, key);
+  const std::string word = row.words.empty() ? "" : std::string(row.words.front());
+  return table_.hours(key, static_cast<int>(row.range.high), otherwise, word.empty() ? nullptr : word.c_str());
+}
+
+}  // namespace welkin::sky
