@@ -7,7 +7,8 @@
 namespace welkin::sky {
 namespace {
 
-constexpr double kRatio = 3.0;  // of neighbouring panels that shrink towards a cusp or a layer
+constexpr double kRatio = 3.0;       // of neighbouring panels that shrink towards a cusp or a layer
+constexpr double kThinnest = 1e-16;  // layer, radians
 
 /// sin 10 degrees is the cosine of the elevation at which the blend over azimuth starts to fade.
 const double kFadeElevation = 80.0 / 180.0 * det::kPi;
@@ -47,9 +48,10 @@ SunFrame::SunFrame(const SkyInstant& instant_, const IndicatrixTable* table_)
       half_cosine(det::cos(0.5 * elevation)),
       length(det::horizontalLength(instant_.sunDirection())) {}
 
-HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders) {
+HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders, double d) {
+  constexpr double kSteep = 16.0;
   const Nodes nodes = nodesFor(tolerance, orders);
-  smallest_h_ = nodes.smallest_h;
+  smallest_h_ = nodes.smallest_h * (kSteep / std::max(-d, kSteep));
   coarse_ = sh::gaussLegendre(nodes.coarse);
   middle_ = sh::gaussLegendre(nodes.middle);
   fine_ = sh::gaussLegendre(nodes.fine);
@@ -62,8 +64,11 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
   const double sun = frame.elevation;
   std::vector<double> edge(extra.begin(), extra.end());
   edge.push_back(kFadeElevation);
+  double least = 1e-12;  // panels that are thinner are rounding's
   if (m.a != 0.0) {
-    const double layer = std::max(-m.b / 40.0, 1e-7);  // exp(-40) of the layer is left below it
+    // exp(-40) of the layer is left below it. Of what is below kThinnest the darkest zenith, 1e-9, hides all but 1e-7.
+    const double layer = std::max(-m.b / 40.0, kThinnest);
+    least = std::min(least, 0.5 * layer);
     for (double e = det::kHalfPi / kRatio; e > layer; e /= kRatio) edge.push_back(e);
   }
   const auto approach = [&](double centre, double scale) {
@@ -82,11 +87,11 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
       if (column->bendsAt(j)) edge.push_back(column->centre(j));
 
   const auto tidy = [&] {
-    std::erase_if(edge, [](double e) { return !(e > 1e-12 && e < det::kHalfPi - 1e-12); });
+    std::erase_if(edge, [&](double e) { return !(e > least && e < det::kHalfPi - 1e-12); });
     edge.push_back(0.0);
     edge.push_back(det::kHalfPi);
     std::sort(edge.begin(), edge.end());
-    edge.erase(std::unique(edge.begin(), edge.end(), [](double a, double b) { return b - a < 1e-12; }), edge.end());
+    edge.erase(std::unique(edge.begin(), edge.end(), [&](double a, double b) { return b - a < least; }), edge.end());
   };
   tidy();
   addFadeCrossings(frame, edge);

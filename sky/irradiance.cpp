@@ -21,7 +21,7 @@ Number3 IrradianceField::excess(double y, double cos_alpha) const {
 }
 
 IrradianceProjector::IrradianceProjector(const LuminanceModel& model)
-    : quadrature_(kFieldTolerance, kOrders), fading_(kFieldTolerance * kFieldTolerance, kOrders), recurrence_(kBands) {
+    : quadrature_(kFieldTolerance, kOrders, model.d), fading_(kFieldTolerance * kFieldTolerance, kOrders, model.d), recurrence_(kBands) {
   for (int r = 0; r < kRows; ++r) {
     const double y = det::yOfModeRow(r / (kRows - 1.0));
     row_.push_back({y, std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0))});
