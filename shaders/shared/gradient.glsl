@@ -14,9 +14,10 @@ INLINE Number gradientRow(Number elevation_rad, Number height) {
   return clamp(elevation_rad / kHalfPi * height - NUMBER(0.5), NUMBER(0.0), height - NUMBER(1.0));
 }
 
-// Weight of the sun-side gradient, in [0, 1]: half of one plus the cosine of the azimuth between them.
+// Weight of the sun-side gradient, in [0, 1]: half of one plus the cosine of the azimuth between them. Clamped, because
+// rounding would make a pure primary's complement negative beyond the ends.
 INLINE Number azimuthWeight(Number3 direction, Number3 sun) {
   Number cosine = direction.x * sun.x + direction.z * sun.z;
   Number lengths = max(horizontalLength(direction), kAzimuthFade) * max(horizontalLength(sun), kAzimuthFade);
-  return NUMBER(0.5) + NUMBER(0.5) * cosine / lengths;
+  return clamp(NUMBER(0.5) + NUMBER(0.5) * cosine / lengths, NUMBER(0.0), NUMBER(1.0));
 }
