@@ -2,9 +2,8 @@
 // The whole day: what must hold at every sun elevation, time and direction; and the table against the model.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
+#include "baked.h"
 
 namespace welkin::sky {
 namespace {
@@ -106,22 +105,7 @@ TEST_CASE("Day, TurningTheSunTurnsEverything") {
     }
 }
 
-/// A baked file of a sky, opened by the runtime.
-struct Baked {
-  std::vector<std::byte> bytes;
-  welkin::Sky sky;
-
-  Baked(const Sky& model, int bands, int keys) {
-    SkyFile file;
-    file.sky = model;
-    file.settings = "{}";
-    for (int i = 0; i < keys; ++i) file.bake.key_time_h.push_back(24.0 * i / keys);
-    bytes = encodeSky(file, bakeDayTable(model, bands, file.bake.key_time_h, [] { return true; }), {});
-    const Status status = sky.open(bytes.data(), bytes.size());
-    INFO(status.message);
-    REQUIRE(status);
-  }
-};
+using test::Baked;
 
 TEST_CASE("Runtime, TableAtItsKeysIsTheModel") {
   constexpr double kFloat = 3e-7;  // the table's floats, of c0

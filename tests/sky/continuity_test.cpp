@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing steps: through keys, midnight, sunset and the zenith in time; across the zenith, the sun and its antipode in
+// direction. And days of one key, of ten thousand, of two a second apart.
+#include <limits>
+
+#include "extreme_skies.h"
+
+namespace welkin::sky {
+namespace {
+
+using test::Baked;
+using test::coloured;
+using test::holds;
+using test::kDegree;
+using test::largestStep;
+using test::still;
+
+constexpr double kSecond_h = 1.0 / 3600.0;
+
+/// The sun through the zenith at noon, the horizon at 6 h and 18 h, the nadir at midnight.
+Sky equator(const LuminanceModel& model, bool to_sun) {
+  Sky sky = coloured(model, to_sun);
+  sky.sun.path = LightPath{};
+  sky.moon->path = LightPath{};
+  sky.moon->path.transit_h = 3.0;
+  sky.intensity = {1, {0.0, 6.0, 18.5}, {0.01, 1.0, 2.0}};
+  return sky;
+}
+
+/// What the model and the runtime show at a time, in three directions.
+std::vector<double> shownAt(const Sky& model, const Baked& baked, double time_h) {
+  const SkyInstant instant(model, time_h);
+  WelkinSkySample sample{};
+  REQUIRE(baked.sky.sample(time_h, sample));
+  std::vector<double> values;
+  for (const Number3& d : {Number3(0, 1, 0), Number3(0.6, 0.0, -0.8), Number3(-0.48, 0.6, 0.64)}) {
+    const Number3 dome = instant.dome(d, Number3(0.0));
+    values.insert(values.end(), {dome.x, dome.y, dome.z});
+    const auto seen = test::seen(baked.sky, sample, d);
+    values.insert(values.end(), seen.begin(), seen.end());
+  }
+  for (const WelkinLight* light : {&sample.sun, &sample.moon})
+    for (const float v : light->normal_irradiance) values.push_back(double{v} * double{light->visible});
+  values.insert(values.end(), std::begin(sample.ground_radiance), std::end(sample.ground_radiance));
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("Continuity, NothingStepsInTime") {
+  // A millisecond turns the sun by 7e-8 rad. The steepest change of a named model in its own measure is the gradation
+  // of a sun on the horizon, 4 exp(-2) |a / b| a radian at b = -0.08, and 72 for the indicatrix; both times the ratio
+  // of f at its least, so 1e3 in all; and floats.
+  constexpr double kResolution_h = 1e-3 * kSecond_h;
+  constexpr double kStep = 1e-4;
+  for (const auto& [name, luminance] : namedLuminances())
+    for (const bool to_sun : {true, false}) {
+      const Sky model = equator(luminance, to_sun);
+      const Baked baked(model, 3, std::vector<double>{0.0, 5.0, 5.0 + kSecond_h, 12.0, 23.999});
+      const auto shown = [&](double time_h) { return shownAt(model, baked, time_h); };
+      for (const double time_h : {0.0, 5.0, 6.0, 12.0, 18.0, 18.5, 23.999, 24.0})
+        for (const double reach_h : {1e-5, 0.3}) {
+          CAPTURE(name, to_sun, time_h, reach_h);
+          CHECK(largestStep(shown, time_h - reach_h, time_h + 0.7 * reach_h, kResolution_h) < kStep);
+        }
+    }
+}
+
+TEST_CASE("Continuity, AStepIsSeen") {
+  // The checks above see what they look for: an intensity that falls within one unit of the last place of a time.
+  Sky model = equator(*findLuminance("cie-12"), true);
+  model.intensity = {1, {12.0, std::nextafter(12.0, 24.0)}, {1.0, 1.1}};
+  const Baked baked(model, 2, std::vector<double>{0.0});
+  const auto shown = [&](double time_h) { return shownAt(model, baked, time_h); };
+  CHECK(largestStep(shown, 11.9, 12.2, 1e-3 * kSecond_h) > 0.05);
+}
+
+TEST_CASE("Continuity, NothingStepsInDirection") {
+  constexpr double kResolution_rad = 1e-6;  // a float direction near the sun steps by 6e-8
+  constexpr double kStep = 1e-3;
+  for (const auto& [name, luminance] : namedLuminances())
+    for (const double elevation : {0.0, 40.0 * kDegree, 89.9999 * kDegree, 90.0 * kDegree, -20.0 * kDegree}) {
+      Sky model = coloured(luminance, true);
+      model.gradient_anti = Gradient{1, 2, {0.4F, 0.4F, 0.7F, 0.2F, 0.05F, 0.1F}};
+      model.sun.path = still(0.4, elevation);
+      const Baked baked(model, 3, std::vector<double>{0.0});
+      const SkyInstant instant(model, 12.0);
+      WelkinSkySample sample{};
+      REQUIRE(baked.sky.sample(12.0, sample));
+      const auto shown = [&](const Number3& d) {
+        auto values = test::seen(baked.sky, sample, d);
+        const Number3 dome = instant.dome(d, Number3(0.0));
+        values.insert(values.end(), {dome.x, dome.y, dome.z});
+        return values;
+      };
+      for (const double azimuth : {0.4, 0.4 + 1e-9, 1.3, 2.9}) {
+        CAPTURE(name, elevation, azimuth);
+        // Over the zenith, from one horizon to the other; and around the compass.
+        CHECK(largestStep([&](double e) { return shown(det::directionOf(azimuth, e)); }, 1e-9, det::kPi - 1e-9,
+                          kResolution_rad) < kStep);
+        for (const double height : {0.01, 1.0, 1.5707})
+          CHECK(largestStep([&](double a) { return shown(det::directionOf(a, height)); }, azimuth, azimuth + 6.0,
+                            kResolution_rad) < kStep);
+      }
+    }
+}
+
+TEST_CASE("Continuity, ColoursFadeToNeutralWithoutAStep") {
+  // Beside a black texel the hue changes as 1 / luminance, down to kGradientDelta: up to 1 / 1e-4 of a texel's
+  // difference, over half of 45 degrees.
+  constexpr double kResolution_rad = 1e-10;
+  Sky model = coloured(*findLuminance("cie-5"), true);
+  model.sun.path = still(0.4, 0.0);
+  const SkyInstant instant(model, 12.0);
+  for (const double azimuth : {0.4, 2.0, 3.5415926535897931})
+    CHECK(largestStep(
+              [&](double e) {
+                const Number3 d = instant.dome(det::directionOf(azimuth, e), Number3(0.0));
+                return std::vector<double>{d.x, d.y, d.z};
+              },
+              1e-9, det::kHalfPi, kResolution_rad) < 1e5 * kResolution_rad);
+}
+
+TEST_CASE("Days, OneKeyTenThousandKeysAndTwoASecondApart") {
+  const Sky model = equator(*findLuminance("cie-12"), true);
+  const double last = std::nextafter(24.0, 0.0);
+  const std::vector<std::vector<double>> days = {{0.0},
+                                                 {last},
+                                                 {13.0},
+                                                 {0.0, last},
+                                                 {12.0, 12.0 + kSecond_h},
+                                                 {0.0, kSecond_h},
+                                                 {24.0 - kSecond_h, last},
+                                                 {0.0, std::numeric_limits<double>::denorm_min()},
+                                                 {6.0, std::nextafter(6.0, 7.0)}};
+  for (const auto& keys : days) {
+    const Baked baked(model, 2, keys);
+    for (const double key : keys)
+      for (const double time_h : {key, std::nextafter(key, 25.0), std::nextafter(key, -1.0), key + 12.0, key - 1e-300})
+        holds(model, baked, time_h);
+    for (const double time_h : {-0.0, 24.0, -24.0, 1e300, -1e300, 1e-320}) {
+      WelkinSkySample sample{};
+      REQUIRE(baked.sky.sample(time_h, sample));
+      CHECK(test::faultOfSample(sample).empty());
+    }
+  }
+}
+
+TEST_CASE("Days, TenThousandKeysFollowTheModel") {
+  // The sun moves 6.3e-4 rad between keys; linear interpolation leaves an eighth of the second derivative's share.
+  constexpr double kLinear = 1e-5;
+  Sky model = equator(*findLuminance("cie-3"), true);
+  model.gradient_sun = Gradient();
+  model.gradient_anti = Gradient();
+  model.ground_albedo = Number3(0.0);
+  model.intensity = Curve::constant(1.0);
+  const Baked baked(model, 2, 10000);
+  REQUIRE(baked.sky.info().key_count == 10000);
+  for (int i = 0; i < 10000; i += 773) {
+    const double time_h = 24.0 * (i + 0.5) / 10000.0;
+    holds(model, baked, time_h);
+    WelkinSkySample sample{};
+    REQUIRE(baked.sky.sample(time_h, sample));
+    const SkyMoments exact = SkyProjector(model.luminance, 2).project(SkyInstant(model, time_h));
+    for (std::size_t k = 0; k < 4; ++k)
+      CHECK(double{sample.radiance_sh[k][0]} ==
+            Approx(exact.radiance_sh[k].x).margin((kLinear + kTolerance) * exact.radiance_sh[0].x));
+  }
+}
+
+}  // namespace welkin::sky

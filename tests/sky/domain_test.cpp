@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every parameter of the domain at its edges and one unit in the last place to either side, as the loader sees it.
+#include "sky/domain.h"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "parameter_text.h"
+#include "sky/error.h"
+#include "sky/sky_file.h"
+#include "tests/folder.h"
+
+namespace welkin::sky {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What the loader says against a parameter's number; none: it takes it.
+std::optional<std::string> refusalOf(const test::Folder& folder, const Parameter& p, const std::string& number) {
+  const std::string path = folder.write("sky.toml", test::fileText(p, test::valueText(p, number)));
+  try {
+    readSkyFile(path);
+  } catch (const Error& e) {
+    REQUIRE(e.status() == ExitStatus::content);
+    return e.what();
+  }
+  return std::nullopt;
+}
+
+bool isWhole(const Parameter& p) {
+  return p.kind == Kind::whole_number || p.kind == Kind::hours;
+}
+
+bool hasRange(const Parameter& p) {
+  return p.range.low != p.range.high && p.kind != Kind::image;
+}
+
+/// Whether a coefficient is refused for what it makes of the sky, not for its own range.
+bool isOfTheSky(const Parameter& p, const std::string& refusal) {
+  return p.key == "luminance" && refusal.find("makes the luminance") != std::string::npos;
+}
+
+void requireRefused(const test::Folder& folder, const Parameter& p, double value) {
+  const auto refusal = refusalOf(folder, p, test::numberText(value));
+  REQUIRE(refusal);
+  INFO(*refusal);
+  CHECK_FALSE(isOfTheSky(p, *refusal));
+  const std::string key = p.section.empty() ? "sky.intensity" : fmt::format("{}.{}", p.section, p.key);
+  CHECK(refusal->find(folder / "sky.toml:") == 0);  // the file and the line
+  CHECK(refusal->find(key + " = ") != std::string::npos);
+  CHECK(refusal->find("must be") != std::string::npos);
+  if (p.range.without_high) return;  // the message gives the other end alone
+  CHECK(refusal->find(fmt::format("{} to {}", p.range.low, p.range.high)) != std::string::npos);
+}
+
+void requireAccepted(const test::Folder& folder, const Parameter& p, double value) {
+  const auto refusal = refusalOf(folder, p, test::numberText(value));
+  INFO(refusal.value_or(""));
+  CHECK((!refusal || isOfTheSky(p, *refusal)));
+}
+
+}  // namespace
+
+TEST_CASE("Domain, EveryEdgeAndTheNextNumberOnEitherSide") {
+  const test::Folder folder;
+  folder.write("stars.ppm", "P3 2 1 255  0 0 0  255 255 255");
+  int rows = 0;
+  for (const Parameter& p : domain()) {
+    if (!hasRange(p)) continue;
+    ++rows;
+    const auto step = [&](double value, double towards) {
+      return isWhole(p) ? value + (towards > value ? 1.0 : -1.0) : std::nextafter(value, towards);
+    };
+    CAPTURE(p.section, p.key, p.part);
+    requireAccepted(folder, p, p.range.low);
+    if (p.key != "cubemap_size") requireAccepted(folder, p, step(p.range.low, kInfinity));
+    requireRefused(folder, p, step(p.range.low, -kInfinity));
+    if (p.range.without_high) {
+      requireRefused(folder, p, p.range.high);
+    } else {
+      requireAccepted(folder, p, p.range.high);
+      requireRefused(folder, p, step(p.range.high, kInfinity));
+    }
+    requireAccepted(folder, p, step(p.range.high, -kInfinity));
+  }
+  REQUIRE(rows > 30);
+}
+
+TEST_CASE("Domain, NeverANumberThatIsNone") {
+  const test::Folder folder;
+  folder.write("stars.ppm", "P3 2 1 255  0 0 0  255 255 255");
+  for (const Parameter& p : domain()) {
+    if (!hasRange(p)) continue;
+    for (const char* none : {"nan", "-nan", "inf", "-inf", "\"1\"", "true", "1979-05-27", "[]", "{}"}) {
+      CAPTURE(p.section, p.key, p.part, none);
+      CHECK(refusalOf(folder, p, none));
+    }
+  }
+}
+
+TEST_CASE("Domain, DefaultsLieInTheirRangeAndAreAccepted") {
+  const test::Folder folder;
+  for (const Parameter& p : domain()) {
+    CAPTURE(p.section, p.key, p.part);
+    if (const auto* number = std::get_if<double>(&p.otherwise)) {
+      CHECK(p.range.contains(*number));
+      if (p.section != "stars") CHECK_FALSE(refusalOf(folder, p, test::numberText(*number)));
+    }
+    if (const auto* word = std::get_if<std::string_view>(&p.otherwise); word != nullptr && !p.words.empty()) {
+      CHECK(std::find(p.words.begin(), p.words.end(), *word) != p.words.end());
+      for (const auto each : p.words) CHECK_FALSE(refusalOf(folder, p, fmt::format("\"{}\"", each)));
+    }
+  }
+}
+
+TEST_CASE("Domain, NumbersOfKeysAndColoursAreCheckedOneByOne") {
+  const test::Folder folder;
+  const auto refused = [&](const Parameter& p, const std::string& value) {
+    const std::string path = folder.write("sky.toml", test::fileText(p, value));
+    try {
+      readSkyFile(path);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  for (const Parameter& p : domain()) {
+    if (p.section == "stars") continue;
+    const std::string good = test::numberText(p.range.low + 0.25 * std::min(1.0, p.range.high - p.range.low));
+    const std::string bad = test::numberText(std::nextafter(p.range.high, kInfinity));
+    CAPTURE(p.section, p.key, good, bad);
+    if (p.kind == Kind::number_or_keys) {
+      CHECK_FALSE(refused(p, fmt::format("[[0, {0}], [23.5, {0}]]", good)));
+      CHECK(refused(p, fmt::format("[[0, {0}], [23.5, {1}]]", good, bad)));
+    } else if (p.kind == Kind::colour_or_keys || p.kind == Kind::tint) {
+      CHECK_FALSE(refused(p, fmt::format("[[0, [{0}, {0}, {0}]], [1, [{0}, {0}, {0}]]]", good)));
+      CHECK(refused(p, fmt::format("[[0, [{0}, {0}, {0}]], [1, [{0}, {0}, {1}]]]", good, bad)));
+    } else if (p.kind == Kind::colour || p.kind == Kind::gradient) {
+      CHECK(refused(p, fmt::format("[{1}, {0}, {0}]", good, bad)));
+      CHECK(refused(p, fmt::format("[{0}, {0}, {1}]", good, bad)));
+    } else if (p.kind == Kind::hours) {
+      CHECK_FALSE(refused(p, "[0, 23.9999]"));
+      for (const char* list : {"[0, 24]", "[0, 0]", "[-1e-300]", "[3, 2]", "[nan]"}) CHECK(refused(p, list));
+    }
+  }
+}
+
+TEST_CASE("Domain, ParameterOfFindsItsRow") {
+  for (const Parameter& p : domain()) CHECK(&parameterOf(p.section, p.key, p.part) == &p);
+  CHECK_THROWS_AS(parameterOf("sky", "brightness"), std::logic_error);
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gradients and intensities at the ends of their domain, and skies whose light is known: constant, black, near-delta.
+#include <limits>
+
+#include "extreme_skies.h"
+
+namespace welkin::sky {
+namespace {
+
+using test::Baked;
+using test::coloured;
+using test::holds;
+using test::still;
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr float kUnit = std::numeric_limits<float>::denorm_min();
+
+Number3 irradianceOf(const WelkinSkySample& sample, const Number3& normal) {
+  const float n[3] = {float(normal.x), float(normal.y), float(normal.z)};
+  float e[3];
+  REQUIRE(welkin_sample_irradiance(&sample, n, e) == WELKIN_OK);
+  return {double{e[0]}, double{e[1]}, double{e[2]}};
+}
+
+}  // namespace
+
+TEST_CASE("Extremes, GradientsBlackOfOneTexelAndOverTheWholeRange") {
+  const Gradient gradients[] = {
+      Gradient::constant(Number3(0.0)),                                   // black
+      Gradient::constant(Number3(1e-30)),                                 // a single texel
+      Gradient::constant(Number3(0.0, 0.0, 1e30)),                        // of one primary
+      {2, 2, {1e-30F, 0, 0, 0, 1e30F, 0, 0, 0, 0, 1e30F, 1e30F, 1e30F}},  // 60 orders beside each other
+      {3, 3, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}},  // one among black
+      {1, 2, {kUnit, 0, 0, 0, 0, kUnit}},
+      {2, 1, {kLargest, kLargest, kLargest, 0, 0, 0}},
+      {1, 1, {0, 0, kLargest}},
+      {1, 3, {1, 1, 1, 1e-4F, 1e-4F, 1e-4F, 0.99e-4F, 1.01e-4F, 1e-4F}}};  // about the luminance where colours fade
+  for (const Gradient& at_sun : gradients)
+    for (const Gradient& opposite : gradients)
+      for (const double elevation : {0.5, 0.0, -0.3, det::kHalfPi}) {
+        Sky model = coloured(*findLuminance("far-cry-3"), true);
+        model.sun.path = still(0.7, elevation);
+        model.gradient_sun = at_sun;
+        model.gradient_anti = opposite;
+        normalise(model.gradient_sun, model.gradient_anti);
+        CAPTURE(at_sun.rgb, opposite.rgb, elevation);
+        const Baked baked(model, 3, std::vector<double>{0.0});
+        for (const double time_h : {0.0, 3.0, 6.0, 12.0, 23.999999}) holds(model, baked, time_h);
+      }
+}
+
+TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
+  // The brightest that the loader takes: relative luminances of 2e26 under an intensity and a tint of 1e12.
+  const LuminanceModel brightest{1e4, -1e-3, 1e4, -1.0, 1e4, 0.0};
+  for (const LuminanceModel& m : {*findLuminance("cie-5"), *findLuminance("far-cry-3"), brightest})
+    for (const bool to_sun : {true, false})
+      for (const double intensity : {0.0, 4.9e-324, 1e-310, 1e-45, 1e-38, 65504.0, 65505.0, 1e12})
+        for (const double tint : {0.0, 1e-12, 1e12}) {
+          Sky model = coloured(m, to_sun);
+          model.sun.path = still(2.0, 0.6);
+          model.intensity = Curve::constant(intensity);
+          model.polarising_tint = Curve::constant(Number3(tint, 1.0, tint));
+          model.sun.illuminance = Curve::constant(1e12);
+          model.sun.colour = Curve::constant(Number3(1e12, 0.0, 1e-12));
+          model.sun.disc_radius_rad = 1e-9;
+          CAPTURE(m.a, to_sun, intensity, tint);
+          const Baked baked(model, 5, std::vector<double>{0.0});
+          holds(model, baked, 13.0);
+          WelkinSkySample sample{};
+          REQUIRE(baked.sky.sample(13.0, sample));
+          const Number3 e = irradianceOf(sample, {0, 1, 0});
+          if (intensity > 1e-30) CHECK(e.y > 0.0);
+        }
+}
+
+TEST_CASE("Extremes, ABlackSkyIsExactlyBlack") {
+  Sky model = coloured(*findLuminance("cie-12"), true);
+  model.intensity = Curve::constant(0.0);
+  model.sun.illuminance = Curve::constant(0.0);
+  model.moon.reset();
+  model.sun.path = still(0.0, 0.4);
+  const Baked baked(model, 5, 3);
+  WelkinSkySample sample{};
+  for (const double time_h : {0.0, 8.0, 20.0}) {
+    REQUIRE(baked.sky.sample(time_h, sample));
+    for (const Number3& d : test::specialDirections({0, 0.6, 0.8}))
+      for (const double v : test::seen(baked.sky, sample, d)) CHECK(v == 0.0);
+  }
+}
+
+TEST_CASE("Extremes, AConstantSkyLightsByItsClosedForm") {
+  // Radiance L over a ground of albedo rho: E(n) = pi L ((1 + n_y)/2 + rho (1 - n_y)/2), exact in 2, 4 and 5 bands.
+  Sky model;
+  model.luminance = *findLuminance("cie-5");
+  model.sun.path = still(0.3, 0.2);
+  model.ground_albedo = Number3(0.2, 0.5, 1.0);
+  for (const double radiance : {1e-30, 1e-12, 1.0, 1e12}) {
+    model.intensity = Curve::constant(radiance);
+    const Baked baked(model, 5, std::vector<double>{0.0});
+    WelkinSkySample sample{};
+    REQUIRE(baked.sky.sample(1.0, sample));
+    for (const Number3& n : test::specialDirections({0, 0.6, 0.8})) {
+      const Number3 e = irradianceOf(sample, n);
+      for (int c = 0; c < 3; ++c)
+        CHECK(e[c] / radiance ==
+              Approx(M_PI * ((1.0 + n.y) / 2.0 + model.ground_albedo[c] * (1.0 - n.y) / 2.0)).margin(2e-5));
+    }
+  }
+}
+
+TEST_CASE("Extremes, ANearDeltaSkyLightsAsItsLobe") {
+  // The steepest lobe that outshines the rest: E of a surface that faces it is what 5 bands give of a delta's power,
+  // sum over l of A_l (2 l + 1) / 4 pi.
+  Sky model;
+  model.luminance = {0.0, -1.0, 1e4, -100.0, 0.0, 0.0};
+  model.normalise_to_sun = false;
+  model.sun.path = still(0.3, 0.8);
+  const Baked baked(model, 5, std::vector<double>{0.0});
+  WelkinSkySample sample{};
+  REQUIRE(baked.sky.sample(1.0, sample));
+  const double norm = SkyInstant(model, 1.0).luminanceNorm();
+  const double power = 1e4 * 2.0 * M_PI / (1.0 + 100.0 * 100.0) / norm;
+  const double uniform = M_PI * (1.0 + std::sin(0.8)) / 2.0 / norm;
+  double share = 0.0;
+  for (int l = 0; l < 5; ++l) share += det::cosineLobe(l) * (2 * l + 1) / (4.0 * M_PI);
+  const Number3 sun = model.sun.path.directionAt(1.0);
+  constexpr double kWidth = 2e-3;    // the lobe's width of 1/100 blurs band l by about l (l + 1) / (2 100^2) each
+  constexpr double kUniform = 0.03;  // what 5 bands leave of the uniform hemisphere's irradiance, of it
+  CHECK(irradianceOf(sample, sun).x == Approx(power * share + uniform).margin(kWidth * power + kUniform * uniform));
+}
+
+}  // namespace welkin::sky

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skies for the extremes, and the check of one instant of them.
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include "always.h"
+
+namespace welkin::test {
+
+inline constexpr double kDegree = det::kPi / 180.0;
+
+/// A sun that stands still.
+inline sky::LightPath still(double azimuth_rad, double elevation_rad) {
+  sky::LightPath path;
+  path.key_time_h = {0.0};
+  path.key_azimuth_rad = {azimuth_rad};
+  path.key_elevation_rad = {elevation_rad};
+  return path;
+}
+
+/// Of different colours at the sun and opposite, with a ground, a tint, a moon and lights.
+inline sky::Sky coloured(const sky::LuminanceModel& model, bool to_sun) {
+  using sky::Curve;
+  using sky::Gradient;
+  sky::Sky s;
+  s.luminance = model;
+  s.normalise_to_sun = to_sun;
+  s.gradient_sun = Gradient{2, 2, {1.0F, 0.4F, 0.1F, 0.2F, 0.3F, 0.5F, 0.3F, 0.4F, 0.9F, 0.1F, 0.2F, 0.6F}};
+  s.gradient_anti = Gradient{1, 2, {0.4F, 0.4F, 0.7F, 0.0F, 0.0F, 0.0F}};
+  normalise(s.gradient_sun, s.gradient_anti);
+  s.ground_albedo = Number3(0.3, 1.0, 0.0);
+  s.polarising_tint = Curve::constant(Number3(0.9, 1.0, 1.2));
+  s.sun.illuminance = Curve::constant(3.0);
+  s.sun.disc_radius_rad = 0.27 * kDegree;
+  s.moon.emplace();
+  s.moon->path = still(1.0, 0.2);
+  s.moon->illuminance = Curve::constant(1e-3);
+  s.moon->disc_radius_rad = 0.25 * kDegree;
+  return s;
+}
+
+/// Fails at the first fault; true so that it can be counted.
+inline bool holds(const sky::Sky& model, const Baked& baked, double time_h) {
+  const sky::SkyInstant instant(model, time_h);
+  WelkinSkySample sample{};
+  REQUIRE(baked.sky.sample(time_h, sample));
+  CAPTURE(time_h);
+  const auto require = [](const Fault& fault) {
+    if (!fault.empty()) FAIL(fault);
+  };
+  require(faultOfSample(sample));
+  for (const Number3& d : specialDirections(instant.sunDirection())) {
+    CAPTURE(d.x, d.y, d.z);
+    require(faultOfModel(instant, d));
+    require(faultOfDirection(baked.sky, sample, d));
+  }
+  return true;
+}
+
+}  // namespace welkin::test

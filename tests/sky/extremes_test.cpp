@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model, the bake and the runtime at the ends of their domain: see always.h for what holds there.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "extreme_skies.h"
+
+namespace welkin::sky {
+namespace {
+
+using test::Baked;
+using test::coloured;
+using test::holds;
+using test::kDegree;
+using test::still;
+
+constexpr double kUnit = std::numeric_limits<double>::denorm_min();
+
+/// Of the rule that keeps 1e-12, and of a bake's: the largest error of a coefficient, of c0.
+double errorOfABake(const Sky& model, int bands) {
+  const SkyInstant instant(model, 0.0);
+  const DayTable table = bakeDayTable(model, bands, {0.0}, [] { return true; });
+  const SkyMoments finest = SkyProjector(model.luminance, bands, 1e-12).project(instant);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < finest.radiance_sh.size(); ++i)
+    largest = std::max(largest, std::abs(double{table.shape_sh[3 * i]} - finest.radiance_sh[i].x));
+  return largest / finest.radiance_sh[0].x;
+}
+
+const double kElevations[] = {0.0,
+                              kUnit,
+                              -kUnit,
+                              1e-12,
+                              -1e-12,
+                              1e-4,
+                              -1e-4,
+                              -18.0 * kDegree,
+                              45.0 * kDegree,
+                              det::kHalfPi,
+                              std::nextafter(det::kHalfPi, 0.0),
+                              -det::kHalfPi,
+                              std::nextafter(-det::kHalfPi, 0.0)};
+
+TEST_CASE("Extremes, SunAtTheHorizonTheZenithAndTheNadir") {
+  int looks = 0;
+  for (const auto& [name, luminance] : namedLuminances())
+    for (const bool to_sun : {true, false})
+      for (const double elevation : kElevations)
+        for (const double azimuth : {0.0, 2.5}) {
+          Sky model = coloured(luminance, to_sun);
+          model.sun.path = still(azimuth, elevation);
+          CAPTURE(name, to_sun, elevation, azimuth);
+          const Baked baked(model, 2 + looks % 4, std::vector<double>{0.0});
+          looks += holds(model, baked, 7.0);
+        }
+  REQUIRE(looks == 17 * 2 * 13 * 2);
+}
+
+/// All combinations of ends and middles that the loader would take under a sun.
+std::vector<LuminanceModel> modelsAtTheEnds(const LightPath& sun) {
+  std::vector<LuminanceModel> models;
+  for (const double a : {-1e4, -1.0, 0.0, 1e4})
+    for (const double b : {-1e4, -1.0, -1e-8, -kUnit})
+      for (const double c : {-1e4, -1e-3, 24.0, 1e4})
+        for (const double d : {-1e4, -50.0, -1.0, -kUnit})
+          for (const double e : {-1e4, -0.9, 0.0, 1e4})
+            if (const LuminanceModel m{a, b, c, d, e, 0.0}; !whyUnusable(m, sun)) models.push_back(m);
+  return models;
+}
+
+TEST_CASE("Extremes, CoefficientsAtTheEndsOfTheirDomain") {
+  const LightPath sun = still(0.3, 0.4);
+  const auto models = modelsAtTheEnds(sun);
+  REQUIRE(models.size() > 100);
+  bool to_sun = false;
+  for (const LuminanceModel& m : models) {
+    to_sun = !to_sun;
+    CAPTURE(m.a, m.b, m.c, m.d, m.e, to_sun);
+    Sky model = coloured(m, to_sun);
+    model.sun.path = sun;
+    const Baked baked(model, 3, std::vector<double>{0.0});
+    holds(model, baked, 12.0);
+  }
+}
+
+TEST_CASE("Extremes, TheFinestRuleHasTheClosedForms") {
+  constexpr double kFinest = 1e-11;
+  const auto c0 = [](const LuminanceModel& m, double elevation) {
+    Sky model;
+    model.luminance = m;
+    model.sun.path = still(0.3, elevation);
+    const SkyInstant instant(model, 0.0);
+    return SkyProjector(m, 2, 1e-12).project(instant).radiance_sh[0].x * instant.luminanceNorm() / det::kShConstant;
+  };
+  // Near-delta lobes about the zenith: the integral of exp(d theta) sin theta is (d exp(d pi/2) + 1) / (1 + d^2).
+  for (const double c : {1.0, 24.0, 1e4})
+    for (const double d : {-1e-9, -3.0, -50.0, -1e3, -1e4}) {
+      CAPTURE(c, d);
+      const double right = std::exp(d * M_PI / 2.0);
+      const double lobe = (d * right + 1.0) / (1.0 + d * d);
+      CHECK(c0({0.0, -1.0, c, d, 0.0, 0.0}, M_PI / 2) ==
+            Approx(2.0 * M_PI * (1.0 - c * right + c * lobe)).epsilon(kFinest));
+    }
+  // Layers at the horizon: the integral of exp(b / y) over [0, 1] is the exponential integral E2(-b).
+  for (const double a : {-1.0, -0.9, 1e4})
+    for (const double b : {-1.0, -0.08, -1e-3, -1e-6, -1e-8}) {
+      CAPTURE(a, b);
+      const double e2 = std::exp(b) - b * std::expint(b);
+      const double slack = std::abs(1.0 + a * e2) < 1e-6 ? 1e-8 : kFinest;  // cancels in the closed form itself
+      CHECK(c0({a, b, 0.0, -1.0, 0.0, 0.0}, 0.5) == Approx(2.0 * M_PI * (1.0 + a * e2)).epsilon(slack));
+    }
+}
+
+TEST_CASE("Extremes, ABakeKeepsItsToleranceAtTheEndsOfTheCoefficients") {
+  double largest = 0.0;
+  LuminanceModel worst{};
+  for (const double elevation : {0.0, 1.2}) {
+    Sky model;
+    model.sun.path = still(0.3, elevation);
+    const auto models = modelsAtTheEnds(model.sun.path);
+    for (std::size_t i = elevation > 0.0 ? 1 : 0; i < models.size(); i += 2) {
+      const LuminanceModel& m = models[i];
+      model.luminance = m;
+      const double error = errorOfABake(model, 2);
+      if (error <= largest) continue;
+      largest = error;
+      worst = m;
+    }
+  }
+  CAPTURE(worst.a, worst.b, worst.c, worst.d, worst.e);
+  CHECK(largest < kTolerance);
+  CHECK(largest > 1e-8);  // a difference was measured
+}
+
+}  // namespace
+}  // namespace welkin::sky
