@@ -103,7 +103,15 @@ DayFields::Error DayFields::errorOf(const DayInstant& at, const ErrorGrid& grid,
   return worst;
 }
 
-DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, const Progress& progress) {
+double brightestOf(const Sky& sky) {
+  constexpr double kQuarter_h = 0.25;
+  double brightest = 0.0;
+  for (const DayInstant& at : sampleDay(sky, hoursOfInterest(sky, kQuarter_h), 0.0, [] { return true; }).instant)
+    brightest = std::max({brightest, at.divisor.x, at.divisor.y, at.divisor.z});
+  return brightest;
+}
+
+DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress) {
   DayFields day{&sky, std::vector<DayInstant>(time_h.size())};
   const IrradianceProjector projector(sky.luminance);
   tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
@@ -118,8 +126,6 @@ DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, const Pro
     at.divisor = {std::max(mean.x, luminance), std::max(mean.y, luminance), std::max(mean.z, luminance)};
     if (!progress()) throw Error(ExitStatus::interrupted, "interrupted");
   });
-  double brightest = 0.0;
-  for (const DayInstant& at : day.instant) brightest = std::max({brightest, at.divisor.x, at.divisor.y, at.divisor.z});
   for (DayInstant& at : day.instant)
     for (int c = 0; c < 3; ++c) at.divisor[c] = std::max(at.divisor[c], kDarkest * brightest);
   return day;

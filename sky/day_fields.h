@@ -72,8 +72,11 @@ struct DayFields {
                 const Number3& horizontal) const;
 };
 
-/// Samples the day in parallel; the same bits for any number of threads. `time_h` ascends.
-DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, const Progress& progress);
+/// The largest divisor of the day, by quarter hours: instants far darker are divided by a share of it.
+double brightestOf(const Sky& sky);
+
+/// Samples the day in parallel; the same bits for any number of threads. `time_h` ascends; `brightest` is brightestOf.
+DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress);
 
 /// Hours at which a day bends or is worth looking at: every `step_h` hours, the keys of the sun's path, and the sun's
 /// rising, setting, highest and lowest instants to the second.

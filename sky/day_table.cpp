@@ -10,6 +10,18 @@
 
 namespace welkin::sky {
 
+const char* nameOf(Reconstruction reconstruction) {
+  switch (reconstruction) {
+    case Reconstruction::projected:
+      return "projected";
+    case Reconstruction::fitted:
+      return "fitted";
+    case Reconstruction::modes:
+      break;
+  }
+  return "modes";
+}
+
 bool isGrey(const Sky& sky) {
   const auto grey = [](const Gradient& gradient) {
     for (std::size_t i = 0; i < gradient.rgb.size(); i += 3)

@@ -9,6 +9,11 @@
 
 namespace welkin::sky {
 
+/// How irradiance is made of the table's rows: coefficients of the radiance, coefficients fitted to the irradiance, or
+/// weights of modes.
+enum class Reconstruction { projected, fitted, modes };
+const char* nameOf(Reconstruction reconstruction);
+
 /// Modes of the irradiance as a file holds them: runtime/format/welkin.fbs, table Modes.
 struct ModeTable {
   int count = 0;  ///< 1..12

@@ -62,18 +62,6 @@ void weighModes(const DayValues& day, Representation& r) {
 
 }  // namespace
 
-const char* nameOf(Reconstruction reconstruction) {
-  switch (reconstruction) {
-    case Reconstruction::projected:
-      return "projected";
-    case Reconstruction::fitted:
-      return "fitted";
-    case Reconstruction::modes:
-      break;
-  }
-  return "modes";
-}
-
 DayValues::DayValues(const DayFields& day_, const ErrorGrid& grid_)
     : day(&day_), grid(&grid_), value(day_.instant.size() * grid_.count()) {
   tbb::parallel_for(std::size_t{0}, day->instant.size(), [&](std::size_t i) {

@@ -19,9 +19,6 @@ struct DayValues {
   std::vector<Number3> value;  ///< instant, normal
 };
 
-enum class Reconstruction { projected, fitted, modes };
-const char* nameOf(Reconstruction reconstruction);
-
 /// What a table's rows weigh.
 struct Representation {
   Reconstruction reconstruction = Reconstruction::projected;

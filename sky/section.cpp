@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/section.h"
 
+#include <algorithm>
+
 namespace welkin::sky {
 
 std::optional<double> Section::numberWithout(std::string_view key) const {
@@ -13,6 +15,18 @@ int Section::wholeNumber(const std::string& key) {
   const auto otherwise = numberWithout(key);
   return table_.integer(key, static_cast<int>(range.low), static_cast<int>(range.high),
                         otherwise ? std::optional(static_cast<int>(*otherwise)) : std::nullopt);
+}
+
+bool Section::isFixed(const std::string& key) {
+  const toml::node* node = table_.node(key);
+  if (node == nullptr) return false;
+  const auto& words = parameterOf(name_, key).words;
+  const auto text = node->value<std::string>();
+  return !text || std::find(words.begin(), words.end(), *text) == words.end();
+}
+
+std::optional<int> Section::wholeNumberIfAny(const std::string& key) {
+  return isFixed(key) ? std::optional(wholeNumber(key)) : std::nullopt;
 }
 
 std::string Section::word(const std::string& key) {

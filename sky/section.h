@@ -20,6 +20,8 @@ class Section {
     return table_.number(key, rangeOf(key), otherwise);
   }
   int wholeNumber(const std::string& key);
+  /// A whole number, or nothing when the key is absent or has a word of the row's list.
+  std::optional<int> wholeNumberIfAny(const std::string& key);
   /// A word of the row's list; `otherwise` of the row when absent.
   std::string word(const std::string& key);
   Number3 colour(const std::string& key) { return table_.colour(key, rangeOf(key), Number3(*numberWithout(key))); }
@@ -31,6 +33,8 @@ class Section {
   std::vector<std::vector<double>> rows(const std::string& key, std::initializer_list<std::string_view> parts);
   /// Hours, of which there are `otherwise` when the key is absent or the row's word.
   std::vector<double> hours(const std::string& key, int otherwise);
+  /// Whether the key is there and is not a word of the row's list.
+  bool isFixed(const std::string& key);
 
   const Range& rangeOf(std::string_view key, std::string_view part = "") const {
     return parameterOf(name_, key, part).range;

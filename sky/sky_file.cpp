@@ -197,45 +197,7 @@ void warnOfPath(TomlTable& table, const std::string& light, const LightPath& pat
   }
 }
 
-BakeSettings readBake(Section section) {
-  TomlTable& table = section.table();
-  BakeSettings bake;
-  bake.bands = section.wholeNumber("bands");
-  bake.key_time_h = section.hours("keys", kAutoKeys);
-  bake.cubemap_size = section.wholeNumber("cubemap_size");
-  if (bake.cubemap_size == 1)
-    table.refuse("cubemap_size", table.node("cubemap_size"),
-                 fmt::format("must be 0 (none) or 2 to {}", section.rangeOf("cubemap_size").high));
-  bake.cubemap_time_h = section.hours("cubemap_times", static_cast<int>(*section.numberWithout("cubemap_times")));
-  for (std::size_t i = 1; i < bake.cubemap_time_h.size(); ++i)
-    if (millisecondOf(bake.cubemap_time_h[i]) == millisecondOf(bake.cubemap_time_h[i - 1]))
-      table.refuse("cubemap_times", table.node("cubemap_times"),
-                   fmt::format("the times {} and {} must be a millisecond apart: they name files",
-                               bake.cubemap_time_h[i - 1], bake.cubemap_time_h[i]));
-  if (bake.cubemap_size == 0) bake.cubemap_time_h.clear();
-  using format::CubemapFormat;
-  constexpr CubemapFormat kFormats[] = {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11};
-  std::vector<std::string> names;
-  for (const CubemapFormat f : kFormats) names.emplace_back(format::nameOf(f));
-  const std::string name = table.string("cubemap_format", names, names.front());
-  bake.cubemap_format = kFormats[std::find(names.begin(), names.end(), name) - names.begin()];
-  const double bytes = 6.0 * static_cast<double>(format::texelBytes(bake.cubemap_format)) * bake.cubemap_size *
-                           bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
-                       12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
-  if (bytes > 1.5e9)
-    table.refuse(
-        "cubemap_size", table.node("cubemap_size"),
-        fmt::format("with {} cubemaps of {} and {} keys the file would have {:.0f} bytes; at most 1.5e9 are allowed",
-                    bake.cubemap_time_h.size(), bake.cubemap_size, bake.key_time_h.size(), bytes));
-  table.finish();
-  return bake;
-}
-
 }  // namespace
-
-long millisecondOf(double time_h) {
-  return std::min(std::lround(time_h * 3600000.0), 86399999L);
-}
 
 SkyFile readSkyFile(const std::filesystem::path& path) {
   const std::string file = path.string();

@@ -18,6 +18,8 @@ constexpr double kMinute_h = 1.0 / 60.0;
 constexpr int kFullNormals = 642;
 constexpr double kFullTolerance = 1e-5;
 constexpr std::size_t kQuadratureChecks = 24;  ///< instants at which the moments are compared with finer ones
+constexpr double kConverged = 1e-9;
+constexpr std::size_t kInstantsAtOnce = 1024;  ///< bounds the memory
 
 std::vector<double> instantsOf(const Baked& baked) {
   std::vector<double> hours = sky::hoursOfInterest(baked.sky, kMinute_h);
@@ -109,66 +111,91 @@ Looked lookAt(const Instant& instant, const sky::DayValues& day, std::size_t i) 
 }
 
 /// Largest difference between the irradiance of the moments that were baked and of converged ones.
-double quadratureOf(const sky::DayValues& day, const Baked& baked, const sky::Progress& progress) {
-  const std::size_t apart = std::max<std::size_t>(1, day.day->instant.size() / kQuadratureChecks);
+double quadratureOf(const Baked& baked, double brightest, const sky::ErrorGrid& grid, const sky::Progress& progress) {
+  std::vector<double> hours;
+  for (std::size_t i = 0; i < kQuadratureChecks; ++i)
+    hours.push_back(format::kDay_h * (static_cast<double>(i) + 0.5) / kQuadratureChecks);
+  const sky::DayFields fields = sky::sampleDay(baked.sky, hours, brightest, progress);
+  const sky::DayValues day(fields, grid);
   const int bands = sky::IrradianceProjector::kBands;
-  const sky::SkyProjector converged(baked.sky.luminance, bands, 1e-9);
+  const sky::SkyProjector converged(baked.sky.luminance, bands, kConverged);
+  const sky::SkyProjector as_baked(baked.sky.luminance, bands, std::max(baked.tolerance, kConverged));
   const sky::Representation r = sky::coefficientsOf(day, bands, false);
-  std::vector<double> error((day.day->instant.size() + apart - 1) / apart);
-  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t k) {
-    const std::size_t i = k * apart;
-    const auto moments = converged.projectPolar(sky::SkyInstant(baked.sky, day.day->instant[i].time_h));
-    std::vector<Number3> want = moments.radiance_sh;
-    if (r.rows > r.functions) want.push_back(moments.horizontal_irradiance);
-    error[k] = sky::differenceOf(day, r, i, {r.weight.data() + i * r.rows, r.rows}, want);
-    if (!progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+  std::vector<double> error(hours.size());
+  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
+    const sky::SkyInstant instant(baked.sky, hours[i]);
+    const auto rowsOf = [&](const sky::PolarMoments& moments) {
+      std::vector<Number3> rows = moments.radiance_sh;
+      if (r.rows > r.functions) rows.push_back(moments.horizontal_irradiance);
+      return rows;
+    };
+    const auto was = rowsOf(baked.tolerance > 0.0 ? as_baked.projectPolar(instant) : fields.instant[i].field.moments);
+    error[i] = sky::differenceOf(day, r, i, was, rowsOf(converged.projectPolar(instant)));
   });
   return *std::max_element(error.begin(), error.end());
+}
+
+/// Sum of errors over channels and normals, and how many those were.
+struct Mean {
+  double sum = 0.0, weight = 0.0;
+};
+
+/// Adds what a share of the instants shows.
+void add(const WelkinSky* opened, const Baked& baked, Certify how, const sky::DayValues& day,
+         const sky::Progress& progress, sky::Certificate& certificate, Mean& mean) {
+  const auto& instants = day.day->instant;
+  static const std::vector<Number3> kSpread = spiral(kFullNormals);
+  const sky::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
+  std::vector<Looked> looked(instants.size());
+  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {
+    const Instant instant(opened, baked.sky, instants[i]);
+    looked[i] = lookAt(instant, day, i);
+    if (how != Certify::full) return;
+    for (const Number3& n : kSpread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
+    if (!progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+  });
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double divisor = instants[i].divisor[c];
+      if (!(divisor > 0.0)) continue;
+      mean.sum += looked[i].sum[c] / divisor;
+      mean.weight += static_cast<double>(looked[i].normals);
+      if (looked[i].error[c] / divisor <= certificate.max_error) continue;
+      certificate.max_error = looked[i].error[c] / divisor;
+      certificate.time_h = instants[i].time_h;
+      certificate.normal = looked[i].normal[c];
+      certificate.channel = c;
+    }
+  certificate.instants += looked.size();
+  const auto parts = sky::partsOf(day, sky::atHoursOf(day, baked.representation), baked.table, baked.encoding);
+  certificate.parts.truncation = std::max(certificate.parts.truncation, parts.truncation);
+  certificate.parts.time = std::max(certificate.parts.time, parts.time);
+  certificate.parts.encoding = std::max(certificate.parts.encoding, parts.encoding);
 }
 
 }  // namespace
 
 std::size_t certifySteps(const Baked& baked, Certify how) {
-  const std::size_t instants = instantsOf(baked).size();
-  const std::size_t apart = std::max<std::size_t>(1, instants / kQuadratureChecks);
-  return instants * (how == Certify::full ? 2 : 1) + (instants + apart - 1) / apart;
+  return instantsOf(baked).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
 }
 
 sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress) {
-  const sky::DayFields fields = sky::sampleDay(baked.sky, instantsOf(baked), progress);
+  const double brightest = sky::brightestOf(baked.sky);
   const sky::ErrorGrid grid;
-  const sky::DayValues day(fields, grid);
-  const std::vector<Number3> spread = spiral(kFullNormals);
-  const sky::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
-  std::vector<Looked> looked(fields.instant.size());
-  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {
-    const Instant instant(opened, baked.sky, fields.instant[i]);
-    looked[i] = lookAt(instant, day, i);
-    if (how != Certify::full) return;
-    for (const Number3& n : spread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
-    if (!progress()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
-  });
-
   sky::Certificate certificate;
   certificate.method = how == Certify::full ? sky::Certificate::Method::full : sky::Certificate::Method::fast;
-  certificate.instants = looked.size();
-  double sum = 0.0;
-  double weight = 0.0;
-  for (std::size_t i = 0; i < looked.size(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const double divisor = fields.instant[i].divisor[c];
-      if (!(divisor > 0.0)) continue;
-      sum += looked[i].sum[c] / divisor;
-      weight += static_cast<double>(looked[i].normals);
-      if (looked[i].error[c] / divisor <= certificate.max_error) continue;
-      certificate.max_error = looked[i].error[c] / divisor;
-      certificate.time_h = fields.instant[i].time_h;
-      certificate.normal = looked[i].normal[c];
-      certificate.channel = c;
-    }
-  certificate.mean_error = weight > 0.0 ? sum / weight : 0.0;
-  certificate.parts = sky::partsOf(day, sky::atHoursOf(day, baked.representation), baked.table, baked.encoding);
-  certificate.parts.quadrature = quadratureOf(day, baked, progress);
+  Mean mean;
+  const std::vector<double> hours = instantsOf(baked);
+  for (std::size_t first = 0; first < hours.size(); first += kInstantsAtOnce) {
+    const std::size_t last = std::min(first + kInstantsAtOnce, hours.size());
+    const sky::DayFields fields = sky::sampleDay(
+        baked.sky,
+        {hours.begin() + static_cast<std::ptrdiff_t>(first), hours.begin() + static_cast<std::ptrdiff_t>(last)},
+        brightest, progress);
+    add(opened, baked, how, sky::DayValues(fields, grid), progress, certificate, mean);
+  }
+  certificate.mean_error = mean.weight > 0.0 ? mean.sum / mean.weight : 0.0;
+  certificate.parts.quadrature = quadratureOf(baked, brightest, grid, progress);
   return certificate;
 }
 

@@ -16,11 +16,12 @@ struct Baked {
   const sky::Representation& representation;
   const sky::DayTable& table;
   sky::Encoding encoding;
+  double tolerance;  ///< of the moments (sky/projection.h); 0: those of sky/irradiance.h
 };
 
 /// Measures `opened`, the file of `baked`: at every minute of the day, every key and the middle between two, and the
 /// instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals on both sides of the
-/// sun's plane (sky/irradiance.h: within 1e-4); `full` adds direct integration (sky/projection.h, 1e-5) at 642 evenly
+/// sun's plane (sky/irradiance.h); `full` adds direct integration (sky/projection.h, 1e-5) at 642 evenly
 /// spread normals, which takes minutes. The same numbers for any number of threads. `progress` as in bakeDayTable.
 sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress);
 

@@ -10,6 +10,7 @@
 #include "sky/atomic_file.h"
 #include "sky/error.h"
 #include "welkin/bake_sky.h"
+#include "welkin/budget_option.h"
 #include "welkin/commands.h"
 #include "welkin/warnings.h"
 
@@ -17,7 +18,8 @@ namespace welkin::tools {
 namespace {
 
 struct Options {
-  std::string file, folder, report, depfile, progress = "auto";
+  std::string file, folder, report, depfile, progress = "auto", certify = "fast";
+  BudgetOption budget;
   int threads = 0;
 };
 
@@ -43,7 +45,11 @@ void bake(const Options& options) {
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  const sky::SkyFile file = sky::readSkyFile(options.file);
+  sky::SkyFile file = sky::readSkyFile(options.file);
+  options.budget.applyTo(file.bake);
+  const Certify how = options.certify == "none"   ? Certify::none
+                      : options.certify == "full" ? Certify::full
+                                                  : Certify::fast;
   const std::filesystem::path folder = options.folder;
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
@@ -54,11 +60,13 @@ void bake(const Options& options) {
     writeFile(options.depfile, rule + "\n");
   }
   nlohmann::ordered_json timing;
-  const auto report = bakeSky(file, folder, ProgressReport::styleOf(options.progress), timing);
+  const auto report = bakeSky(file, folder, how, ProgressReport::styleOf(options.progress), timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFile(folder / "timing.json", textOf(timing));
   writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report), textOf(report));
   printWarnings(report["warnings"]);
+  if (report.contains("certificate"))
+    std::fputs(fmt::format("welkin: {}\n", certificateText(report["certificate"])).c_str(), stderr);
 }
 
 }  // namespace
@@ -75,6 +83,12 @@ void addBake(CLI::App& app) {
   command->add_option("--depfile", options->depfile, "Write the inputs here as a make rule");
   command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
       ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+  options->budget.addTo(*command);
+  command
+      ->add_option("--certify", options->certify,
+                   "How to measure the error that the bake makes: fast, full (minutes) or none")
+      ->check(CLI::IsMember({"fast", "full", "none"}))
       ->capture_default_str();
   command->callback([options] { bake(*options); });
 }

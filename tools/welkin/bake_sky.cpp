@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <optional>
 #include <regex>
 
+#include "format/container.h"
 #include "sky/atomic_file.h"
 #include "sky/encode.h"
 #include "sky/error.h"
 #include "sky/exr.h"
+#include "welkin/sky_plan.h"
 #include "welkin/warnings.h"
 
 namespace welkin::tools {
@@ -59,10 +63,131 @@ void removeStaleCubemaps(const std::filesystem::path& folder, const std::vector<
   }
 }
 
-std::vector<std::string> cubemapNames(const sky::BakeSettings& bake) {
+/// The certificate of a plan's table, and the bytes of its file without cubemaps that it was measured on.
+sky::Certificate measure(const sky::SkyFile& file, const SkyPlan& plan, Certify how, ProgressReport::Style style) {
+  const auto bytes = sky::encodeSky(file, plan.table, {}, plan.encoding);
+  WelkinSky* opened = nullptr;
+  WelkinMessage message{};
+  if (welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message) != WELKIN_OK)
+    throw Error(ExitStatus::internal, fmt::format("the runtime refuses what was baked: {}", message.text));
+  const std::unique_ptr<WelkinSky, void (*)(WelkinSky*)> owner(opened, welkin_sky_close);
+  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.tolerance};
+  ProgressReport progress(style, "certificate", certifySteps(baked, how));
+  return certify(opened, baked, how, [&] { return progress.step(); });
+}
+
+/// A plan whose certificate is within the budget: planned again for less when what was measured, every minute and
+/// through the runtime, is more than the plan expected.
+struct Certified {
+  SkyPlan plan;
+  std::optional<sky::Certificate> certificate;
+};
+Certified planAndMeasure(const sky::SkyFile& file, Certify how, ProgressReport::Style style, Stopwatch& watch,
+                         Json& timing) {
+  constexpr int kAttempts = 4;
+  SkyPlanner planner(file, style);
+  double aim = file.bake.max_error.value_or(0.0);
+  double plan_s = 0.0;
+  double certify_s = 0.0;
+  for (int attempt = 1;; ++attempt) {
+    Certified result{planner.plan(aim), std::nullopt};
+    plan_s += watch.lap();
+    if (how != Certify::none) result.certificate = measure(file, result.plan, how, style);
+    certify_s += watch.lap();
+    timing["table_s"] = plan_s;
+    timing["certify_s"] = certify_s;
+    if (!result.certificate || !file.bake.max_error || result.certificate->max_error <= *file.bake.max_error)
+      return result;
+    if (attempt == kAttempts)
+      throw Error(ExitStatus::content,
+                  fmt::format("{}: max_error = {}: cannot be met: {} bytes make an error of {:.3g}",
+                              file.inputs.front().path.string(), *file.bake.max_error, result.plan.table_bytes,
+                              result.certificate->max_error));
+    aim *= 0.995 * *file.bake.max_error / result.certificate->max_error;
+  }
+}
+
+std::vector<std::string> cubemapNames(const std::vector<double>& time_h) {
   std::vector<std::string> names;
-  for (const double time : bake.cubemap_time_h) names.push_back(cubemapName(time));
+  for (const double time : time_h) names.push_back(cubemapName(time));
   return names;
+}
+
+/// Renders the cubemaps and writes their EXR files.
+std::vector<sky::Cubemap> bakeCubemaps(const sky::SkyFile& file, const SkyPlan& plan, Outputs& outputs,
+                                       ProgressReport::Style style, std::size_t& saturated) {
+  std::vector<sky::Cubemap> cubemaps;
+  const auto names = cubemapNames(plan.cubemap_time_h);
+  if (names.empty()) return cubemaps;
+  makeFolder(outputs.folder / "cubemaps");
+  ProgressReport progress(style, "cubemaps", names.size());
+  const sky::SkyProjector projector(file.sky.luminance, 1);
+  const sky::Progress keep_going = [] { return !interrupted(); };
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const sky::SkyInstant instant(file.sky, plan.cubemap_time_h[i]);
+    const auto ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
+    cubemaps.push_back(sky::renderCubemap(instant, ground, plan.cubemap_size, plan.cubemap_format, keep_going));
+    saturated += cubemaps.back().saturated;
+    for (const auto& [layout, suffix] :
+         {std::pair(sky::Layout::exr_cube, ".exr"), {sky::Layout::exr_latlong, "_latlong.exr"}}) {
+      const auto image = sky::renderDome(instant, ground, layout, plan.cubemap_size, keep_going);
+      saturated += image.saturated;
+      outputs.write("cubemaps/" + names[i] + suffix,
+                    sky::encodeExr(image, layout, file.sky.luminance_unit, keep_going));
+    }
+    if (!progress.step()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
+  }
+  return cubemaps;
+}
+
+/// The error of the cubemaps as they are in the file.
+sky::CubemapError measureCubemaps(const sky::SkyFile& file, const SkyPlan& plan,
+                                  const std::vector<sky::Cubemap>& cubemaps, Certify how, ProgressReport::Style style) {
+  sky::CubemapSet set{plan.cubemap_size, plan.cubemap_format, plan.cubemap_time_h, {}};
+  for (const sky::Cubemap& cubemap : cubemaps) set.texels.emplace_back(cubemap.texels);
+  ProgressReport progress(style, "cubemaps' error", 0);
+  return sky::measureCubemaps(file.sky, set, how == Certify::full ? sky::Effort::full : sky::Effort::fast,
+                              [&] { return progress.step(); });
+}
+
+Json certificateJson(const sky::Certificate& c, const std::optional<sky::CubemapError>& cubemaps) {
+  const char* channels[] = {"red", "green", "blue"};
+  Json json = {{"method", c.method == sky::Certificate::Method::full ? "full" : "fast"},
+               {"max_error", c.max_error},
+               {"time_h", c.time_h},
+               {"normal", {c.normal.x, c.normal.y, c.normal.z}},
+               {"channel", channels[c.channel]},
+               {"mean_error", c.mean_error},
+               {"parts",
+                {{"quadrature", c.parts.quadrature},
+                 {"truncation", c.parts.truncation},
+                 {"time", c.parts.time},
+                 {"encoding", c.parts.encoding}}},
+               {"instants", c.instants}};
+  if (cubemaps)
+    json["cubemaps"] = {
+        {"max_error", cubemaps->error},
+        {"time_h", cubemaps->time_h},
+        {"channel", channels[cubemaps->channel]},
+        {"mean_error", cubemaps->mean},
+        {"largest_difference",
+         {{"error", cubemaps->largest.error},
+          {"time_h", cubemaps->largest.time_h},
+          {"direction", {cubemaps->largest.direction.x, cubemaps->largest.direction.y, cubemaps->largest.direction.z}},
+          {"channel", channels[cubemaps->largest.channel]}}},
+        {"parts",
+         {{"resolution", cubemaps->parts.resolution},
+          {"time", cubemaps->parts.time},
+          {"encoding", cubemaps->parts.encoding}}}};
+  return json;
+}
+
+Json inputsJson(const sky::SkyFile& file) {
+  Json inputs = Json::array();
+  for (const auto& input : file.inputs)
+    inputs.push_back(
+        {{"name", input.name}, {"xxh3_128", fmt::format("{:016x}{:016x}", input.xxh3_high, input.xxh3_low)}});
+  return inputs;
 }
 
 }  // namespace
@@ -72,53 +197,47 @@ std::string cubemapName(double time_h) {
   return fmt::format("sky_{:02}{:02}{:02}{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
 }
 
-Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, ProgressReport::Style style, Json& timing) {
-  const auto names = cubemapNames(file.bake);
+std::string certificateText(const Json& c) {
+  const auto percent = [](const Json& value) { return fmt::format("{:.3g} %", 100.0 * value.get<double>()); };
+  const auto& n = c["normal"];
+  std::string text = fmt::format(
+      "irradiance within {} (at {:.2f} h, normal {:.3f},{:.3f},{:.3f}, {}), mean {}; quadrature {}, truncation {}, "
+      "time {}, encoding {}",
+      percent(c["max_error"]), c["time_h"].get<double>(), n[0].get<double>(), n[1].get<double>(), n[2].get<double>(),
+      c["channel"].get<std::string>(), percent(c["mean_error"]), percent(c["parts"]["quadrature"]),
+      percent(c["parts"]["truncation"]), percent(c["parts"]["time"]), percent(c["parts"]["encoding"]));
+  if (c.contains("cubemaps")) text += fmt::format("; cubemaps within {}", percent(c["cubemaps"]["max_error"]));
+  return text;
+}
+
+Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Certify how, ProgressReport::Style style,
+             Json& timing) {
+  Stopwatch watch;
+  const Certified certified = planAndMeasure(file, how, style, watch, timing);
+  const SkyPlan& plan = certified.plan;
   makeFolder(folder);
   Outputs outputs{folder};
-  Stopwatch watch;
-
-  sky::DayTable table;
-  {
-    ProgressReport progress(style, "table", file.bake.key_time_h.size());
-    table = sky::bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [&] { return progress.step(); });
-  }
-  timing["table_s"] = watch.lap();
 
   std::size_t saturated = 0;
-  std::vector<sky::Cubemap> cubemaps;
-  if (!names.empty()) {
-    makeFolder(folder / "cubemaps");
-    ProgressReport progress(style, "cubemaps", names.size());
-    const sky::SkyProjector projector(file.sky.luminance, 1);
-    const sky::Progress keep_going = [] { return !interrupted(); };
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const sky::SkyInstant instant(file.sky, file.bake.cubemap_time_h[i]);
-      const auto ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
-      const auto render = [&](sky::Layout layout) {
-        auto image = sky::renderDome(instant, ground, layout, file.bake.cubemap_size, keep_going);
-        saturated += image.saturated;
-        return image;
-      };
-      cubemaps.push_back(
-          sky::renderCubemap(instant, ground, file.bake.cubemap_size, file.bake.cubemap_format, keep_going));
-      saturated += cubemaps.back().saturated;
-      for (const auto& [layout, suffix] :
-           {std::pair(sky::Layout::exr_cube, ".exr"), {sky::Layout::exr_latlong, "_latlong.exr"}})
-        outputs.write("cubemaps/" + names[i] + suffix,
-                      sky::encodeExr(render(layout), layout, file.sky.luminance_unit, keep_going));
-      if (!progress.step()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
-    }
-  }
+  const auto cubemaps = bakeCubemaps(file, plan, outputs, style, saturated);
   timing["cubemaps_s"] = watch.lap();
-  outputs.write("sky.welkin", sky::encodeSky(file, table, cubemaps));
-  removeStaleCubemaps(folder / "cubemaps", names);
+  std::optional<sky::CubemapError> cubemap_error;
+  if (how != Certify::none && !cubemaps.empty()) {
+    cubemap_error = measureCubemaps(file, plan, cubemaps, how, style);
+    if (file.bake.max_error && cubemap_error->error > *file.bake.max_error)
+      throw Error(
+          ExitStatus::content,
+          fmt::format("{}: max_error = {}: cannot be met by {} cubemaps of {} in {}, whose error is {:.3g}; leave "
+                      "cubemap_size, cubemap_times and cubemap_format to the budget, or make none",
+                      file.inputs.front().path.string(), *file.bake.max_error, cubemaps.size(), plan.cubemap_size,
+                      format::nameOf(plan.cubemap_format), cubemap_error->error));
+    timing["certify_s"] = timing["certify_s"].get<double>() + watch.lap();
+  }
+  const sky::Certificate* certificate = certified.certificate ? &*certified.certificate : nullptr;
+  outputs.write("sky.welkin", sky::encodeSky(file, plan.table, cubemaps, plan.encoding, certificate));
+  removeStaleCubemaps(folder / "cubemaps", cubemapNames(plan.cubemap_time_h));
   timing["write_s"] = watch.lap();
 
-  Json inputs = Json::array();
-  for (const auto& input : file.inputs)
-    inputs.push_back(
-        {{"name", input.name}, {"xxh3_128", fmt::format("{:016x}{:016x}", input.xxh3_high, input.xxh3_low)}});
   Json warnings = warningsJson(file);
   if (saturated > 0)
     warnings.push_back(
@@ -127,22 +246,21 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Prog
          {"message",
           fmt::format("{} components of the cubemaps are past the largest value of their format ({}: {}; EXR: "
                       "65504) and were stored as that; raise luminance_unit and lower intensity",
-                      saturated, format::nameOf(file.bake.cubemap_format),
-                      format::largestOf(file.bake.cubemap_format, 2))}});
-  return {{"format_version", 1},
-          {"inputs", inputs},
-          {"settings", Json::parse(file.settings)},
-          {"table",
-           {{"bands", table.bands},
-            {"keys", table.key_time_h.size()},
-            {"evaluations", table.evaluations},
-            {"bytes", (table.shape_sh.size() + table.shape_irradiance.size()) * sizeof(float)}}},
-          {"cubemaps",
-           {{"size", names.empty() ? 0 : file.bake.cubemap_size},
-            {"format", format::nameOf(file.bake.cubemap_format)},
-            {"time_h", file.bake.cubemap_time_h}}},
-          {"outputs", outputs.list},
-          {"warnings", warnings}};
+                      saturated, format::nameOf(plan.cubemap_format), format::largestOf(plan.cubemap_format, 2))}});
+  Json report = {{"format_version", format::kVersion},
+                 {"inputs", inputsJson(file)},
+                 {"settings", Json::parse(file.settings)},
+                 {"table", planJson(plan, file.bake.max_error)},
+                 {"cubemaps",
+                  {{"size", plan.cubemap_size},
+                   {"format", format::nameOf(plan.cubemap_format)},
+                   {"time_h", plan.cubemap_time_h},
+                   {"bytes", plan.cubemap_bytes}}},
+                 {"left_out", leftOutJson(plan)}};
+  if (certificate != nullptr) report["certificate"] = certificateJson(*certificate, cubemap_error);
+  report["outputs"] = outputs.list;
+  report["warnings"] = warnings;
+  return report;
 }
 
 }  // namespace welkin::tools

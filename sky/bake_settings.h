@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The [bake] section of sky.toml: what a bake makes, and what it leaves to a budget.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "format/cubemap_format.h"
+#include "sky/day_encoding.h"
+#include "sky/section.h"
+
+namespace welkin::sky {
+
+/// The [bake] section. What the file leaves open has the value of a bake without a budget.
+struct BakeSettings {
+  int bands = 2;
+  std::vector<double> key_time_h;
+  int cubemap_size = 128;  ///< 0: none
+  std::vector<double> cubemap_time_h;
+  format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
+  Reconstruction reconstruction = Reconstruction::projected;
+  Encoding encoding = Encoding::float32;
+  bool mildest_window = false;
+  std::optional<double> max_error;  ///< none: no budget, and everything is as it stands here
+
+  /// What the file says itself, which a budget keeps; it chooses the rest.
+  struct Fixed {
+    bool bands = false, keys = false, cubemaps = false, reconstruction = false, encoding = false;
+  } fixed;
+};
+
+/// Keys of a table with keys = "auto": one every five minutes.
+inline constexpr int kAutoKeys = 288;
+
+/// The whole millisecond of the day, 0 to 86399999, that names the cubemap of a time in [0, 24).
+long millisecondOf(double time_h);
+
+/// Throws Error(content).
+BakeSettings readBake(Section section);
+
+}  // namespace welkin::sky

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "welkin/sky_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sh/window.h"
+#include "sky/error.h"
+#include "welkin/left_out.h"
+
+namespace welkin::tools {
+namespace {
+
+using sky::BakeSettings;
+
+/// Hours between the instants that a plan looks at: as fine as the error is small.
+double samplingStep_h(double max_error) {
+  constexpr double kFine = 0.005;
+  return (max_error < kFine ? 1.25 : 2.5) / 60.0;
+}
+
+std::vector<double> instantsFor(const sky::SkyFile& file, double step_h) {
+  std::vector<double> hours = sky::hoursOfInterest(file.sky, step_h);
+  if (file.bake.fixed.keys) hours.insert(hours.end(), file.bake.key_time_h.begin(), file.bake.key_time_h.end());
+  std::sort(hours.begin(), hours.end());
+  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
+  return hours;
+}
+
+/// Lessens the bands of a table of coefficients by the mildest window that keeps irradiance from being negative.
+double applyMildestWindow(sky::DayTable& table) {
+  constexpr int kNormals = 642;
+  std::vector<det::Number3> normals;
+  for (int i = 0; i < kNormals; ++i) {
+    const double y = 1.0 - 2.0 * (i + 0.5) / kNormals;
+    const double across = std::sqrt(1.0 - y * y);
+    const double turn = std::fmod(2.39996322972865332 * i, det::kTwoPi);
+    normals.push_back({across * det::cos(turn), across * det::sin(turn), y});
+  }
+  const auto channels = static_cast<std::size_t>(table.channels);
+  const auto count = static_cast<std::size_t>(table.bands * table.bands);
+  std::vector<double> sets;  // the frame's pole as the basis' own: a rotation changes no irradiance
+  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
+    for (std::size_t c = 0; c < channels; ++c) {
+      std::vector<double> set(count);
+      for (int l = 0; l < table.bands; ++l)
+        for (int m = 0; m <= l; ++m)
+          set[static_cast<std::size_t>(sh::indexOf(l, m))] =
+              table.number[key * table.numbersOfKey() + sky::polarIndex(l, m) * channels + c];
+      sets.insert(sets.end(), set.begin(), set.end());
+    }
+  const sh::Window window = sh::mildestWindow(sets, table.bands, normals);
+  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
+    for (int l = 0; l < table.bands; ++l)
+      for (int m = 0; m <= l; ++m)
+        for (std::size_t c = 0; c < channels; ++c)
+          table.number[key * table.numbersOfKey() + sky::polarIndex(l, m) * channels + c] *=
+              window.factor[static_cast<std::size_t>(l)];
+  return window.strength;
+}
+
+Error cannotMeet(const sky::SkyFile& file, const std::string& best) {
+  return {ExitStatus::content, fmt::format("{}: max_error = {}: cannot be met: {}", file.inputs.front().path.string(),
+                                           *file.bake.max_error, best)};
+}
+
+}  // namespace
+
+/// The day as plans look at it.
+struct SkyPlanner::Day {
+  sky::ErrorGrid grid;
+  sky::DayFields fields;
+  sky::DayValues values;
+
+  Day(const sky::SkyFile& file, double step_h, const sky::Progress& progress)
+      : fields(sky::sampleDay(file.sky, instantsFor(file, step_h), sky::brightestOf(file.sky), progress)),
+        values(fields, grid) {}
+};
+
+SkyPlanner::SkyPlanner(const sky::SkyFile& file, ProgressReport::Style style) : file_(file), style_(style) {}
+SkyPlanner::~SkyPlanner() = default;
+
+SkyPlan SkyPlanner::plan(double aim) {
+  SkyPlan plan;
+  planTable(aim, plan);
+  planCubemaps(plan);
+  plan.left_out = leftOut(file_, plan);
+  return plan;
+}
+
+void SkyPlanner::planTable(double aim, SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  const bool fits = bake.reconstruction != sky::Reconstruction::projected;
+  if (!bake.max_error && bake.reconstruction == sky::Reconstruction::modes)
+    throw Error(
+        ExitStatus::content,
+        fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
+                    file_.inputs.front().path.string()));
+  if ((bake.max_error || fits) && !day_) {
+    const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
+    ProgressReport progress(style_, "plan", instantsFor(file_, step_h).size());
+    day_ = std::make_unique<Day>(file_, step_h, [&] { return progress.step(); });
+  }
+  if (bake.max_error) {
+    sky::PlanRequest request;
+    request.max_error = aim;
+    if (bake.fixed.bands) request.bands = bake.bands;
+    if (bake.fixed.reconstruction) request.reconstruction = bake.reconstruction;
+    if (bake.mildest_window) request.reconstruction = sky::Reconstruction::projected;
+    if (bake.fixed.encoding) request.encoding = bake.encoding;
+    if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
+    sky::DayPlan day = sky::planDay(day_->values, request);
+    if (!day.met)
+      throw cannotMeet(file_, fmt::format("the least error of the irradiance is {:.3g}, by {}, {} keys and {} numbers: "
+                                          "{} bytes",
+                                          day.predicted_error, day.representation.name(), day.table.key_time_h.size(),
+                                          sky::nameOf(day.encoding), day.bytes));
+    plan.representation = std::move(day.representation);
+    plan.table = std::move(day.table);
+    plan.encoding = day.encoding;
+    plan.tolerance = 0.0;
+    plan.predicted_error = day.predicted_error;
+    plan.considered = std::move(day.considered);
+  } else {
+    ProgressReport progress(style_, "table", bake.key_time_h.size());
+    plan.table = sky::bakeDayTable(file_.sky, bake.bands, bake.key_time_h, [&] { return progress.step(); });
+    plan.encoding = bake.encoding;
+    plan.representation.bands = bake.bands;
+    plan.representation.fitted = fits;
+    if (fits) {
+      const auto& hours = day_->fields.instant;
+      std::vector<std::size_t> keys;
+      for (std::size_t i = 0; i < hours.size(); ++i)
+        if (std::binary_search(bake.key_time_h.begin(), bake.key_time_h.end(), hours[i].time_h)) keys.push_back(i);
+      plan.table = sky::tableAt(day_->values, sky::coefficientsOf(day_->values, bake.bands, true), keys);
+      plan.tolerance = 0.0;
+    }
+  }
+  if (bake.mildest_window) plan.window_strength = applyMildestWindow(plan.table);
+  plan.table_bytes = sky::bytesOf(plan.representation, plan.table, plan.encoding);
+}
+
+void SkyPlanner::planCubemaps(SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  plan.cubemap_size = bake.cubemap_time_h.empty() ? 0 : bake.cubemap_size;
+  plan.cubemap_format = bake.cubemap_format;
+  plan.cubemap_time_h = bake.cubemap_time_h;
+  if (bake.max_error && !bake.fixed.cubemaps) {
+    if (!cubemaps_) {
+      ProgressReport progress(style_, "cubemap plan", 0);
+      cubemaps_ = sky::planCubemaps(file_.sky, *bake.max_error, {}, [&] { return progress.step(); });
+    }
+    if (!cubemaps_->met)
+      throw cannotMeet(file_, fmt::format("cubemaps: {}; the least error is {:.3g}, by {} cubemaps of {} in {}: {:.0f} "
+                                          "bytes; cubemap_size = 0 leaves them out",
+                                          cubemaps_->reason, cubemaps_->measured.error, cubemaps_->time_h.size(),
+                                          cubemaps_->size, format::nameOf(cubemaps_->format), cubemaps_->bytes));
+    plan.cubemap_size = cubemaps_->size;
+    plan.cubemap_format = cubemaps_->format;
+    plan.cubemap_time_h = cubemaps_->time_h;
+  }
+  plan.cubemap_bytes = plan.cubemap_time_h.size() * 6 * static_cast<std::size_t>(plan.cubemap_size) *
+                       static_cast<std::size_t>(plan.cubemap_size) * format::texelBytes(plan.cubemap_format);
+}
+
+nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error) {
+  nlohmann::ordered_json considered = nlohmann::json::array();
+  for (const sky::PlanChoice& c : plan.considered) {
+    considered.push_back({{"name", c.name}, {"error_at_keys", c.error}});
+    if (c.keys > 0) considered.back()["keys"] = c.keys, considered.back()["bytes"] = c.bytes;
+  }
+  const auto& modes = plan.table.modes;
+  nlohmann::ordered_json json = {{"bands", plan.table.bands},
+                                 {"coefficients", plan.table.bands * plan.table.bands},
+                                 {"reconstruction", sky::nameOf(plan.representation.reconstruction)},
+                                 {"numbers_of_key", plan.table.numbersOfKey()},
+                                 {"channels", plan.table.channels},
+                                 {"encoding", sky::nameOf(plan.encoding)},
+                                 {"keys", plan.table.key_time_h.size()}};
+  if (modes) json["modes"] = {{"count", modes->count}, {"columns", modes->columns}, {"rows", modes->rows}};
+  if (plan.window_strength > 0.0) json["window_strength"] = plan.window_strength;
+  json["evaluations"] = plan.table.evaluations;
+  json["bytes"] = plan.table_bytes;
+  if (max_error) {
+    json["max_error"] = *max_error;
+    json["predicted_error"] = plan.predicted_error;
+    json["considered"] = considered;
+  }
+  return json;
+}
+
+nlohmann::ordered_json leftOutJson(const SkyPlan& plan) {
+  nlohmann::ordered_json list = nlohmann::json::array();
+  for (const LeftOut& l : plan.left_out)
+    list.push_back({{"what", l.what}, {"why", l.why}, {"bytes", l.bytes}, {"evaluations", l.evaluations}});
+  return list;
+}
+
+}  // namespace welkin::tools
