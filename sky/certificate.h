@@ -26,6 +26,13 @@ struct Certificate {
   double mean_error = 0.0;  ///< over normals, channels and instants
   ErrorParts parts;
   std::size_t instants = 0;
+
+  /// Of the cubemaps: docs/conventions.md, "Error of the cubemaps". All 0 without any.
+  struct Cubemaps {
+    double max_error = 0.0;
+    double time_h = 0.0;
+    double resolution = 0.0, time = 0.0, encoding = 0.0;  ///< parts
+  } cubemaps;
 };
 
 }  // namespace welkin::sky

@@ -92,11 +92,12 @@ class Search {
     for (std::size_t count = 1; count <= DayModes::kMost; ++count) {
       const ModeSet set = modes.best(count);
       if (set.count() < count) break;  // the day has no more
+      const std::vector<Number3> weights = weightsOf(day_, set);
       const MapSize& finest = kMaps[std::size(kMaps) - 1];
-      add(modesOf(day_, set, finest.columns, finest.rows, bands));
+      add(modesOf(day_, set, weights, finest.columns, finest.rows, bands));
       if (ways_.back().choice.error > kWorthFitting * request_.max_error) continue;
       for (const MapSize& map : kMaps)
-        if (&map != &finest) add(modesOf(day_, set, map.columns, map.rows, bands));
+        if (&map != &finest) add(modesOf(day_, set, weights, map.columns, map.rows, bands));
     }
   }
 

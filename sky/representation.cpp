@@ -49,17 +49,6 @@ Number3 horizontalOf(const Representation& r, std::span<const Number3> weight) {
   return r.rows > r.functions ? weight[r.functions] : sum;
 }
 
-/// Weights of the nearest combination of the modes at every instant.
-void weighModes(const DayValues& day, Representation& r) {
-  r.weight.resize(day.day->instant.size() * r.rows);
-  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
-    for (int c = 0; c < 3; ++c) {
-      const auto weights = r.set.weightsOf(FieldChannel(day.day->instant[i].field, c));
-      for (std::size_t k = 0; k < weights.size(); ++k) r.weight[i * r.rows + k][c] = weights[k];
-    }
-  });
-}
-
 }  // namespace
 
 DayValues::DayValues(const DayFields& day_, const ErrorGrid& grid_)
@@ -119,7 +108,24 @@ Representation coefficientsOf(const DayValues& day, int bands, bool fitted) {
   return r;
 }
 
-Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, int rows, int bands) {
+std::vector<Number3> weightsOf(const DayValues& day, const ModeSet& modes) {
+  std::vector<Number3> weights(day.day->instant.size() * modes.count());
+  const int channels = isGrey(*day.day->sky) ? 1 : 3;
+  tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
+    for (int c = 0; c < channels; ++c) {
+      const auto of_channel = modes.weightsOf(FieldChannel(day.day->instant[i].field, c));
+      for (std::size_t k = 0; k < of_channel.size(); ++k) {
+        Number3& weight = weights[i * modes.count() + k];
+        if (channels == 1) weight = Number3(of_channel[k]);
+        weight[c] = of_channel[k];
+      }
+    }
+  });
+  return weights;
+}
+
+Representation modesOf(const DayValues& day, const ModeSet& modes, std::vector<Number3> weights, int columns, int rows,
+                       int bands) {
   Representation r;
   r.reconstruction = Reconstruction::modes;
   r.bands = bands;
@@ -131,14 +137,14 @@ Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, 
   while (day.grid->y(zenith) < 1.0) ++zenith;
   r.horizontal.assign(r.values.begin() + static_cast<std::ptrdiff_t>(zenith * r.functions),
                       r.values.begin() + static_cast<std::ptrdiff_t>((zenith + 1) * r.functions));
-  weighModes(day, r);
+  r.weight = std::move(weights);
   return r;
 }
 
 Representation atHoursOf(const DayValues& day, const Representation& r) {
   if (!r.modes) return coefficientsOf(day, r.bands, r.fitted);
   Representation other = r;
-  weighModes(day, other);
+  other.weight = weightsOf(day, r.set);
   if (r.fitted) fitWeights(day, other);
   return other;
 }

@@ -44,8 +44,12 @@ Representation coefficientsOf(const DayValues& day, int bands, bool fitted);
 /// Replaces the weights by those of the least largest error at every instant and channel (sh/minimax.h).
 void fitWeights(const DayValues& day, Representation& r);
 
-/// Weights of modes read from a map of columns x rows texels.
-Representation modesOf(const DayValues& day, const ModeSet& modes, int columns, int rows, int bands);
+/// Weights of the nearest combination of modes at every instant: instant, mode.
+std::vector<Number3> weightsOf(const DayValues& day, const ModeSet& modes);
+
+/// Those weights, of modes that are read from a map of columns x rows texels.
+Representation modesOf(const DayValues& day, const ModeSet& modes, std::vector<Number3> weights, int columns, int rows,
+                       int bands);
 
 /// The same way to hold it at the hours of another day's sampling.
 Representation atHoursOf(const DayValues& day, const Representation& r);

@@ -115,8 +115,7 @@ double largestStored(const format::Day& day) {
   const std::size_t count = day.numbers()->size() / format::bytesOf(day.encoding());
   double largest = 0.0;
   const auto look = [&](double v) { largest = !(std::abs(v) <= largest) ? std::abs(v) : largest; };
-  for (std::size_t i = 0; i < count && std::isfinite(largest); ++i)
-    switch (day.encoding()) {
+  for (std::size_t i = 0; i < count && std::isfinite(largest); ++i) switch (day.encoding()) {
       case Encoding::float32:
         look(format::storedNumber<Encoding::float32>(numbers, i));
         break;
@@ -196,11 +195,14 @@ void checkDay(Check& check, const format::Sky& sky) {
 void checkCertificate(Check& check, const format::Certificate& c) {
   constexpr const char* kName = "the certificate";
   if (!check.that(c.normal() != nullptr, kName, "has no normal")) return;
-  const double numbers[] = {c.max_error(), c.mean_error(), c.quadrature(), c.truncation(), c.time(), c.encoding()};
+  const double numbers[] = {c.max_error(),     c.mean_error(),      c.quadrature(),    c.truncation(),
+                            c.time(),          c.encoding(),        c.cubemap_error(), c.cubemap_resolution(),
+                            c.cubemap_blend(), c.cubemap_encoding()};
   check.that(within(std::span<const double>(numbers), 0.0, kAny), kName, "has an error out of its domain");
   const double normal[] = {c.normal()->x(), c.normal()->y(), c.normal()->z()};
   check.that(within(std::span<const double>(normal), -1.0, 1.0) && c.channel() <= 2 && c.time_h() >= 0.0 &&
-                 c.time_h() < 24.0 && (c.method() == 1 || c.method() == 2),
+                 c.time_h() < 24.0 && c.cubemap_time_h() >= 0.0 && c.cubemap_time_h() < 24.0 &&
+                 (c.method() == 1 || c.method() == 2),
              kName, "has a value out of its domain");
 }
 

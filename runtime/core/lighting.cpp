@@ -84,8 +84,8 @@ WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* 
   const auto mode = sky->day.modes().at(column, std::clamp(f64::modeRow(horizontal, up.y), 0.0, 1.0));
   Number3 sum = load(sample->ambient_ground) * f64::groundIrradiance(up.y);
   if (n.y < 0.0)
-    sum += f64::excessIrradiance(n, load(sample->ambient_sh[1]), load(sample->ambient_sh[2]),
-                                 load(sample->ambient_sh[3]));
+    sum +=
+        f64::excessIrradiance(n, load(sample->ambient_sh[1]), load(sample->ambient_sh[2]), load(sample->ambient_sh[3]));
   for (std::uint32_t k = 0; k < sample->mode_count; ++k) sum += load(sample->mode_weight[k]) * mode[k];
   for (int i = 0; i < 3; ++i) irradiance[i] = toFloat(std::max(sum[i], 0.0));
   return WELKIN_OK;

@@ -199,7 +199,12 @@ WelkinResult welkin_sky_certificate(const WelkinSky* sky, WelkinCertificate* cer
                     c->quadrature(),
                     c->truncation(),
                     c->time(),
-                    c->encoding()};
+                    c->encoding(),
+                    c->cubemap_error(),
+                    c->cubemap_time_h(),
+                    c->cubemap_resolution(),
+                    c->cubemap_blend(),
+                    c->cubemap_encoding()};
   return WELKIN_OK;
 }
 

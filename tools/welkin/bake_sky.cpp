@@ -103,7 +103,8 @@ Certified planAndMeasure(const sky::SkyFile& file, Certify how, ProgressReport::
                   fmt::format("{}: max_error = {}: cannot be met: {} bytes make an error of {:.3g}",
                               file.inputs.front().path.string(), *file.bake.max_error, result.plan.table_bytes,
                               result.certificate->max_error));
-    aim *= 0.995 * *file.bake.max_error / result.certificate->max_error;
+    // Keys are few and whole: a small step may change nothing, so each is larger than the last.
+    aim *= (1.0 - 0.01 * attempt) * *file.bake.max_error / result.certificate->max_error;
   }
 }
 
@@ -213,7 +214,7 @@ std::string certificateText(const Json& c) {
 Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Certify how, ProgressReport::Style style,
              Json& timing) {
   Stopwatch watch;
-  const Certified certified = planAndMeasure(file, how, style, watch, timing);
+  Certified certified = planAndMeasure(file, how, style, watch, timing);
   const SkyPlan& plan = certified.plan;
   makeFolder(folder);
   Outputs outputs{folder};
@@ -231,6 +232,8 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Cert
                       "cubemap_size, cubemap_times and cubemap_format to the budget, or make none",
                       file.inputs.front().path.string(), *file.bake.max_error, cubemaps.size(), plan.cubemap_size,
                       format::nameOf(plan.cubemap_format), cubemap_error->error));
+    certified.certificate->cubemaps = {cubemap_error->error, cubemap_error->time_h, cubemap_error->parts.resolution,
+                                       cubemap_error->parts.time, cubemap_error->parts.encoding};
     timing["certify_s"] = timing["certify_s"].get<double>() + watch.lap();
   }
   const sky::Certificate* certificate = certified.certificate ? &*certified.certificate : nullptr;

@@ -44,6 +44,33 @@ Json keyJson(const Sky& sky, std::uint32_t index) {
   return key;
 }
 
+Json modesJson(const Sky& sky) {
+  WelkinModes m{};
+  welkin_sky_modes(sky.get(), &m);
+  return {{"count", m.count}, {"columns", m.columns}, {"rows", m.rows}};
+}
+
+/// Null when nothing was measured.
+Json certificateJson(const Sky& sky) {
+  WelkinCertificate c{};
+  welkin_sky_certificate(sky.get(), &c);
+  if (c.method == WELKIN_CERTIFICATE_NONE) return nullptr;
+  const char* channels[] = {"red", "green", "blue"};
+  return {{"method", c.method == WELKIN_CERTIFICATE_FULL ? "full" : "fast"},
+          {"max_error", c.max_error},
+          {"time_h", c.time_h},
+          {"normal", {c.normal[0], c.normal[1], c.normal[2]}},
+          {"channel", channels[c.channel]},
+          {"mean_error", c.mean_error},
+          {"parts",
+           {{"quadrature", c.quadrature}, {"truncation", c.truncation}, {"time", c.time}, {"encoding", c.encoding}}},
+          {"cubemaps",
+           {{"max_error", c.cubemap_error},
+            {"time_h", c.cubemap_time_h},
+            {"parts",
+             {{"resolution", c.cubemap_resolution}, {"time", c.cubemap_blend}, {"encoding", c.cubemap_encoding}}}}}};
+}
+
 Json skyJson(const Sky& sky) {
   const WelkinSkyInfo info = sky.info();
   WelkinLuminance l{};
@@ -74,8 +101,10 @@ Json skyJson(const Sky& sky) {
             {"ground_albedo", vectorJson(info.ground_albedo)},
             {"gradient_sun", {{"width", g.sun.width}, {"height", g.sun.height}}},
             {"gradient_anti", {{"width", g.anti.width}, {"height", g.anti.height}}},
+            {"modes", modesJson(sky)},
             {"cubemaps", cubemaps},
-            {"keys", keys}}},
+            {"keys", keys},
+            {"certificate", certificateJson(sky)}}},
           {"settings", Json::parse(settings, nullptr, false)}};
 }
 
@@ -87,9 +116,15 @@ void inspect(const std::string& path, bool as_json) {
     return;
   }
   const WelkinSkyInfo info = sky.info();
-  fmt::print("{}: sky, {} keys x {} bands, {} cubemaps of {}{}{}, {}moon\n", file, info.key_count, info.bands,
-             info.cubemap_count, info.cubemap_size, info.cubemap_count > 0 ? " " : "",
+  fmt::print("{}: sky, {} keys x {} bands{}, {} cubemaps of {}{}{}, {}moon\n", file, info.key_count, info.bands,
+             info.mode_count > 0 ? fmt::format(", {} modes", info.mode_count) : "", info.cubemap_count,
+             info.cubemap_size, info.cubemap_count > 0 ? " " : "",
              info.cubemap_count > 0 ? formatName(info.cubemap_format) : "", info.has_moon != 0 ? "" : "no ");
+  WelkinCertificate c{};
+  welkin_sky_certificate(sky.get(), &c);
+  if (c.method != WELKIN_CERTIFICATE_NONE)
+    fmt::print("irradiance within {:.3g} %, mean {:.3g} %{}\n", 100.0 * c.max_error, 100.0 * c.mean_error,
+               c.cubemap_error > 0.0 ? fmt::format("; cubemaps within {:.3g} %", 100.0 * c.cubemap_error) : "");
   fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun lux", "intensity",
              "ambient c0 (r, g, b)");
   for (std::uint32_t i = 0; i < info.key_count; ++i) {

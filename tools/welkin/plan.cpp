@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sky/sky_file.h"
+#include "welkin/budget_option.h"
 #include "welkin/commands.h"
+#include "welkin/sky_plan.h"
 #include "welkin/warnings.h"
 
 namespace welkin::tools {
@@ -27,59 +29,72 @@ std::string highestText(const sky::LightPath& path) {
                      top.time_h, top.elevation_rad / kDegree);
 }
 
-void plan(const std::string& path, bool as_json) {
-  const sky::SkyFile file = sky::readSkyFile(path);
-  const auto& bake = file.bake;
-  const auto coefficients = static_cast<std::size_t>(bake.bands * bake.bands);
-  const std::size_t table_bytes = bake.key_time_h.size() * (8 + 12 * coefficients + 12);
+struct Options {
+  std::string file, progress = "auto";
+  bool json = false;
+  BudgetOption budget;
+};
+
+void plan(const Options& options) {
+  catchInterrupts();
+  sky::SkyFile file = sky::readSkyFile(options.file);
+  options.budget.applyTo(file.bake);
+  const auto style = options.json ? ProgressReport::Style::none : ProgressReport::styleOf(options.progress);
+  const SkyPlan plan = SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0));
   const std::size_t gradient_bytes = 4 * (file.sky.gradient_sun.rgb.size() + file.sky.gradient_anti.rgb.size());
-  const auto size = static_cast<std::size_t>(bake.cubemap_size);
-  const std::size_t cubemap_bytes =
-      bake.cubemap_time_h.size() * 6 * size * size * format::texelBytes(bake.cubemap_format);
+  const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
+  const std::size_t bytes = plan.table_bytes + gradient_bytes + star_bytes + plan.cubemap_bytes;
   nlohmann::ordered_json inputs = nlohmann::json::array();
   for (const auto& input : file.inputs) inputs.push_back(input.name);
   const nlohmann::ordered_json json = {{"inputs", inputs},
-                                       {"table",
-                                        {{"bands", bake.bands},
-                                         {"coefficients", coefficients},
-                                         {"keys", bake.key_time_h.size()},
-                                         {"bytes", table_bytes}}},
+                                       {"table", planJson(plan, file.bake.max_error)},
                                        {"gradients", {{"bytes", gradient_bytes}}},
+                                       {"stars", {{"bytes", star_bytes}}},
                                        {"cubemaps",
-                                        {{"count", bake.cubemap_time_h.size()},
-                                         {"size", bake.cubemap_size},
-                                         {"format", format::nameOf(bake.cubemap_format)},
-                                         {"bytes", cubemap_bytes}}},
+                                        {{"count", plan.cubemap_time_h.size()},
+                                         {"size", plan.cubemap_size},
+                                         {"format", format::nameOf(plan.cubemap_format)},
+                                         {"bytes", plan.cubemap_bytes}}},
                                        {"moon", file.sky.moon.has_value()},
                                        {"sun_path", highestJson(file.sky.sun.path)},
                                        {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
-                                       {"bytes", table_bytes + gradient_bytes + cubemap_bytes},
+                                       {"left_out", leftOutJson(plan)},
+                                       {"bytes", bytes},
                                        {"warnings", warningsJson(file)}};
   printWarnings(json["warnings"]);
-  if (as_json) {
+  if (options.json) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
-  fmt::print("table      {} keys x {} bands ({} coefficients, RGB): {} bytes\n", bake.key_time_h.size(), bake.bands,
-             coefficients, table_bytes);
+  if (file.bake.max_error)
+    fmt::print("error      {:.3g} % of {:.3g} % for irradiance, at the instants that the plan looks at\n",
+               100.0 * plan.predicted_error, 100.0 * *file.bake.max_error);
+  fmt::print("table      {} keys x {}, {} channels, {}: {} bytes\n", plan.table.key_time_h.size(),
+             plan.representation.name(), plan.table.channels, sky::nameOf(plan.encoding), plan.table_bytes);
   fmt::print("gradients  {} x {} and {} x {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
              file.sky.gradient_anti.width, file.sky.gradient_anti.height, gradient_bytes);
-  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", bake.cubemap_time_h.size(),
-             size, size, format::nameOf(bake.cubemap_format), cubemap_bytes);
+  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", plan.cubemap_time_h.size(),
+             plan.cubemap_size, plan.cubemap_size, format::nameOf(plan.cubemap_format), plan.cubemap_bytes);
+  fmt::print("stars      {} bytes\n", star_bytes);
   fmt::print("sun        {}\n", highestText(file.sky.sun.path));
   fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
-  fmt::print("sky.welkin about {} bytes\n", table_bytes + gradient_bytes + cubemap_bytes);
+  for (const LeftOut& l : plan.left_out)
+    fmt::print("left out   {}: {}{}\n", l.what, l.why, l.bytes > 0 ? fmt::format("; saves {} bytes", l.bytes) : "");
+  fmt::print("sky.welkin about {} bytes\n", bytes);
 }
 
 }  // namespace
 
 void addPlan(CLI::App& app) {
-  auto file = std::make_shared<std::string>();
-  auto json = std::make_shared<bool>(false);
+  auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("plan", "Say what a bake would make, and how large");
-  command->add_option("FILE", *file, "sky.toml")->required();
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback([file, json] { plan(*file, *json); });
+  command->add_option("FILE", options->file, "sky.toml")->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
+      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+  options->budget.addTo(*command);
+  command->callback([options] { plan(*options); });
 }
 
 }  // namespace welkin::tools

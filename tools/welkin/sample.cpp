@@ -29,7 +29,7 @@ void sample(const Options& options) {
   if (!sky.sample(time_h, s)) throw Error(ExitStatus::internal, "sample failed");
   const float normal[3] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
   float irradiance[3];
-  welkin_sample_irradiance(&s, normal, irradiance);
+  welkin_sky_irradiance(sky.get(), &s, normal, irradiance);
   if (!options.json) {
     fmt::print("time       {:.6g} h\n", s.time_h);
     fmt::print("sun        azimuth {:.3f}, elevation {:.3f} degrees, illuminance {:.6g}\n",
@@ -44,6 +44,10 @@ void sample(const Options& options) {
   json["ambient_saturation"] = double{s.ambient_saturation};
   json["polarising_tint"] = vectorJson(s.polarising_tint);
   json["ground_radiance"] = vectorJson(s.ground_radiance);
+  if (s.mode_count > 0) {
+    json["mode_weight"] = nlohmann::json::array();
+    for (std::uint32_t k = 0; k < s.mode_count; ++k) json["mode_weight"].push_back(vectorJson(s.mode_weight[k]));
+  }
   json["radiance_sh"] = coefficientsJson(s.radiance_sh, s.coefficient_count);
   json["ambient_sh"] = coefficientsJson(s.ambient_sh, s.coefficient_count);
   if (sky.info().cubemap_count > 0)

@@ -181,7 +181,7 @@ typedef enum WelkinCertificateMethod {
 } WelkinCertificateMethod;
 
 /* The error of the irradiance that a file makes, measured through this runtime when it was baked: |E - E_ref| of the
- * worst channel over the mean of E_ref over all normals. Fractions. */
+ * worst channel over the mean of E_ref over all normals (docs/conventions.md). Fractions. */
 typedef struct WelkinCertificate {
   WelkinCertificateMethod method; /* NONE: not measured, and all else is 0 */
   double max_error;
@@ -190,6 +190,9 @@ typedef struct WelkinCertificate {
   uint32_t channel; /* 0, 1, 2: red, green, blue */
   double mean_error;
   double quadrature, truncation, time, encoding; /* largest part of each cause */
+  double cubemap_error; /* of the cubemaps: root mean square over the upper hemisphere, over the dome's mean; 0: none */
+  double cubemap_time_h;
+  double cubemap_resolution, cubemap_blend, cubemap_encoding; /* its parts */
 } WelkinCertificate;
 
 /* What a result means, in a few words. Never null. */
