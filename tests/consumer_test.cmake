@@ -47,7 +47,8 @@ run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --confi
 set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
-    share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/sky_constants.h
+    share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
+    share/welkin/shaders/welkin/sky_constants.h
     share/welkin/shaders/shared/formulas.glsl)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "install: ${file} is missing")

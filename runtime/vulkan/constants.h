@@ -14,6 +14,7 @@ struct SkyShape {
   uint32_t gradient_size[4]{};  ///< columns and rows of the sun's gradient, then of the opposite one
   float gradient_delta = 0.0F;
   WelkinStars stars{};  ///< without its texels
+  WelkinModes modes{};  ///< without its texels
 };
 
 /// Column left of the hour in [0, 24), and the weight of the next one; columns wrap. In double: the hour as a float
@@ -27,7 +28,8 @@ GradientColumn gradientColumnAt(double time_h, uint32_t width);
 /// The uniform block. `sample` has come from welkin_sky_sample.
 WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample);
 
-/// The ambient coefficients and their number alone.
+/// The ambient light alone: the coefficients, their number, and the modes without their map. A sample without modes, a
+/// cross-blend, gives the modes' shader the light of the first two bands.
 void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants);
 
 }  // namespace welkin::vulkan

@@ -7,7 +7,7 @@
 namespace welkin::vulkan {
 namespace {
 
-constexpr uint32_t kImageBindings = 5;
+constexpr uint32_t kImageBindings = 6;
 
 WelkinResult createSampler(const Device& device, VkFilter filter, VkSamplerAddressMode columns, VkSampler& sampler,
                            WelkinMessage* message) {
@@ -100,22 +100,24 @@ void destroy(const Device& device, Descriptors& descriptors) {
 
 void writeFixedBindings(const Device& device, const Descriptors& descriptors, uint32_t frame,
                         const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti,
-                        VkImageView stars) {
+                        VkImageView stars, VkImageView modes) {
   const VkDescriptorSet set = descriptors.sets[frame];
   const VkDescriptorImageInfo sun{descriptors.fetch, gradient_sun, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   const VkDescriptorImageInfo anti{descriptors.fetch, gradient_anti, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   const VkDescriptorImageInfo map{descriptors.wrap, stars, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-  VkWriteDescriptorSet writes[4] = {{},
+  const VkDescriptorImageInfo mode_map{descriptors.filter, modes, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  VkWriteDescriptorSet writes[5] = {{},
                                     imageWrite(set, WELKIN_BINDING_GRADIENT_SUN, sun),
                                     imageWrite(set, WELKIN_BINDING_GRADIENT_ANTI, anti),
-                                    imageWrite(set, WELKIN_BINDING_STARS, map)};
+                                    imageWrite(set, WELKIN_BINDING_STARS, map),
+                                    imageWrite(set, WELKIN_BINDING_MODES, mode_map)};
   writes[0].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
   writes[0].dstSet = set;
   writes[0].dstBinding = WELKIN_BINDING_CONSTANTS;
   writes[0].descriptorCount = 1;
   writes[0].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   writes[0].pBufferInfo = &constants;
-  device.fn.UpdateDescriptorSets(device.handle, 4, writes, 0, nullptr);
+  device.fn.UpdateDescriptorSets(device.handle, 5, writes, 0, nullptr);
 }
 
 void writeCubemaps(const Device& device, const Descriptors& descriptors, uint32_t frame, VkImageView first,

@@ -8,7 +8,7 @@ namespace welkin::vulkan {
 
 struct Descriptors {
   VkSampler fetch = VK_NULL_HANDLE;   ///< gradients; they are fetched, so it filters nothing
-  VkSampler filter = VK_NULL_HANDLE;  ///< cubemaps
+  VkSampler filter = VK_NULL_HANDLE;  ///< cubemaps and modes
   VkSampler wrap = VK_NULL_HANDLE;    ///< the star map, whose columns wrap
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
@@ -19,10 +19,10 @@ struct Descriptors {
 WelkinResult createDescriptors(const Device& device, uint32_t frames, Descriptors& descriptors, WelkinMessage* message);
 void destroy(const Device& device, Descriptors& descriptors);
 
-/// Points a set at its slice of the uniform buffer, the two gradients and the star map: once.
+/// Points a set at its slice of the uniform buffer, the two gradients, the star map and the modes' map: once.
 void writeFixedBindings(const Device& device, const Descriptors& descriptors, uint32_t frame,
                         const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti,
-                        VkImageView stars);
+                        VkImageView stars, VkImageView modes);
 
 /// Points a set at its two cubemaps; the frame must not be in use.
 void writeCubemaps(const Device& device, const Descriptors& descriptors, uint32_t frame, VkImageView first,

@@ -134,10 +134,12 @@ WelkinResult createView(const Device& device, Image& image, WelkinMessage* messa
   VkImageViewCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
   info.image = image.image;
-  info.viewType = image.layers == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+  info.viewType = image.layers == 6 ? VK_IMAGE_VIEW_TYPE_CUBE
+                  : image.is_array  ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                    : VK_IMAGE_VIEW_TYPE_2D;
   info.format = image.format;
   info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mips, 0, image.layers};
-  const char* name = image.layers == 6 ? "welkin cubemap" : "welkin gradient";
+  const char* name = image.layers == 6 ? "welkin cubemap" : image.is_array ? "welkin modes" : "welkin gradient";
   device.name(VK_OBJECT_TYPE_IMAGE, image.image, name);
   return check(device.fn.CreateImageView(device.handle, &info, device.allocator, &image.view), name, message);
 }

@@ -18,12 +18,13 @@ WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsag
                           MappedBuffer& buffer, WelkinMessage* message);
 void destroy(const Device& device, MappedBuffer& buffer);
 
-/// A sampled image: gradient (1 layer) or cubemap (6).
+/// A sampled image: gradient (1 layer), cubemap (6) or an array of layers.
 struct Image {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;
   VkExtent2D extent{};
   uint32_t layers = 0;
+  bool is_array = false;  ///< read as an array, also when it has one layer
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkDeviceSize texel_bytes = 0;
   VkDeviceSize staging_offset = 0;

@@ -10,6 +10,7 @@
 #include "vulkan/dome_pipeline.h"
 #include "vulkan/memory.h"
 #include "vulkan/mips.h"
+#include "vulkan/modes_map.h"
 
 namespace welkin::vulkan {
 
@@ -19,7 +20,8 @@ struct Frame {
 };
 
 constexpr uint32_t kStars = 2;  ///< image after the two gradients
-constexpr uint32_t kFixed = 3;  ///< images before the cubemaps
+constexpr uint32_t kModes = 3;
+constexpr uint32_t kFixed = 4;  ///< images before the cubemaps
 
 }  // namespace welkin::vulkan
 
@@ -28,7 +30,7 @@ struct WelkinVulkanSky {
   welkin::vulkan::SkyShape shape;
   welkin::vulkan::Descriptors descriptors;
   welkin::vulkan::DomePipeline dome;
-  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, cubemaps (black ones when there are none)
+  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, modes, cubemaps (black ones for none)
   uint32_t image_count = 0;
   uint32_t cubemap_count = 0;  ///< of the file
   WelkinVulkanAllocation image_memory{};
@@ -56,7 +58,7 @@ void copyGradient(const WelkinGradient& gradient, unsigned char* to) {
   }
 }
 
-/// Two gradients, the stars, then the cubemaps; a black texel and a black cubemap where there are none.
+/// Two gradients, the stars, the modes, then the cubemaps; black texels and a black cubemap where there are none.
 uint32_t imageCount(const WelkinSkyInfo& info) {
   return kFixed + (info.cubemap_count > 0 ? info.cubemap_count : 1);
 }
@@ -65,7 +67,9 @@ constexpr VkFormat kVulkanFormats[] = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_
                                        VK_FORMAT_B10G11R11_UFLOAT_PACK32};
 static_assert(std::size(kVulkanFormats) == format::kCubemapFormats);
 
-Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const WelkinStars& stars, uint32_t index) {
+Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const WelkinStars& stars,
+              const WelkinModes& modes, uint32_t index) {
+  if (index == kModes) return modesImage(modes);
   Image image;
   if (index == kStars) {
     image.extent = {stars.width > 0 ? stars.width : 1, stars.height > 0 ? stars.height : 1};
@@ -98,8 +102,10 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
   WelkinSkyInfo info;
   WelkinGradients gradients;
   WelkinStars stars;
+  WelkinModes modes;
   if (welkin_sky_info(sky, &info) != WELKIN_OK || welkin_sky_gradients(sky, &gradients) != WELKIN_OK ||
-      welkin_sky_stars(sky, &stars) != WELKIN_OK || welkin_sky_luminance(sky, &o.shape.luminance) != WELKIN_OK)
+      welkin_sky_stars(sky, &stars) != WELKIN_OK || welkin_sky_modes(sky, &modes) != WELKIN_OK ||
+      welkin_sky_luminance(sky, &o.shape.luminance) != WELKIN_OK)
     return fail(message, WELKIN_ERROR_ARGUMENT, "the sky is null");
   constexpr VkFormatFeatureFlags kFilter = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT |
                                            VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
@@ -109,11 +115,13 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
   o.shape.gradient_delta = gradients.delta;
   o.shape.stars = stars;
   o.shape.stars.rgba8 = nullptr;  // the sky may be closed after this call
+  o.shape.modes = modes;
+  o.shape.modes.texels = nullptr;
   o.cubemap_count = info.cubemap_count;
   o.image_count = imageCount(info);
   o.images.reset(new (std::nothrow) Image[o.image_count]);
   if (o.images == nullptr) return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
-  for (uint32_t i = 0; i < o.image_count; ++i) o.images[i] = imageOf(info, gradients, stars, i);
+  for (uint32_t i = 0; i < o.image_count; ++i) o.images[i] = imageOf(info, gradients, stars, modes, i);
   if (create.images != nullptr && create.image_count != o.image_count)
     return fail(message, WELKIN_ERROR_ARGUMENT, "image_count is %u, the sky has %u", create.image_count, o.image_count);
   for (uint32_t i = 0; create.images != nullptr && i < o.image_count; ++i) {
@@ -138,6 +146,7 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
   std::memset(o.staging.mapped + o.images[kStars].staging_offset, 0, o.images[kStars].stagedBytes());
   if (stars.width > 0)
     std::memcpy(o.staging.mapped + o.images[kStars].staging_offset, stars.rgba8, o.images[kStars].stagedBytes());
+  copyModes(modes, o.staging.mapped + o.images[kModes].staging_offset);
   if (info.cubemap_count == 0)
     std::memset(o.staging.mapped + o.images[kFixed].staging_offset, 0, o.images[kFixed].stagedBytes());
   for (uint32_t i = 0; i < info.cubemap_count; ++i) {
@@ -160,6 +169,11 @@ void selectCubemaps(WelkinVulkanSky& o, uint32_t frame, uint32_t first, uint32_t
   o.frames[frame].cubemap[1] = second;
 }
 
+/// Whether a sample's weights are of this sky's modes, or there are none.
+bool hasModesOf(const WelkinVulkanSky& o, const WelkinSkySample& sample) {
+  return sample.mode_count == 0 || sample.mode_count == o.shape.modes.count;
+}
+
 WelkinResult createFrames(WelkinVulkanSky& o, WelkinMessage* message) {
   o.slice_bytes = roundUp(sizeof(WelkinSkyConstants), o.device.properties.limits.minUniformBufferOffsetAlignment);
   if (const auto r = createMapped(o.device, o.slice_bytes * o.frame_count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -168,7 +182,8 @@ WelkinResult createFrames(WelkinVulkanSky& o, WelkinMessage* message) {
   std::memset(o.uniforms.mapped, 0, o.slice_bytes * o.frame_count);
   for (uint32_t i = 0; i < o.frame_count; ++i) {
     const VkDescriptorBufferInfo slice{o.uniforms.buffer, i * o.slice_bytes, sizeof(WelkinSkyConstants)};
-    writeFixedBindings(o.device, o.descriptors, i, slice, o.images[0].view, o.images[1].view, o.images[kStars].view);
+    writeFixedBindings(o.device, o.descriptors, i, slice, o.images[0].view, o.images[1].view, o.images[kStars].view,
+                       o.images[kModes].view);
     selectCubemaps(o, i, 0, 0);
   }
   return WELKIN_OK;
@@ -243,7 +258,7 @@ WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const
   const uint32_t second = sample->cubemap[1];
   const uint32_t count = object->image_count - kFixed;
   if (first >= count || second >= count || sample->coefficient_count > WELKIN_MAX_COEFFICIENTS ||
-      !(sample->time_h >= 0.0 && sample->time_h < 24.0))
+      !hasModesOf(*object, *sample) || !(sample->time_h >= 0.0 && sample->time_h < 24.0))
     return WELKIN_ERROR_ARGUMENT;
   const WelkinSkyConstants constants = packConstants(object->shape, *sample);
   std::memcpy(object->uniforms.mapped + frame * object->slice_bytes, &constants, sizeof(constants));
@@ -255,13 +270,14 @@ WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const
 
 WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* blended) {
   if (object == nullptr || blended == nullptr || frame >= object->frame_count || !object->frames[frame].updated ||
-      blended->coefficient_count > WELKIN_MAX_COEFFICIENTS)
+      blended->coefficient_count > WELKIN_MAX_COEFFICIENTS || !hasModesOf(*object, *blended))
     return WELKIN_ERROR_ARGUMENT;
   WelkinSkyConstants constants{};
   packAmbient(*blended, constants);
   unsigned char* slice = object->uniforms.mapped + frame * object->slice_bytes;  // written only: reading it is slow
   std::memcpy(slice + offsetof(WelkinSkyConstants, moon) + offsetof(WelkinFloat4, w), &constants.moon.w, sizeof(float));
-  std::memcpy(slice + offsetof(WelkinSkyConstants, ambient_sh), constants.ambient_sh, sizeof(constants.ambient_sh));
+  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // from here, all but what the hour leaves alone
+  std::memcpy(slice + kFirst, constants.ambient_sh, offsetof(WelkinSkyConstants, mode_texels) - kFirst);
   return WELKIN_OK;
 }
 
@@ -269,12 +285,14 @@ WelkinResult welkin_vulkan_image_infos(const WelkinSky* sky, uint32_t* count, Vk
   WelkinSkyInfo info;
   WelkinGradients gradients;
   WelkinStars stars;
+  WelkinModes modes;
   if (count == nullptr || welkin_sky_info(sky, &info) != WELKIN_OK ||
-      welkin_sky_gradients(sky, &gradients) != WELKIN_OK || welkin_sky_stars(sky, &stars) != WELKIN_OK)
+      welkin_sky_gradients(sky, &gradients) != WELKIN_OK || welkin_sky_stars(sky, &stars) != WELKIN_OK ||
+      welkin_sky_modes(sky, &modes) != WELKIN_OK)
     return WELKIN_ERROR_ARGUMENT;
   const uint32_t total = imageCount(info);
   for (uint32_t i = 0; infos != nullptr && i < total && i < *count; ++i)
-    infos[i] = imageInfo(imageOf(info, gradients, stars, i));
+    infos[i] = imageInfo(imageOf(info, gradients, stars, modes, i));
   *count = total;
   return WELKIN_OK;
 }

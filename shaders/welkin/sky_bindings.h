@@ -10,5 +10,6 @@
 #define WELKIN_BINDING_CUBEMAP_FIRST 3   // samplerCube, RGBA16F, linear
 #define WELKIN_BINDING_CUBEMAP_SECOND 4  // samplerCube, RGBA16F, linear
 #define WELKIN_BINDING_STARS 5           // sampler2D, sRGB, linear
+#define WELKIN_BINDING_MODES 6           // sampler2DArray, RGBA16F, linear, clamped
 
 #endif

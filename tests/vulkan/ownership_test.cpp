@@ -112,7 +112,7 @@ TEST_CASE("VulkanOwnership, CallersImages", "[vulkan]") {
   REQUIRE(welkin_vulkan_image_infos(sky.get(), &count, nullptr) == WELKIN_OK);
   std::vector<VkImageCreateInfo> infos(count);
   REQUIRE(welkin_vulkan_image_infos(sky.get(), &count, infos.data()) == WELKIN_OK);
-  REQUIRE(count == 3 + sky.info().cubemap_count);
+  REQUIRE(count == 4 + sky.info().cubemap_count);
   std::vector<VkImage> images(count);
   std::vector<VkDeviceMemory> memory(count);
   for (uint32_t i = 0; i < count; ++i) {

@@ -63,23 +63,45 @@ Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random
   return format::CreateCubemapDirect(builder, time_h, &bytes);
 }
 
+/// The first mode is between 2 and 4, the others between 1/8 and 1 and of either sign: noise without any symmetry.
+Offset<format::Modes> modes(FlatBufferBuilder& builder, std::mt19937& random, uint8_t count) {
+  std::uniform_int_distribution<uint16_t> strong(0x4000, 0x4400), weak(0x3000, 0x3c00), sign(0, 1);
+  std::vector<uint16_t> texels(std::size_t{count} * kModeColumns * kModeRows);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i] = i % count == 0 ? strong(random) : static_cast<uint16_t>(weak(random) | sign(random) << 15);
+  std::uniform_real_distribution<float> uniform(-0.5F, 0.5F);
+  std::vector<float> polar_sh(std::size_t{count} * 15);
+  for (float& v : polar_sh) v = uniform(random);
+  return format::CreateModesDirect(builder, count, kModeColumns, kModeRows, &texels, &polar_sh);
+}
+
+/// Three keys: 15 coefficients and the horizontal irradiance, or the weights of modes.
+Offset<format::Day> day(FlatBufferBuilder& builder, std::mt19937& random, uint8_t mode_count) {
+  const std::vector<double> key_time_h{1.0, 9.0, 16.0};
+  const uint8_t rows = mode_count > 0 ? mode_count : 16;
+  std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < key_time_h.size() * rows * 3; ++i) {
+    const std::size_t row = i / 3 % rows;
+    const float middle = mode_count > 0 ? (row == 0 ? 1.0F : 0.0F) : row == 0 ? 2.0F : row == 15 ? 1.5F : 0.0F;
+    numbers.push_back(middle + uniform(random));
+  }
+  std::vector<uint8_t> bytes(numbers.size() * sizeof(float));
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  const auto of_modes = mode_count > 0 ? modes(builder, random, mode_count) : Offset<format::Modes>();
+  builder.ForceVectorAlignment(bytes.size(), 1, 16);
+  return format::CreateDayDirect(builder, 5, 3, &key_time_h, rows, format::Encoding::float32, &bytes, nullptr, nullptr,
+                                 of_modes);
+}
+
 }  // namespace
 
 std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
-  constexpr std::size_t kRows = 16;  // 15 coefficients and the horizontal irradiance
   std::mt19937 random(7);  // its sequence is fixed by the C++ standard
   FlatBufferBuilder builder;
   const format::Luminance luminance(-1.0, -0.08, 24.0, -3.0, 0.3, 0.0, options.normalise_to_sun ? 1 : 0);
   const format::Rgb ground_albedo(0.2F, 0.3F, 0.1F);
-  const std::vector<double> key_time_h{1.0, 9.0, 16.0};
-  std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
-  std::vector<float> numbers;
-  for (std::size_t i = 0; i < key_time_h.size() * kRows * 3; ++i) {
-    const std::size_t row = i / 3 % kRows;
-    numbers.push_back(row == 0 ? 2.0F + uniform(random) : row + 1 == kRows ? 1.5F + uniform(random) : uniform(random));
-  }
-  std::vector<uint8_t> number_bytes(numbers.size() * sizeof(float));
-  std::memcpy(number_bytes.data(), numbers.data(), number_bytes.size());
+  const auto day_table = day(builder, random, options.mode_count);
   std::vector<Offset<format::Cubemap>> cubemaps;
   if (options.cubemaps)
     for (const double time_h : {3.0, 11.0, 20.0})
@@ -91,8 +113,6 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   const auto moon_light = moon(builder, options.disc_radius_rad);
   const auto gradient_sun = gradient(builder, random, 5, 4);
   const auto gradient_anti = gradient(builder, random, 7, 3);
-  builder.ForceVectorAlignment(number_bytes.size(), 1, 16);
-  const auto day = format::CreateDayDirect(builder, 5, 3, &key_time_h, kRows, format::Encoding::float32, &number_bytes);
   const auto cubemap_vector = builder.CreateVector(cubemaps);
   format::SkyBuilder sky(builder);
   sky.add_luminance(&luminance);
@@ -106,7 +126,7 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   sky.add_gradient_sun(gradient_sun);
   sky.add_gradient_anti(gradient_anti);
   sky.add_gradient_delta(1e-4);
-  sky.add_day(day);
+  sky.add_day(day_table);
   sky.add_cubemap_size(options.cubemaps ? kCubemapSize : 0);
   sky.add_cubemaps(cubemap_vector);
   sky.add_cubemap_format(static_cast<uint8_t>(options.cubemap_format));

@@ -16,10 +16,15 @@ struct TestSkyOptions {
   bool normalise_to_sun = true;
   double disc_radius_rad = 0.0;
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
+  uint8_t mode_count = 0;  ///< 1 to 8: the day's numbers are weights of modes of noise
 };
 
 /// Edge of its cubemaps.
 inline constexpr uint32_t kCubemapSize = 8;
+
+/// Of its modes' map.
+inline constexpr uint16_t kModeColumns = 9;
+inline constexpr uint16_t kModeRows = 6;
 
 /// Bytes of a .welkin file.
 std::vector<std::byte> testSkyFile(const TestSkyOptions& options);

@@ -14,7 +14,9 @@
  *   3. when that submission has finished:          3. bind welkin_vulkan_descriptor_set in the caller's own passes
  *      welkin_vulkan_free_staging                  4. welkin_vulkan_draw_dome inside dynamic rendering
  *
- * Shaders: welkin/sky_bindings.h, ambient.glsl, dome.glsl and discs.glsl, of the folder shaders/welkin.
+ * Shaders: welkin/sky_bindings.h, ambient.glsl, modes.glsl, dome.glsl and discs.glsl, of the folder shaders/welkin. A
+ * file with modes (WelkinSkyInfo::mode_count) is lit through modes.glsl, which shows welkin_sky_irradiance;
+ * ambient.glsl shows welkin_sample_irradiance of every file.
  *
  * Threads: there is no global state; distinct objects may be used at once. Calls on one object must not overlap, except
  * that the functions taking a const WelkinVulkanSky and welkin_vulkan_draw_dome may run on any number of threads at
@@ -100,7 +102,7 @@ typedef struct WelkinVulkanView {
 
 /* Bytes of device memory that the object holds now. */
 typedef struct WelkinVulkanMemory {
-  VkDeviceSize images;   /* gradients and cubemaps */
+  VkDeviceSize images;   /* gradients, stars, modes and cubemaps */
   VkDeviceSize uniforms; /* host-visible */
   VkDeviceSize staging;  /* host-visible; 0 after welkin_vulkan_free_staging */
 } WelkinVulkanMemory;
@@ -126,11 +128,13 @@ WELKIN_API WelkinResult welkin_vulkan_record_upload(WelkinVulkanSky* object, VkC
 WELKIN_API void welkin_vulkan_free_staging(WelkinVulkanSky* object);
 
 /* Writes the constants of frame index `frame` < frames_in_flight and points its descriptor set at the sample's
- * cubemaps. No command buffer that uses this frame index may be running, or be recorded and not yet submitted. */
+ * cubemaps. No command buffer that uses this frame index may be running, or be recorded and not yet submitted.
+ * WELKIN_ERROR_ARGUMENT for a sample of another sky where it can be told: its cubemaps or modes do not fit. */
 WELKIN_API WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* sample);
 
 /* Puts the ambient light of another sample, a cross-blend of welkin_sample_blend, into the constants of a frame index
- * that welkin_vulkan_update has just written. */
+ * that welkin_vulkan_update has just written. It has no modes: light that frame through ambient.glsl. modes.glsl then
+ * shows the first two bands of the coefficients alone, as it does of a file without modes. */
 WELKIN_API WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t frame,
                                                      const WelkinSkySample* blended);
 

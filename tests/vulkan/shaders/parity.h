@@ -4,7 +4,7 @@
 #ifndef WELKIN_PARITY_H
 #define WELKIN_PARITY_H
 
-#define WELKIN_PARITY_COUNT 66
+#define WELKIN_PARITY_COUNT 73
 
 #define WELKIN_PARITY_BODY                                                                                \
   LuminanceModel clear_sky =                                                                              \
@@ -37,6 +37,11 @@
   ShBasis basis = shBasis(a);                                                                             \
   for (int j = 0; j < 25; ++j) put(basis.v[j]);                                                           \
   for (int j = 0; j < 5; ++j) put(cosineLobe(j));                                                         \
-  for (int j = 0; j < 5; ++j) put(groundLobe(j));
+  for (int j = 0; j < 5; ++j) put(groundLobe(j));                                                         \
+  put(modeRow(horizontalLength(a), max(a.y, -a.y)));                                                      \
+  put(yOfModeRow(rgb.x));                                                                                 \
+  put(modeColumn(a, horizontalLength(a), sin(NUMBER(2.0) * angle_rad), cos(NUMBER(2.0) * angle_rad)));    \
+  put(groundIrradiance(a.y));                                                                             \
+  put3(excessIrradiance(a, rgb, b, rgb* x));
 
 #endif

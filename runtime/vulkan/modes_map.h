@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The image of the irradiance's modes: RGBA half floats, modes 1 to 4 in the first layer, 5 to 8 in the second. Layers
+// and not rows below each other: clamping keeps a filter inside its layer.
+#pragma once
+
+#include <welkin/welkin.h>
+
+#include "vulkan/memory.h"
+
+namespace welkin::vulkan {
+
+/// What the image must be; one black texel when there are no modes.
+Image modesImage(const WelkinModes& modes);
+
+/// Writes all its texels; the modes that a layer lacks are 0. `to` has room for its texels, and is only written to.
+void copyModes(const WelkinModes& modes, unsigned char* to);
+
+}  // namespace welkin::vulkan

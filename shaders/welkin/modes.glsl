@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ambient light of the sky from the modes of its irradiance: what the certificate of a file with modes speaks of.
+// `normal` is unit, in world axes.
+// Needs: #extension GL_GOOGLE_include_directive : require, WELKIN_SET, WELKIN_BINDING_CONSTANTS, WELKIN_BINDING_MODES.
+#ifndef WELKIN_MODES_GLSL
+#define WELKIN_MODES_GLSL
+
+#include "constants.glsl"
+#include "formulas.glsl"
+
+#ifndef WELKIN_BINDING_MODES
+#error WELKIN_BINDING_MODES is not defined: include welkin/sky_bindings.h, or give the binding of the modes' map
+#endif
+
+// Modes to evaluate, 4 or 8: one or two texture reads. The default fits every bake; a game that knows that its bake has at
+// most 4 modes defines 4 before it includes this file.
+#ifndef WELKIN_MODES
+#define WELKIN_MODES 8
+#endif
+
+layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES) uniform sampler2DArray welkinModesMap;
+
+// Irradiance of four modes, red, green and blue; `first` is their place in mode_weight.
+vec3 welkinModesOfLayer(vec2 at, float layer, int first) {
+  vec4 mode = textureLod(welkinModesMap, vec3(at, layer), 0.0);
+  return vec3(dot(mode, welkinSky.mode_weight[first]), dot(mode, welkinSky.mode_weight[first + 1]),
+              dot(mode, welkinSky.mode_weight[first + 2]));
+}
+
+// Irradiance E, pi included, clamped at 0: welkin_sky_irradiance. A normal that looks down takes the modes of the opposite
+// one and the difference of the two, which is linear in the normal, as the ground's share is in |y|: one product with a
+// vector for each channel. A device filters with weights of VkPhysicalDeviceLimits::subTexelPrecisionBits bits b, 8 on
+// common ones: each mode is within 2^-b of the sum of its differences to the next column and the next row.
+vec3 welkinModesIrradiance(vec3 normal) {
+  vec4 frame = welkinSky.mode_frame;
+  vec4 texels = welkinSky.mode_texels;
+  bool down = normal.y < 0.0;
+  vec3 up = normal * mix(1.0, -1.0, down);
+  float horizontal = horizontalLength(up);
+  vec2 at = vec2(modeColumn(up, horizontal, frame.x, frame.y), modeRow(horizontal, up.y)) * texels.xy + texels.zw;
+  vec4 rest = vec4(normal * mix(frame.z, 1.0, down), 1.0 - frame.w * up.y);
+  vec3 sum = vec3(dot(rest, welkinSky.mode_rest[0]), dot(rest, welkinSky.mode_rest[1]), dot(rest, welkinSky.mode_rest[2]));
+  sum += welkinModesOfLayer(at, 0.0, 0);
+#if WELKIN_MODES > 4
+  sum += welkinModesOfLayer(at, 1.0, 3);
+#endif
+  return max(sum, vec3(0.0));
+}
+
+// E / pi: what an albedo multiplies to give the radiance of a diffuse surface.
+vec3 welkinModesIrradianceOverPi(vec3 normal) { return welkinModesIrradiance(normal) / kPi; }
+
+#endif

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light of a file's modes that a shader sees against welkin_sky_irradiance, in a compute shader and on the spheres
+// of a picture; and what the shader shows without modes.
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "compute.h"
+#include "object.h"
+#include "shared.h"
+#include "spirv/kFourModesComp.h"
+#include "spirv/kModesComp.h"
+#include "test_sky.h"
+#include "worst.h"
+
+namespace welkin::tests {
+namespace {
+
+using Vector = std::array<float, 3>;
+
+/// Relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24, and the
+/// map, whose neighbours differ by as much as the modes are large, has 8 columns and 5 rows between its outer centres:
+/// 13 x 3 units; the sum of 12 products 12 more.
+constexpr double kSoftware = 52.0 / 16777216.0;
+
+/// What Vulkan promises of a filter beside: its weights are rounded to subTexelPrecisionBits bits, along both axes.
+double tolerance(const tools::VulkanDevice& device) {
+  const auto& properties = device.properties();
+  if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) return kSoftware;
+  return kSoftware + std::ldexp(2.0, -static_cast<int>(properties.limits.subTexelPrecisionBits));
+}
+
+/// A golden-angle spiral, the poles, the four corners of the horizon and normals just to either side of it and of the
+/// poles. 1e-30 is as close as can be: a denormal y may count as 0.
+std::vector<Vector> normals() {
+  constexpr std::size_t kSpiral = 642;
+  std::vector<Vector> all;
+  for (std::size_t i = 0; i < kSpiral; ++i) {
+    const double y = 1.0 - 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(kSpiral);
+    const double r = std::sqrt(1.0 - y * y);
+    const double angle = 2.39996322972865332 * static_cast<double>(i);
+    all.push_back(
+        {static_cast<float>(r * std::cos(angle)), static_cast<float>(y), static_cast<float>(r * std::sin(angle))});
+  }
+  const float below_1 = std::nextafter(1.0F, 0.0F);
+  const float beside = std::sqrt(1.0F - below_1 * below_1);
+  for (const float sign : {1.0F, -1.0F}) {
+    all.push_back({0.0F, sign, 0.0F});
+    all.push_back({0.0F, sign * below_1, beside});
+    all.push_back({-beside, sign * below_1, 0.0F});
+    all.push_back({1e-30F, sign, -1e-30F});
+    for (const float y : {0.0F, -0.0F, 1e-30F, -1e-30F, 0x1p-24F, -0x1p-24F}) {
+      all.push_back({sign, y, 0.0F});
+      all.push_back({0.0F, y, sign});
+      all.push_back({sign * 0.6F, y, 0.8F});
+    }
+  }
+  return all;
+}
+
+std::vector<float> shade(tools::VulkanDevice& device, std::span<const uint32_t> shader, const WelkinVulkanSky* object,
+                         const std::vector<Vector>& directions) {
+  std::vector<float> input;
+  for (const Vector& n : directions) input.insert(input.end(), {n[0], n[1], n[2], 0.0F});
+  return runCompute(device, shader, input, 8 * directions.size(), 8, welkin_vulkan_descriptor_set_layout(object),
+                    welkin_vulkan_descriptor_set(object, 0));
+}
+
+Vector expectedOf(const Sky& sky, const WelkinSkySample& sample, const Vector& normal) {
+  Vector e{};
+  REQUIRE(welkin_sky_irradiance(sky.get(), &sample, normal.data(), e.data()) == WELKIN_OK);
+  return e;
+}
+
+struct Comparison {
+  Worst worst;
+  float least = std::numeric_limits<float>::max();  ///< irradiance: clamping would hide errors
+};
+
+/// The shader's light at three hours against the runtime's.
+Comparison compare(tools::VulkanDevice& device, const Sky& sky, std::span<const uint32_t> shader) {
+  const std::vector<Vector> directions = normals();
+  const SkyObject object(device, sky, createInfo(device, 1));
+  Comparison result;
+  WelkinSkySample sample{};
+  for (const double time_h : {0.5, 12.2, 21.0}) {
+    REQUIRE(sky.sample(time_h, sample));
+    REQUIRE(welkin_vulkan_update(object.get(), 0, &sample) == WELKIN_OK);
+    const auto results = shade(device, shader, object.get(), directions);
+    std::vector<Vector> expected;
+    float largest = 0.0F;
+    for (const Vector& n : directions) {
+      expected.push_back(expectedOf(sky, sample, n));
+      for (const float e : expected.back()) largest = std::max(largest, e);
+      for (const float e : expected.back()) result.least = std::min(result.least, e / largest);
+    }
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto at = [&] { return "normal " + std::to_string(i) + " hour " + std::to_string(time_h); };
+        const double e = double{expected[i][c]};
+        result.worst.compare(double{results[8 * i + c]}, e, double{largest}, at);
+        result.worst.compare(double{results[8 * i + 4 + c]}, e / f64::kPi, double{largest} / f64::kPi, at);
+      }
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("VulkanModes, EqualRuntime", "[vulkan]") {
+  tools::VulkanDevice device(true);
+  for (const uint8_t count : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    CAPTURE(int{count});
+    const auto bytes = testSkyFile({.mode_count = count});
+    const Sky sky = openTestSky(bytes);
+    REQUIRE(sky.info().mode_count == count);
+    const Comparison all = compare(device, sky, kModesComp);
+    CAPTURE(all.worst.where, all.least);
+    CHECK(all.worst.error < tolerance(device));
+    CHECK(all.least > 0.0F);
+    if (count == 8) WARN("worst " << all.worst.error << " at " << all.worst.where);
+    const Comparison four = compare(device, sky, kFourModesComp);
+    if (count <= 4)
+      CHECK(four.worst.error < tolerance(device));
+    else
+      CHECK(four.worst.error > 0.01);  // the second layer is not read
+  }
+  CHECK(device.messageCount() == 0);
+}
+
+TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
+  const auto bytes = testSkyFile({.mode_count = 5});
+  const Sky sky = openTestSky(bytes);
+  tools::VulkanDevice device(true);
+  const SkyObject object(device, sky, createInfo(device, 1));
+  WelkinSkySample sample{};
+  REQUIRE(sky.sample(12.2, sample));
+  REQUIRE(welkin_vulkan_update(object.get(), 0, &sample) == WELKIN_OK);
+  const float least = std::numeric_limits<float>::denorm_min();
+  const auto results = shade(device, kModesComp, object.get(), {{0.6F, -least, 0.8F}, {0.6F, least, 0.8F}});
+  const Vector sides[2] = {expectedOf(sky, sample, {0.6F, -1e-30F, 0.8F}), expectedOf(sky, sample, {0.6F, 0.0F, 0.8F})};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double below = std::abs(double{results[c]} - double{sides[0][c]});
+    const double above = std::abs(double{results[c]} - double{sides[1][c]});
+    CHECK(std::min(below, above) < tolerance(device) * double{sides[1][c]} * 2.0);
+    CHECK(double{results[8 + c]} == Approx(double{sides[1][c]}).epsilon(2.0 * tolerance(device)));
+  }
+  CHECK(device.messageCount() == 0);
+}
+
+TEST_CASE("VulkanModes, WithoutModesTheFirstTwoBandsAreShown", "[vulkan]") {
+  const std::vector<Vector> directions = normals();
+  tools::VulkanDevice device(true);
+  const auto with_bytes = testSkyFile({.mode_count = 5});
+  const auto without_bytes = testSkyFile({});
+  const Sky with = openTestSky(with_bytes);
+  const Sky without = openTestSky(without_bytes);
+  WelkinSkySample first{}, second{}, blended{};
+  REQUIRE(with.sample(12.2, first));
+  REQUIRE(without.sample(12.2, second));
+  REQUIRE(welkin_sample_blend(&first, &second, 0.7F, &blended) == WELKIN_OK);
+  const auto check = [&](const WelkinVulkanSky* object, const WelkinSkySample& shown) {
+    const auto results = shade(device, kModesComp, object, directions);
+    WelkinSkySample two_bands = shown;
+    two_bands.coefficient_count = 4;
+    Worst worst;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      float e[3];
+      REQUIRE(welkin_sample_irradiance(&two_bands, directions[i].data(), e) == WELKIN_OK);
+      for (std::size_t c = 0; c < 3; ++c)
+        worst.compare(double{results[8 * i + c]}, double{e[c]}, double{shown.ambient_sh[0][c]},
+                      [&] { return "normal " + std::to_string(i); });
+    }
+    CAPTURE(worst.where);
+    CHECK(worst.error < kSoftware);
+  };
+  {
+    const SkyObject object(device, without, createInfo(device, 1));
+    REQUIRE(welkin_vulkan_update(object.get(), 0, &second) == WELKIN_OK);
+    check(object.get(), second);
+    CHECK(welkin_vulkan_update(object.get(), 0, &first) == WELKIN_ERROR_ARGUMENT);  // modes of another file
+    CHECK(welkin_vulkan_update_ambient(object.get(), 0, &first) == WELKIN_ERROR_ARGUMENT);
+  }
+  {
+    const SkyObject object(device, with, createInfo(device, 1));
+    REQUIRE(welkin_vulkan_update(object.get(), 0, &first) == WELKIN_OK);
+    REQUIRE(welkin_vulkan_update_ambient(object.get(), 0, &blended) == WELKIN_OK);
+    check(object.get(), blended);
+    REQUIRE(welkin_vulkan_update_ambient(object.get(), 0, &first) == WELKIN_OK);  // and back to the modes
+    const auto results = shade(device, kModesComp, object.get(), directions);
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      CHECK(double{results[8 * i]} == Approx(double{expectedOf(with, first, directions[i])[0]}).epsilon(0.01));
+  }
+  CHECK(device.messageCount() == 0);
+}
+
+TEST_CASE("VulkanModes, MapIsAnArrayOfOneOrTwoLayers", "[vulkan]") {
+  constexpr uint32_t kMap = 3;  // after the gradients and the stars
+  for (const uint8_t count : {0, 4, 5}) {
+    const auto bytes = testSkyFile({.mode_count = count});
+    const Sky sky = openTestSky(bytes);
+    uint32_t images = 0;
+    REQUIRE(welkin_vulkan_image_infos(sky.get(), &images, nullptr) == WELKIN_OK);
+    std::vector<VkImageCreateInfo> infos(images);
+    REQUIRE(welkin_vulkan_image_infos(sky.get(), &images, infos.data()) == WELKIN_OK);
+    CHECK(infos[kMap].format == VK_FORMAT_R16G16B16A16_SFLOAT);
+    CHECK(infos[kMap].arrayLayers == (count > 4 ? 2 : 1));
+    CHECK(infos[kMap].extent.width == (count > 0 ? kModeColumns : 1));
+    CHECK(infos[kMap].extent.height == (count > 0 ? kModeRows : 1));
+    CHECK(infos[kMap].mipLevels == 1);
+  }
+}
+
+}  // namespace welkin::tests
