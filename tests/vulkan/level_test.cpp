@@ -88,10 +88,10 @@ Number3 vectorOf(const float v[3]) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
-Number3 skyIrradiance(const WelkinSkySample& sample, const Number3& normal) {
+Number3 skyIrradiance(const Sky& sky, const WelkinSkySample& sample, const Number3& normal) {
   const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
   float e[3];
-  REQUIRE(welkin_sample_irradiance(&sample, n, e) == WELKIN_OK);
+  REQUIRE(welkin_sky_irradiance(sky.get(), &sample, n, e) == WELKIN_OK);
   return vectorOf(e);
 }
 
@@ -156,10 +156,16 @@ TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
   // The map spans about 57 m in 2048 texels of 28 mm; the filter reaches two texels, the offset along the normal as
   // far.
   constexpr double kShadowEdge_m = 0.2;
-  for (const bool flat : {false, true}) {
+  struct Light {
+    const char* name;
+    bool flat;
+    uint8_t mode_count;
+  };
+  for (const auto& [name, flat, mode_count] :
+       {Light{"sh", false, 0}, Light{"flat", true, 0}, Light{"modes", false, 7}}) {
     LevelOptions options = kPlain;
     options.flat_light = flat;
-    Stage stage(groundAndBox(), options);
+    Stage stage(groundAndBox(), options, {.mode_count = mode_count});
     for (const double time_h : {8.5, 12.3, 15.0, 19.0, 2.0}) {
       stage.view->setTime(time_h);
       const WelkinSkySample& sample = stage.view->sample();
@@ -168,7 +174,7 @@ TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
       const Number3 direct = light != nullptr ? vectorOf(light->normal_irradiance) * towards.y : Number3(0.0);
       CHECK((light == &sample.sun) == (time_h > 6.0 && time_h < 18.0));
       CHECK((light == nullptr) == (time_h == 19.0));  // the sun has set, the moon has not risen
-      Number3 ambient = skyIrradiance(sample, {0.0, 1.0, 0.0});
+      Number3 ambient = skyIrradiance(stage.sky, sample, {0.0, 1.0, 0.0});
       if (flat) ambient = vectorOf(sample.ambient_sh[0]) * (f64::kPi * f64::shBasis(Number3(0.0)).v[0]);
       const FloatImage image = stage.view->draw(160, 120, kDown, kAbove);
       Worst worst;
@@ -184,8 +190,8 @@ TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
         ++(*shadow ? shadowed : lit);
         if (*shadow) middle_of_shadow += p;
       });
-      WARN("hour " << time_h << (flat ? " flat" : " sh") << ": worst " << worst.error << " at " << worst.where << ", "
-                   << lit << " lit, " << shadowed << " in shadow");
+      WARN("hour " << time_h << " " << name << ": worst " << worst.error << " at " << worst.where << ", " << lit
+                   << " lit, " << shadowed << " in shadow");
       CHECK(lit > 5000);
       CHECK(worst.error < kSurfaceTolerance);
       if (light == nullptr || towards.y > 0.98) continue;  // no shadow, or under the box
@@ -217,7 +223,8 @@ TEST_CASE("LevelView, NormalsFollowRotationMirrorAndUnevenScale", "[vulkan]") {
     const WelkinSkySample& sample = stage.view->sample();
     const double cosine = dot(normal, vectorOf(sample.sun.direction));
     REQUIRE(cosine > 0.2);
-    const Number3 irradiance = skyIrradiance(sample, normal) + vectorOf(sample.sun.normal_irradiance) * cosine;
+    const Number3 irradiance =
+        skyIrradiance(stage.sky, sample, normal) + vectorOf(sample.sun.normal_irradiance) * cosine;
     Worst worst;
     forEachPixel(image, {0.0, -f64::kHalfPi, 0.2},
                  [&](const Pixel& p) { compare(worst, image, p, irradiance * (0.5 / f64::kPi)); });
@@ -264,7 +271,7 @@ TEST_CASE("LevelView, MistTakesAndGivesBack", "[vulkan]") {
   const Camera camera{0.4, -0.9, 0.7};
   const Number3 position(0.0, 12.0, 16.0);
   const FloatImage image = stage.view->draw(64, 48, camera, position);
-  const Number3 ground = kGroundAlbedo / f64::kPi * skyIrradiance(stage.view->sample(), {0.0, 1.0, 0.0});
+  const Number3 ground = kGroundAlbedo / f64::kPi * skyIrradiance(stage.sky, stage.view->sample(), {0.0, 1.0, 0.0});
   Worst worst;
   forEachPixel(image, camera, [&](const Pixel& p) {
     const double distance_m = position.y / -p.ray.y;
@@ -294,44 +301,48 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
   const Number3 albedo(0.8, 0.1, 0.4);
   gltf.addNode(gltf.addMesh(test::boxMesh(), gltf.addMaterial(listOf(albedo))),
                {{"scale", {2, 1.5, 1}}, {"translation", {0, kSea + 2.0, -11}}});
-  Stage stage(sceneOf(gltf));
-  stage.view->setTime(15.5);
-  const WelkinSkySample& sample = stage.view->sample();
-  const Number3 sun = vectorOf(sample.sun.direction);
-  REQUIRE(sun.x < -0.3);  // in the west: no glitter to the north, and no shadow of the box there
-  const Camera camera{0.0, -0.25, 1.0};
-  const Number3 position(0.0, kSea + 4.0, 3.0);
-  const FloatImage image = stage.view->draw(160, 120, camera, position);
-  const Number3 irradiance = skyIrradiance(sample, {0.0, 1.0, 0.0}) + vectorOf(sample.sun.normal_irradiance) * sun.y;
-  const Number3 body = f64::kWaterAlbedo / f64::kPi * irradiance;
-  // The box's south face as the sun leaves it.
-  const double on_face = std::max(sun.z, 0.0);
-  const Number3 face =
-      albedo / f64::kPi * (skyIrradiance(sample, {0.0, 0.0, 1.0}) + vectorOf(sample.sun.normal_irradiance) * on_face);
-  Worst of_sky;
-  Worst of_box;
-  forEachPixel(image, camera, [&](const Pixel& p) {
-    if (p.ray.y > -0.02 || meets(position, p.ray, low - Number3(0.1), high + Number3(0.1))) return;
-    const Number3 at = position + p.ray * ((position.y - kSea) / -p.ray.y);
-    const Number3 mirrored(p.ray.x, -p.ray.y, p.ray.z);
-    const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
-    if (meets(at, sun, low - Number3(0.3), high + Number3(0.3))) return;  // near its shadow
-    const bool near = meets(at, mirrored, low - Number3(0.3), high + Number3(0.3));
-    // Through the middle of its south face: the picture in the water is sampled at half the picture's size.
-    const Number3 on = at + mirrored * ((high.z - at.z) / mirrored.z);
-    const bool within = std::abs(on.x) < 1.6 && on.y > low.y + 0.4 && on.y < high.y - 0.4;
-    if (within)
-      compare(of_box, image, p, mix(body, face, fresnel));
-    else if (!near)
-      compare(of_sky, image, p, mix(body, domeRadiance(stage.sky, sample, mirrored), fresnel));
-  });
-  WARN("sky: worst " << of_sky.error << " at " << of_sky.where << " of " << of_sky.count);
-  WARN("box: worst " << of_box.error << " at " << of_box.where << " of " << of_box.count);
-  CHECK(of_sky.count > 15000);
-  CHECK(of_box.count > 300);
-  CHECK(of_sky.error < shaderTolerance(stage.device));
-  CHECK(of_box.error < kSurfaceTolerance);
-  CHECK(stage.device.messageCount() == 0);
+  for (const uint8_t mode_count : {0, 7}) {
+    Stage stage(sceneOf(gltf), kPlain, {.mode_count = mode_count});
+    stage.view->setTime(15.5);
+    const WelkinSkySample& sample = stage.view->sample();
+    const Number3 sun = vectorOf(sample.sun.direction);
+    REQUIRE(sun.x < -0.3);  // in the west: no glitter to the north, and no shadow of the box there
+    const Camera camera{0.0, -0.25, 1.0};
+    const Number3 position(0.0, kSea + 4.0, 3.0);
+    const FloatImage image = stage.view->draw(160, 120, camera, position);
+    const Number3 irradiance =
+        skyIrradiance(stage.sky, sample, {0.0, 1.0, 0.0}) + vectorOf(sample.sun.normal_irradiance) * sun.y;
+    const Number3 body = f64::kWaterAlbedo / f64::kPi * irradiance;
+    // The box's south face as the sun leaves it.
+    const double on_face = std::max(sun.z, 0.0);
+    const Number3 face =
+        albedo / f64::kPi *
+        (skyIrradiance(stage.sky, sample, {0.0, 0.0, 1.0}) + vectorOf(sample.sun.normal_irradiance) * on_face);
+    Worst of_sky;
+    Worst of_box;
+    forEachPixel(image, camera, [&](const Pixel& p) {
+      if (p.ray.y > -0.02 || meets(position, p.ray, low - Number3(0.1), high + Number3(0.1))) return;
+      const Number3 at = position + p.ray * ((position.y - kSea) / -p.ray.y);
+      const Number3 mirrored(p.ray.x, -p.ray.y, p.ray.z);
+      const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
+      if (meets(at, sun, low - Number3(0.3), high + Number3(0.3))) return;  // near its shadow
+      const bool near = meets(at, mirrored, low - Number3(0.3), high + Number3(0.3));
+      // Through the middle of its south face: the picture in the water is sampled at half the picture's size.
+      const Number3 on = at + mirrored * ((high.z - at.z) / mirrored.z);
+      const bool within = std::abs(on.x) < 1.6 && on.y > low.y + 0.4 && on.y < high.y - 0.4;
+      if (within)
+        compare(of_box, image, p, mix(body, face, fresnel));
+      else if (!near)
+        compare(of_sky, image, p, mix(body, domeRadiance(stage.sky, sample, mirrored), fresnel));
+    });
+    WARN("sky: worst " << of_sky.error << " at " << of_sky.where << " of " << of_sky.count);
+    WARN("box: worst " << of_box.error << " at " << of_box.where << " of " << of_box.count);
+    CHECK(of_sky.count > 15000);
+    CHECK(of_box.count > 300);
+    CHECK(of_sky.error < shaderTolerance(stage.device));
+    CHECK(of_box.error < kSurfaceTolerance);
+    CHECK(stage.device.messageCount() == 0);
+  }
 }
 
 TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {

@@ -8,6 +8,7 @@
 
 #include "compute.h"
 #include "object.h"
+#include "render/views.h"
 #include "shared.h"
 #include "spirv/kFourModesComp.h"
 #include "spirv/kModesComp.h"
@@ -17,6 +18,7 @@
 namespace welkin::tests {
 namespace {
 
+using f64::Number3;
 using Vector = std::array<float, 3>;
 
 /// Relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24, and the
@@ -210,6 +212,41 @@ TEST_CASE("VulkanModes, MapIsAnArrayOfOneOrTwoLayers", "[vulkan]") {
     CHECK(infos[kMap].extent.height == (count > 0 ? kModeRows : 1));
     CHECK(infos[kMap].mipLevels == 1);
   }
+}
+
+TEST_CASE("VulkanModes, SpheresShowWhatTheRuntimeSays", "[vulkan]") {
+  constexpr uint32_t kHeight = 60;
+  constexpr uint32_t kCell = 60;  // pixels from one sphere to the next
+  const auto bytes = testSkyFile({.mode_count = 6});
+  const Sky sky = openTestSky(bytes);
+  tools::VulkanDevice device(true);
+  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  views.setTime(15.0);
+  const tools::Camera camera{0.7, 0.0, 0.9};
+  const Number3 forward = f64::directionOf(camera.yaw_rad, 0.0);
+  const Number3 right = f64::directionOf(camera.yaw_rad + f64::kHalfPi, 0.0);
+  const double radius = WELKIN_SPHERE_RADIUS * kCell;  // pixels
+  const auto image = views.spheres(kCell * WELKIN_SPHERE_COUNT, kHeight, camera, tools::SkyLight::sh);
+  double difference = 0.0;
+  for (uint32_t sphere = 0; sphere < WELKIN_SPHERE_COUNT; ++sphere)
+    for (const auto& [dx, dy] : {std::pair{0, 0}, std::pair{15, -10}, std::pair{-8, 17}, std::pair{9, -19}}) {
+      const uint32_t x = static_cast<uint32_t>(static_cast<int>(sphere * kCell + kCell / 2) + dx);
+      const uint32_t y = static_cast<uint32_t>(static_cast<int>(kHeight / 2) + dy);
+      const double a = (dx + 0.5) / radius;
+      const double b = -(dy + 0.5) / radius;
+      const Number3 n = right * a + Number3(0.0, b, 0.0) - forward * std::sqrt(1.0 - a * a - b * b);
+      const Vector normal{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+      const Vector e = expectedOf(sky, views.sample(), normal);
+      Vector of_coefficients{};
+      REQUIRE(welkin_sample_irradiance(&views.sample(), normal.data(), of_coefficients.data()) == WELKIN_OK);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double shown = double{image.pixel(x, y)[c]} * f64::kPi / WELKIN_SPHERE_ALBEDO;
+        CHECK(shown == Approx(double{e[c]}).epsilon(2e-4 + tolerance(device)));  // the normal is interpolated in float
+        difference = std::max(difference, std::abs(double{e[c]} / double{of_coefficients[c]} - 1.0));
+      }
+    }
+  CHECK(difference > 0.1);  // and it is not the coefficients' light
+  CHECK(device.messageCount() == 0);
 }
 
 }  // namespace welkin::tests

@@ -9,19 +9,22 @@
 #include "render/offscreen.h"
 #include "spirv/kFullscreenVert.h"
 #include "spirv/kLevelLightFrag.h"
+#include "spirv/kLevelLightOfModesFrag.h"
 #include "spirv/kLevelShadowVert.h"
 #include "spirv/kLevelSurfaceFrag.h"
 #include "spirv/kLevelSurfaceVert.h"
 #include "spirv/kLevelWaterFrag.h"
+#include "spirv/kLevelWaterOfModesFrag.h"
 #include "spirv/kLevelWaterVert.h"
 
 namespace welkin::tools {
 
-LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky) : device_(device.device()) {
+LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes)
+    : device_(device.device()) {
   try {
     createLayouts(sky);
     createSamplers();
-    createPipelines();
+    createPipelines(light_of_modes);
   } catch (...) {
     destroy();
     throw;
@@ -76,7 +79,8 @@ void LevelPipelines::createSamplers() {
   require(vkCreateSampler(device_, &info, nullptr, &shadow_sampler_), "vkCreateSampler");
 }
 
-void LevelPipelines::createPipelines() {
+void LevelPipelines::createPipelines(bool light_of_modes) {
+  using Words = std::span<const uint32_t>;
   const auto attributes = LevelMesh::attributes();
   shadow = createGraphicsPipeline(device_, {.layout = layout_,
                                             .vertex = kLevelShadowVert,
@@ -97,18 +101,20 @@ void LevelPipelines::createPipelines() {
                                              .depth_write = true,
                                              .dynamic_culling = true});
   // The full-screen triangle has depth 0: less than any surface's.
-  light = createGraphicsPipeline(device_, {.layout = layout_,
-                                           .vertex = kFullscreenVert,
-                                           .fragment = kLevelLightFrag,
-                                           .colours = {Offscreen::kFormat},
-                                           .depth = kDepthFormat,
-                                           .depth_compare = VK_COMPARE_OP_LESS});
-  water = createGraphicsPipeline(device_, {.layout = layout_,
-                                           .vertex = kLevelWaterVert,
-                                           .fragment = kLevelWaterFrag,
-                                           .colours = {Offscreen::kFormat},
-                                           .depth = kDepthFormat,
-                                           .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
+  light = createGraphicsPipeline(device_,
+                                 {.layout = layout_,
+                                  .vertex = kFullscreenVert,
+                                  .fragment = light_of_modes ? Words(kLevelLightOfModesFrag) : Words(kLevelLightFrag),
+                                  .colours = {Offscreen::kFormat},
+                                  .depth = kDepthFormat,
+                                  .depth_compare = VK_COMPARE_OP_LESS});
+  water = createGraphicsPipeline(device_,
+                                 {.layout = layout_,
+                                  .vertex = kLevelWaterVert,
+                                  .fragment = light_of_modes ? Words(kLevelWaterOfModesFrag) : Words(kLevelWaterFrag),
+                                  .colours = {Offscreen::kFormat},
+                                  .depth = kDepthFormat,
+                                  .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
 }
 
 }  // namespace welkin::tools

@@ -12,8 +12,8 @@ class LevelPipelines {
   static constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
   static constexpr VkFormat kSurfaceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< albedo, normal
 
-  /// `sky` is the layout of set 0.
-  LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky);
+  /// `sky` is the layout of set 0; `light_of_modes`: ambient light from the modes of the sky's irradiance.
+  LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes);
   ~LevelPipelines() { destroy(); }
   LevelPipelines(const LevelPipelines&) = delete;
   LevelPipelines& operator=(const LevelPipelines&) = delete;
@@ -31,7 +31,7 @@ class LevelPipelines {
  private:
   void createLayouts(VkDescriptorSetLayout sky);
   void createSamplers();
-  void createPipelines();
+  void createPipelines(bool light_of_modes);
   void destroy();
 
   VkDevice device_;

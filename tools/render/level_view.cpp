@@ -105,7 +105,7 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const Scene& scene, c
       options_(options),
       sky_(device, sky, LevelPipelines::kDepthFormat, VK_COMPARE_OP_EQUAL),
       mesh_(device, scene),
-      pipelines_(device, sky_.layout()),
+      pipelines_(device, sky_.layout(), sky.info().mode_count > 0),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
   pool_ = createSets(device.device(), pipelines_.setLayout(), sets_);

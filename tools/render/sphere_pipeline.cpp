@@ -7,10 +7,12 @@
 #include "render/graphics_pipeline.h"
 #include "spirv/kFullscreenVert.h"
 #include "spirv/kSpheresFrag.h"
+#include "spirv/kSpheresOfModesFrag.h"
 
 namespace welkin::tools {
 
-SpherePipeline::SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format)
+SpherePipeline::SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format,
+                               bool light_of_modes)
     : device_(device.device()) {
   const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(SpheresPush)};
   VkPipelineLayoutCreateInfo info{};
@@ -20,8 +22,12 @@ SpherePipeline::SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &range;
   require(vkCreatePipelineLayout(device_, &info, nullptr, &layout_), "vkCreatePipelineLayout");
-  pipeline_ = createGraphicsPipeline(
-      device_, {.layout = layout_, .vertex = kFullscreenVert, .fragment = kSpheresFrag, .colours = {colour_format}});
+  using Words = std::span<const uint32_t>;
+  pipeline_ =
+      createGraphicsPipeline(device_, {.layout = layout_,
+                                       .vertex = kFullscreenVert,
+                                       .fragment = light_of_modes ? Words(kSpheresOfModesFrag) : Words(kSpheresFrag),
+                                       .colours = {colour_format}});
 }
 
 SpherePipeline::~SpherePipeline() {

@@ -9,7 +9,8 @@ namespace welkin::tools {
 
 class SpherePipeline {
  public:
-  SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format);
+  /// `light_of_modes`: ambient light from the modes of the sky's irradiance.
+  SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format, bool light_of_modes);
   ~SpherePipeline();
   SpherePipeline(const SpherePipeline&) = delete;
   SpherePipeline& operator=(const SpherePipeline&) = delete;

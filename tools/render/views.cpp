@@ -12,7 +12,7 @@ Views::Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source)
     : device_(device),
       source_(source),
       runtime_(device, sky),
-      spheres_(device, runtime_.layout(), Offscreen::kFormat) {}
+      spheres_(device, runtime_.layout(), Offscreen::kFormat, sky.info().mode_count > 0) {}
 
 FloatImage Views::drawDome(uint32_t width, uint32_t height, const WelkinVulkanView& view) {
   Offscreen target(device_, width, height);

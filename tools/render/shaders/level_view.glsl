@@ -4,7 +4,7 @@
 #define WELKIN_LEVEL_VIEW_GLSL
 
 #include "level.glsl"
-#include "welkin/ambient.glsl"
+#include "sky_light.glsl"
 #include "welkin/dome.glsl"
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_SHADOW) uniform sampler2DShadow levelShadow;
@@ -28,7 +28,7 @@ float lightReaching(vec3 p, vec3 normal) {
   return sum / 9.0;
 }
 
-vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : welkinIrradiance(normal); }
+vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal); }
 
 // Irradiance of a surface, sky and light.
 vec3 surfaceIrradiance(vec3 p, vec3 normal) {

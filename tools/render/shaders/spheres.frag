@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 0
 #include "welkin/sky_bindings.h"
-#include "welkin/ambient.glsl"
+#include "sky_light.glsl"
 #include "welkin/discs.glsl"
 #include "welkin/dome.glsl"
 #include "welkin/view.glsl"
@@ -34,8 +34,8 @@ void main() {
     vec3 down = normalize(view[1].xyz);
     vec3 normal = normalize(right * p.x + down * p.y - view[3].xyz * sqrt(max(1.0 - dot(p, p), 0.0)));
     bool flat_light = push.light == WELKIN_LIGHT_FLAT || (push.light == WELKIN_LIGHT_BOTH && column < WELKIN_SPHERE_COUNT / 2);
-    vec3 irradiance_over_pi = flat_light ? welkinFlatIrradianceOverPi() : welkinIrradianceOverPi(normal);
-    colour = mix(colour, WELKIN_SPHERE_ALBEDO * irradiance_over_pi, coverage);
+    vec3 irradiance = flat_light ? welkinFlatIrradiance() : skyIrradiance(normal);
+    colour = mix(colour, WELKIN_SPHERE_ALBEDO / kPi * irradiance, coverage);
   }
   radiance = vec4(colour, 1.0);
 }

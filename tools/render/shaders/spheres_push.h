@@ -26,7 +26,7 @@ push;
 
 #define WELKIN_LIGHT_FLAT 0
 #define WELKIN_LIGHT_SH 1
-#define WELKIN_LIGHT_BOTH 2  // flat on the left sphere, SH on the right
+#define WELKIN_LIGHT_BOTH 2  // flat on the left sphere, by direction on the right
 
 #define WELKIN_SPHERE_COUNT 2
 #define WELKIN_SPHERE_RADIUS 0.4  // of the distance between centres; of the picture's height where that is less
