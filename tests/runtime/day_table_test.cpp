@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// The day's table by hand: its encodings, of coefficients and of modes' weights, and its frame against a rotation of
+// another kind.
+#include <welkin/welkin.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "core/polar_frame.h"
+#include "forge.h"
+#include "format/container.h"
+#include "format/half.h"
+#include "sh/rotation.h"
+#include "shared.h"
+
+namespace welkin::test {
+namespace {
+
+/// A sample's floats.
+constexpr double kFloats = 4.0 * 0x1p-24;
+
+/// Two keys of four rows of three channels, stored in every encoding with random bits, and what they mean.
+struct Numbers {
+  DayParts day;
+  std::vector<double> value;
+
+  double at(double first_share, std::size_t row, std::size_t channel) const {
+    const std::size_t i = row * 3 + channel;
+    return first_share * value[i] + (1.0 - first_share) * value[12 + i];
+  }
+};
+
+Numbers randomNumbers(std::uint8_t encoding) {
+  std::mt19937 random(31U + encoding);
+  std::uniform_int_distribution<int> byte(-127, 127), word(-32767, 32767), half(0x2c00, 0x3c00);
+  std::uniform_real_distribution<float> number(0.25F, 2.0F);
+  Numbers numbers;
+  numbers.day.encoding = encoding;
+  if (encoding > 0) numbers.day.key_scale = {number(random), number(random)};
+  for (std::size_t i = 0; i < 12 && encoding >= 2; ++i)
+    numbers.day.row_scale.push_back(number(random) / (encoding == 2 ? 32767.0F : 127.0F));
+  std::vector<float> floats;
+  std::vector<std::uint16_t> words;
+  std::vector<std::int8_t> bytes;
+  for (std::size_t i = 0; i < 24; ++i) {
+    const bool positive = i % 12 < 3 || i % 12 >= 9;  // the mean and the horizontal irradiance
+    double stored = 0.0;
+    if (encoding == 0) {
+      floats.push_back(positive ? number(random) : number(random) - 1.0F);
+      stored = double{floats.back()};
+    } else if (encoding == 1) {
+      const int bits = half(random);
+      stored = std::ldexp(1024.0 + (bits & 1023), (bits >> 10) - 25) * (positive || i % 2 == 0 ? 1.0 : -1.0);
+      words.push_back(static_cast<std::uint16_t>(stored < 0.0 ? bits | 0x8000 : bits));
+    } else if (encoding == 2) {
+      const int v = word(random);
+      stored = positive ? std::abs(v) : v;
+      words.push_back(static_cast<std::uint16_t>(static_cast<std::int16_t>(stored)));
+    } else {
+      const int v = byte(random);
+      stored = positive ? std::abs(v) : v;
+      bytes.push_back(static_cast<std::int8_t>(stored));
+    }
+    if (encoding > 0) stored *= double{numbers.day.key_scale[i / 12]};
+    if (encoding >= 2) stored *= double{numbers.day.row_scale[i % 12]};
+    numbers.value.push_back(stored);
+  }
+  numbers.day.numbers = encoding == 0   ? DayParts::bytesOf(floats)
+                        : encoding <= 2 ? DayParts::bytesOf(words)
+                                        : DayParts::bytesOf(bytes);
+  return numbers;
+}
+
+/// A file of that table, intensity 1, neither sun nor moon giving any light.
+Parts partsOf(const DayParts& day) {
+  Parts parts;
+  parts.intensity = {};
+  parts.sun.illuminance.value = {0.0};
+  parts.moon.illuminance.value = {0.0};
+  parts.day = day;
+  return parts;
+}
+
+WelkinSkySample sampleOf(const Parts& parts, double time_h) {
+  const std::vector<std::byte> bytes = format::seal(payloadOf(parts));
+  WelkinSky* sky = nullptr;
+  REQUIRE(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, nullptr) == WELKIN_OK);
+  WelkinSkySample sample{};
+  REQUIRE(welkin_sky_sample(sky, time_h, &sample) == WELKIN_OK);
+  welkin_sky_close(sky);
+  return sample;
+}
+
+/// Hours and the first key's share: at the keys, between them, and across midnight.
+constexpr std::pair<double, double> kHours[] = {{0.0, 1.0}, {12.0, 0.0}, {3.0, 0.75}, {21.0, 0.75}, {16.0, 1.0 / 3.0}};
+
+}  // namespace
+
+TEST_CASE("DayTable, CoefficientsInEveryEncoding") {
+  // 2 bands: c0, that of y, and that of the direction to the sun's azimuth, which is split over x and z.
+  for (const std::uint8_t encoding : {0, 1, 2, 3}) {
+    const Numbers numbers = randomNumbers(encoding);
+    Parts parts = partsOf(numbers.day);
+    for (const auto& [time_h, share] : kHours) {
+      const WelkinSkySample sample = sampleOf(parts, time_h);
+      for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(int{encoding}, time_h, c);
+        const double albedo = 0.1F;
+        const double ground = albedo * numbers.at(share, 3, c) / M_PI;
+        const auto near = [](double value) { return Approx(value).margin(kFloats * 4.0).epsilon(0.0); };
+        CHECK(double{sample.ground_radiance[c]} == near(ground));
+        // Of a radiance of 1 below the horizon: 2 pi Y00, and -pi Y10(up).
+        CHECK(double{sample.radiance_sh[0][c]} == near(numbers.at(share, 0, c) + ground * std::sqrt(M_PI)));
+        CHECK(double{sample.radiance_sh[1][c]} ==
+              near(numbers.at(share, 1, c) - ground * M_PI * std::sqrt(0.75 / M_PI)));
+        CHECK(double{sample.radiance_sh[3][c]} == near(numbers.at(share, 2, c) * double{sample.mode_azimuth[0]}));
+        CHECK(double{sample.radiance_sh[2][c]} == near(numbers.at(share, 2, c) * double{sample.mode_azimuth[1]}));
+      }
+      const float* sun = sample.sun.direction;
+      const double length = std::hypot(double{sun[0]}, double{sun[2]});
+      CHECK(double{sample.mode_azimuth[0]} == Approx(double{sun[0]} / length).margin(1e-6));
+      CHECK(double{sample.mode_azimuth[1]} == Approx(double{sun[2]} / length).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("DayTable, WeightsOfModesInEveryEncoding") {
+  for (const std::uint8_t encoding : {0, 1, 2, 3}) {
+    const Numbers numbers = randomNumbers(encoding);
+    DayParts day = withModes(4);
+    day.encoding = encoding;
+    day.numbers = numbers.day.numbers;
+    day.key_scale = numbers.day.key_scale;
+    day.row_scale = numbers.day.row_scale;
+    for (std::size_t i = 0; i < day.mode_sh.size(); ++i) day.mode_sh[i] = 0.25F * static_cast<float>(i);
+    Parts parts = partsOf(day);
+    parts.albedo = format::Rgb(0.0F, 0.0F, 0.0F);
+    for (const auto& [time_h, share] : kHours) {
+      const WelkinSkySample sample = sampleOf(parts, time_h);
+      REQUIRE(sample.mode_count == 4);
+      for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(int{encoding}, time_h, c);
+        const auto near = [](double value) { return Approx(value).margin(kFloats * 16.0).epsilon(0.0); };
+        double c0 = 0.0;
+        double c1 = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) {
+          CHECK(double{sample.mode_weight[k][c]} == near(numbers.at(share, k, c)));
+          c0 += numbers.at(share, k, c) * 0.25 * (3.0 * static_cast<double>(k));
+          c1 += numbers.at(share, k, c) * 0.25 * (3.0 * static_cast<double>(k) + 1.0);
+        }
+        CHECK(double{sample.radiance_sh[0][c]} == near(c0));
+        CHECK(double{sample.radiance_sh[1][c]} == near(c1));
+        for (std::size_t k = 4; k < WELKIN_MAX_MODES; ++k) CHECK(sample.mode_weight[k][c] == 0.0F);
+      }
+    }
+  }
+}
+
+TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
+  constexpr double kTolerance = 1e-13;  // sums of some fifty products of numbers below 1, in double
+  std::mt19937 random(33);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const core::PolarFrame frame;
+  for (const std::size_t bands : {2U, 3U, 4U, 5U})
+    for (const double azimuth_rad : {0.0, 0.4, -2.2, 3.1, M_PI_2}) {
+      const det::Number3 towards(std::sin(azimuth_rad), 0.7, -std::cos(azimuth_rad));
+      const core::Azimuth azimuth(f64::Number3(towards.x, towards.y, towards.z));
+      std::vector<f64::Number3> polar(bands * (bands + 1) / 2);
+      for (auto& p : polar) p = {number(random), number(random), number(random)};
+      std::vector<f64::Number3> world(bands * bands);
+      frame.toWorld(bands, polar, azimuth, world);
+      // About the sun's azimuth the frame's x looks there, its z up, its y where both leave it.
+      const sh::Matrix3 axes = {det::Number3(towards.x, 0, towards.z), det::Number3(towards.z, 0, -towards.x),
+                                det::Number3(0, 1, 0)};
+      const sh::Rotation rotation(static_cast<int>(bands), axes);
+      for (int c = 0; c < 3; ++c) {
+        std::vector<double> all(bands * bands), turned(bands * bands);
+        for (std::size_t l = 0; l < bands; ++l)
+          for (std::size_t m = 0; m <= l; ++m) all[l * (l + 1) + m] = polar[l * (l + 1) / 2 + m][c];
+        rotation.apply(all, turned);
+        for (std::size_t i = 0; i < bands * bands; ++i) {
+          CAPTURE(bands, azimuth_rad, i, c);
+          CHECK(world[i][c] == Approx(turned[i]).margin(kTolerance).epsilon(0.0));
+        }
+      }
+    }
+  // A sun in the zenith has no azimuth: the frame is the world's towards +z, and nothing is NaN.
+  const core::Azimuth none(f64::Number3(0.0, 1.0, 0.0));
+  CHECK((none.cosine == 1.0 && none.sine == 0.0));
+}
+
+}  // namespace welkin::test
