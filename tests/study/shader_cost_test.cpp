@@ -106,6 +106,18 @@ TEST_CASE("MeasuredShaders, MoreBandsCostMore") {
   for (const ShaderCost& cost : {two, three, four, five}) CHECK(cost.texture_fetches == 0);
 }
 
+TEST_CASE("MeasuredShaders, ModesComputeLessThanThreeBands") {
+  const ShaderCost three = costOf("irradiance 3 bands");
+  const ShaderCost four = costOf("irradiance 4 modes");
+  const ShaderCost eight = costOf("irradiance 8 modes");
+  CHECK(four.texture_fetches == 1);
+  CHECK(eight.texture_fetches == 2);
+  CHECK(eight.instructions <= three.instructions);
+  CHECK(eight.scalar_operations <= three.scalar_operations);
+  CHECK(four.scalar_operations < eight.scalar_operations);
+  CHECK(eight.uniform_loads == four.uniform_loads + 3);
+}
+
 TEST_CASE("MeasuredShaders, TheDomeFetchesOrComputes") {
   const ShaderCost analytic = costOf("dome analytic");
   const ShaderCost cubemaps = costOf("dome cubemaps");

@@ -18,16 +18,20 @@ namespace {
 #include "spirv/kIrradiance3.h"
 #include "spirv/kIrradiance4.h"
 #include "spirv/kIrradiance5.h"
+#include "spirv/kModes4.h"
+#include "spirv/kModes8.h"
 
 struct StudyShader {
   const char* name;
   std::span<const std::uint32_t> spirv;
 };
 
-constexpr std::array<StudyShader, 6> kShaders = {{{"irradiance 2 bands", kIrradiance2},
+constexpr std::array<StudyShader, 8> kShaders = {{{"irradiance 2 bands", kIrradiance2},
                                                   {"irradiance 3 bands", kIrradiance3},
                                                   {"irradiance 4 bands", kIrradiance4},
                                                   {"irradiance 5 bands", kIrradiance5},
+                                                  {"irradiance 4 modes", kModes4},
+                                                  {"irradiance 8 modes", kModes8},
                                                   {"dome analytic", kDomeAnalytic},
                                                   {"dome cubemaps", kDomeCubemaps}}};
 

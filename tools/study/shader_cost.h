@@ -25,7 +25,9 @@ struct ShaderCost {
 ShaderCost countShader(std::span<const std::uint32_t> spirv);
 
 struct NamedShaderCost {
-  std::string name;  ///< "irradiance 2 bands" .. "irradiance 5 bands", "dome analytic", "dome cubemaps"
+  /// "irradiance 2 bands" .. "irradiance 5 bands", "irradiance 4 modes", "irradiance 8 modes", "dome analytic", "dome
+  /// cubemaps"
+  std::string name;
   ShaderCost cost;
 };
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Irradiance from WELKIN_MODES modes.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WELKIN_SET 0
+#include "welkin/sky_bindings.h"
+#include "welkin/modes.glsl"
+
+layout(location = 0) in vec3 given;
+layout(location = 0) out vec4 result;
+
+void main() { result = vec4(welkinModesIrradiance(given), 1.0); }
