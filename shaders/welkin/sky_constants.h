@@ -34,7 +34,7 @@ struct WelkinSkyConstants {
   WELKIN_FLOAT4 mode_rest[3];     // irradiance beside the modes, for red, green, blue: welkin/modes.glsl
   WELKIN_FLOAT4 mode_frame;       // xy: x and z of the unit horizontal direction to the sun's azimuth; z: share of the
                                   // rest's xyz in upper normals; w: of |y| in the rest's w
-  WELKIN_FLOAT4 mode_texels;      // texture coordinates of the modes' map: scale xy, offset zw of column and row in [0, 1]
+  WELKIN_FLOAT4 mode_texels;      // of the modes' map: xy scale and zw offset from column and row in [0, 1]
 };
 
 #ifdef __cplusplus
