@@ -41,6 +41,7 @@ BakeSettings readBake(Section section) {
   bake.fixed = {
       section.isFixed("bands"), section.isFixed("keys"),
       section.isFixed("cubemap_size") || section.isFixed("cubemap_times") || section.isFixed("cubemap_format"),
+section.isFixed("gradient_format"),
       section.isFixed("reconstruction"), section.isFixed("encoding")};
   bake.bands = section.wholeNumberIfAny("bands").value_or(bake.bands);
   bake.key_time_h = section.hours("keys", kAutoKeys);
@@ -54,6 +55,7 @@ BakeSettings readBake(Section section) {
   bake.cubemap_format =
       valueOfWord(section, "cubemap_format", {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11},
                   bake.cubemap_format);
+  bake.gradient_format = section.word("gradient_format") == "rgb9e5" ? GradientFormat::rgb9e5 : GradientFormat::rgb32f;
   bake.reconstruction =
       valueOfWord(section, "reconstruction", {Reconstruction::projected, Reconstruction::fitted, Reconstruction::modes},
                   bake.reconstruction);

@@ -18,6 +18,7 @@ struct BakeSettings {
   int cubemap_size = 128;  ///< 0: none
   std::vector<double> cubemap_time_h;
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
+  GradientFormat gradient_format = GradientFormat::rgb32f;
   Reconstruction reconstruction = Reconstruction::projected;
   Encoding encoding = Encoding::float32;
   bool mildest_window = false;
@@ -25,7 +26,7 @@ struct BakeSettings {
 
   /// What the file says itself, which a budget keeps; it chooses the rest.
   struct Fixed {
-    bool bands = false, keys = false, cubemaps = false, reconstruction = false, encoding = false;
+    bool bands = false, keys = false, cubemaps = false, gradients = false, reconstruction = false, encoding = false;
   } fixed;
 };
 

@@ -22,7 +22,16 @@ Offset<format::Light> encodeLight(FlatBufferBuilder& b, const Light& light) {
   return format::CreateLight(b, path, illuminance, colour, light.disc_radius_rad);
 }
 
-Offset<format::Gradient> encodeGradient(FlatBufferBuilder& b, const Gradient& gradient) {
+Offset<format::Gradient> encodeGradient(FlatBufferBuilder& b, const Gradient& gradient, GradientFormat texel_format) {
+  if (texel_format == GradientFormat::rgb9e5) {
+    std::vector<std::uint32_t> texels(gradient.rgb.size() / 3);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+      const float rgb[3] = {gradient.rgb[3 * i], gradient.rgb[3 * i + 1], gradient.rgb[3 * i + 2]};
+      format::encodeTexel(format::CubemapFormat::rgb9e5, rgb, reinterpret_cast<unsigned char*>(&texels[i]));
+    }
+    return format::CreateGradientDirect(b, static_cast<std::uint32_t>(gradient.width),
+                                        static_cast<std::uint32_t>(gradient.height), nullptr, &texels);
+  }
   return format::CreateGradientDirect(b, static_cast<std::uint32_t>(gradient.width),
                                       static_cast<std::uint32_t>(gradient.height), &gradient.rgb);
 }
@@ -87,8 +96,8 @@ std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, con
   const auto sun = encodeLight(b, s.sun);
   const auto moon = s.moon ? encodeLight(b, *s.moon) : Offset<format::Light>();
   const auto stars = s.stars ? encodeStars(b, *s.stars) : Offset<format::Stars>();
-  const auto gradient_sun = encodeGradient(b, s.gradient_sun);
-  const auto gradient_anti = encodeGradient(b, s.gradient_anti);
+  const auto gradient_sun = encodeGradient(b, s.gradient_sun, file.bake.gradient_format);
+  const auto gradient_anti = encodeGradient(b, s.gradient_anti, file.bake.gradient_format);
   const auto day = encodeDay(b, table, encoding);
   const auto certified = certificate != nullptr ? encodeCertificate(b, *certificate) : Offset<format::Certificate>();
   const auto sky = format::CreateSkyDirect(

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "format/cubemap_format.h"
+
 namespace welkin::sky {
 
 Gradient Gradient::constant(const Number3& colour) {
@@ -51,6 +53,19 @@ GradientColumn columnAt(const Gradient& gradient, double time_h) {
   for (int j = 0; j < gradient.height; ++j)
     column.row.push_back(mix(gradient.texel(c0, j), gradient.texel(c1, j), x - left));
   return column;
+}
+
+Gradient rounded(const Gradient& gradient, GradientFormat texel_format) {
+  Gradient result = gradient;
+  if (texel_format == GradientFormat::rgb32f) return result;
+  for (std::size_t i = 0; i < result.rgb.size(); i += 3) {
+    float rgb[3] = {result.rgb[i], result.rgb[i + 1], result.rgb[i + 2]};
+    unsigned char texel[format::kMostTexelBytes];
+    format::encodeTexel(format::CubemapFormat::rgb9e5, rgb, texel);
+    format::decodeTexel(format::CubemapFormat::rgb9e5, texel, rgb);
+    std::copy_n(rgb, 3, result.rgb.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return result;
 }
 
 void normalise(Gradient& a, Gradient& b) {

@@ -33,6 +33,15 @@ struct GradientColumn {
 /// Interpolates the gradient's columns at a finite time.
 GradientColumn columnAt(const Gradient& gradient, double time_h);
 
+/// How a file holds a gradient's texels.
+enum class GradientFormat {
+  rgb32f,  ///< floats: 12 bytes, exact
+  rgb9e5   ///< shared exponent: 4 bytes, each component within 2^-9 of the texel's largest
+};
+
+/// The gradient as a file of that format gives it back.
+Gradient rounded(const Gradient& gradient, GradientFormat format);
+
 /// Divides both by the brightest luminance of either, which is 1 then: only hue and saturation count, and numbers from
 /// any range become safe. Two black gradients stay black. The luminance under which colours fade is then
 /// kGradientDelta.

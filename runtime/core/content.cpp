@@ -100,10 +100,13 @@ void checkNorm(Check& check, const format::Sky& sky) {
 }
 
 void checkGradient(Check& check, const format::Gradient* gradient, const char* name) {
-  if (!check.that(gradient != nullptr && gradient->rgb() != nullptr, name, "is missing")) return;
+  if (!check.that(gradient != nullptr && (gradient->rgb() != nullptr) != (gradient->rgb9e5() != nullptr), name,
+                  "is missing"))
+    return;
   const auto rgb = spanOf(gradient->rgb());
   const std::uint64_t texels = std::uint64_t{gradient->width()} * gradient->height();
-  check.that(texels > 0 && gradient->width() <= 65536 && gradient->height() <= 65536 && rgb.size() == texels * 3, name,
+  const std::size_t numbers = gradient->rgb() != nullptr ? rgb.size() : 3 * spanOf(gradient->rgb9e5()).size();
+  check.that(texels > 0 && gradient->width() <= 65536 && gradient->height() <= 65536 && numbers == texels * 3, name,
              "must have three numbers for every texel");
   check.that(within(rgb, 0.0, kAny), name, "has a value out of its domain");
 }

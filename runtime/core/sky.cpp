@@ -2,10 +2,14 @@
 // Opening, closing and describing a sky: the part of the C interface that hands out what the file holds.
 #include "core/sky.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <utility>
+
+#include "format/cubemap_format.h"
 
 namespace welkin::core {
 
@@ -21,6 +25,20 @@ WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format,
 
 namespace {
 
+/// The numbers of a gradient that the file does not hold as floats. False when there is no memory.
+bool decodeGradient(const format::Gradient& gradient, std::unique_ptr<float[]>& rgb) {
+  const auto texels = spanOf(gradient.rgb9e5());
+  if (texels.empty()) return true;
+  rgb.reset(new (std::nothrow) float[3 * texels.size()]);
+  if (rgb == nullptr) return false;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    float texel[3];
+    format::decodeTexel(format::CubemapFormat::rgb9e5, reinterpret_cast<const unsigned char*>(&texels[i]), texel);
+    std::copy_n(texel, 3, rgb.get() + 3 * i);
+  }
+  return true;
+}
+
 /// Completes a sky whose content checkContent has let pass.
 WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
   opened.file = &file;
@@ -31,6 +49,9 @@ WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky,
   opened.day = Day(*file.sky()->day());
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::uint32_t i = 0; i < 25; ++i) opened.ground_sh[i] = f64::groundLobe(bandOf(i)) * up.v[i];
+  if (!decodeGradient(*file.sky()->gradient_sun(), opened.gradient_sun) ||
+      !decodeGradient(*file.sky()->gradient_anti(), opened.gradient_anti))
+    return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   *sky = new (std::nothrow) WelkinSky(std::move(opened));
   return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
 }
@@ -147,10 +168,11 @@ WelkinResult welkin_sky_luminance(const WelkinSky* sky, WelkinLuminance* luminan
 WelkinResult welkin_sky_gradients(const WelkinSky* sky, WelkinGradients* gradients) {
   if (sky == nullptr || gradients == nullptr) return WELKIN_ERROR_ARGUMENT;
   const auto& s = *sky->file->sky();
-  const auto borrow = [](const welkin::format::Gradient& g) {
-    return WelkinGradient{g.width(), g.height(), g.rgb()->data()};
+  const auto borrow = [](const welkin::format::Gradient& g, const float* decoded) {
+    return WelkinGradient{g.width(), g.height(), decoded != nullptr ? decoded : g.rgb()->data()};
   };
-  *gradients = {borrow(*s.gradient_sun()), borrow(*s.gradient_anti()), toFloat(s.gradient_delta())};
+  *gradients = {borrow(*s.gradient_sun(), sky->gradient_sun.get()),
+                borrow(*s.gradient_anti(), sky->gradient_anti.get()), toFloat(s.gradient_delta())};
   return WELKIN_OK;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdarg>
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include "core/day.h"
@@ -65,6 +66,7 @@ struct WelkinSky {
   welkin::core::Course sun, moon;              ///< moon: only when the file has one
   welkin::core::Day day;
   welkin::core::PolarFrame frame;
-  double constant_norm = 1.0;                  ///< of the luminance
-  double ground_sh[25] = {};                   ///< coefficients of a radiance of 1 below the horizon
+  std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null: the file's own floats
+  double constant_norm = 1.0;                            ///< of the luminance
+  double ground_sh[25] = {};                             ///< coefficients of a radiance of 1 below the horizon
 };

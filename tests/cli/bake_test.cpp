@@ -212,6 +212,23 @@ TEST_CASE("Bake, CubemapsAreOfTheFormatThatIsAsked") {
             readBytes(folder.path() / "rgba16f/cubemaps/sky_071500000.exr"));
 }
 
+TEST_CASE("Bake, GradientsOfSharedExponentsTakeAThird") {
+  const Folder folder;
+  const std::string sky = startingSky(folder);
+  bake(sky, folder / "floats");
+  const auto planned = [&] {
+    return json::parse(runTool({"plan", sky, "--json"}).out)["gradients"]["bytes"].get<std::size_t>();
+  };
+  const std::size_t floats = planned();
+  folder.write("level/sky.toml", readBytes(sky) + "gradient_format = \"rgb9e5\"\n");
+  REQUIRE(planned() * 3 == floats);
+  bake(sky, folder / "shared");
+  const auto saved = fs::file_size(folder / "floats/sky.welkin") - fs::file_size(folder / "shared/sky.welkin");
+  REQUIRE(saved <= floats - planned());
+  REQUIRE(saved + 100 > floats - planned());  // the settings name the format
+  REQUIRE(runTool({"validate", folder / "shared"}).status == 0);
+}
+
 TEST_CASE("Validate, NamesEveryGoodFileAndStopsAtTheFirstBad") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform));

@@ -115,6 +115,7 @@ TEST_CASE("SkyErrors, Bake") {
        bake("cubemap_size = 4097", {"bake.cubemap_size = 4097", "4096"}),
        bake("cubemap_size = 4096\ncubemap_times = 1440", {"bake.cubemap_size = 4096", "1440", "1.5e9"}),
        bake("cubemap_format = \"rgb9e4\"", {"bake.cubemap_format = 'rgb9e4'", "rgba16f", "rgb9e5", "b10g11r11"}),
+       bake("gradient_format = \"half\"", {"bake.gradient_format = 'half'", "rgb32f", "rgb9e5"}),
        bake("cubemap_format = 1", {"bake.cubemap_format"}), bake("cubemap_times = \"auto\"", {"bake.cubemap_times"}),
        bake("cubemap_times = [1, 1.0000000001]", {"bake.cubemap_times", "millisecond"})});
 }

@@ -100,6 +100,10 @@ TEST_CASE("Content, WholeFileOpens") {
   plain.moon.there = false;
   plain.cubemap_time_h.clear();
   REQUIRE(open(payloadOf(plain)).result == WELKIN_OK);
+  Parts shared;
+  shared.gradient_sun.rgb.clear();
+  shared.gradient_sun.rgb9e5 = {0x80402010U, 0xffffffffU};
+  REQUIRE(open(payloadOf(shared)).result == WELKIN_OK);
   for (const std::uint8_t packed : {1, 2}) {
     Parts parts;
     parts.cubemap_format = packed;
@@ -142,6 +146,15 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"moon", [](Parts& p) { p.moon.elevation.push_back(0.0); }},
                   {"gradient_sun", [](Parts& p) { p.gradient_sun.rgb.pop_back(); }},
                   {"gradient_sun", [](Parts& p) { p.gradient_sun.width = 0; }},
+                  {"gradient_sun",
+                   [](Parts& p) {
+                     p.gradient_sun.rgb9e5 = {1, 2};
+                   }},
+                  {"gradient_sun",
+                   [](Parts& p) {
+                     p.gradient_sun.rgb.clear();
+                     p.gradient_sun.rgb9e5 = {1, 2, 3};
+                   }},
                   {"gradient_anti", [](Parts& p) { p.gradient_anti.height = 0xffffffff; }},
                   {"bands", [](Parts& p) { p.day.bands = 1; }},
                   {"bands", [](Parts& p) { p.day.bands = 6; }},

@@ -22,7 +22,9 @@ Offset<format::Light> build(FlatBufferBuilder& b, const LightParts& l) {
 }
 
 Offset<format::Gradient> build(FlatBufferBuilder& b, const GradientParts& g) {
-  return g.there ? format::CreateGradientDirect(b, g.width, g.height, &g.rgb) : Offset<format::Gradient>();
+  return g.there ? format::CreateGradientDirect(b, g.width, g.height, g.rgb.empty() ? nullptr : &g.rgb,
+                                                g.rgb9e5.empty() ? nullptr : &g.rgb9e5)
+                 : Offset<format::Gradient>();
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ struct LightParts {
 
 struct GradientParts {
   std::uint32_t width = 1, height = 2;
-  std::vector<float> rgb = std::vector<float>(6, 0.5F);
+  std::vector<float> rgb = std::vector<float>(6, 0.5F);  // none: left out
+  std::vector<std::uint32_t> rgb9e5;                     // none: left out
   bool there = true;
 };
 

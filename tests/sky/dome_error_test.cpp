@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of the analytic dome: what the runtime evaluates from a file against the model that was baked.
+#include "sky/dome_error.h"
+
 #include <catch2/catch.hpp>
 #include <welkin/welkin.hpp>
 
@@ -8,6 +10,19 @@
 #include "tests/sky/some_skies.h"
 
 namespace welkin::sky {
+namespace {
+
+std::vector<std::byte> bakedFile(const Sky& sky, GradientFormat format) {
+  SkyFile file;
+  file.sky = sky;
+  file.settings = "{}";
+  file.bake.key_time_h = {0.0};
+  file.bake.cubemap_size = 0;
+  file.bake.gradient_format = format;
+  return encodeSky(file, bakeDayTable(sky, 2, {0.0}, [] { return true; }), {});
+}
+
+}  // namespace
 
 TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
   // docs/conventions.md states this bound, of a direction's largest channel. The sample hands over the sun's direction,
@@ -16,17 +31,17 @@ TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
   constexpr double kBound = 2.8e-7;
   const DomeDirections directions({512, 256, 256});
   double worst = 0.0;
-  for (const NamedSky& named : someSkies()) {
-    SkyFile file;
-    file.sky = named.sky;
-    file.settings = "{}";
-    file.bake.key_time_h = {0.0};
-    file.bake.cubemap_size = 0;
-    const auto bytes = encodeSky(file, bakeDayTable(named.sky, 2, {0.0}, [] { return true; }), {});
+  const auto skies = someSkies();
+  for (const NamedSky& named : skies) {
+    const auto format = &named == &skies.back() ? GradientFormat::rgb9e5 : GradientFormat::rgb32f;
+    const auto bytes = bakedFile(named.sky, format);
+    Sky shown_sky = named.sky;
+    shown_sky.gradient_sun = rounded(named.sky.gradient_sun, format);
+    shown_sky.gradient_anti = rounded(named.sky.gradient_anti, format);
     welkin::Sky opened;
     REQUIRE(opened.open(bytes.data(), bytes.size()));
     for (int minute = 0; minute < 1440; minute += 13) {
-      const SkyInstant instant(named.sky, minute / 60.0);
+      const SkyInstant instant(shown_sky, minute / 60.0);
       WelkinSkySample sample{};
       REQUIRE(opened.sample(minute / 60.0, sample));
       for (const auto& [direction, solid_angle] : directions.around(instant.sunDirection())) {
@@ -49,6 +64,73 @@ TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
   }
   CAPTURE(worst);
   CHECK(worst > kBound / 1.2);
+}
+
+TEST_CASE("DomeError, OfOneColourIsItsRounding") {
+  // 1, 1/2 and a blue between two codes of 2^-8, under an even luminance: what it shows is the colour over its
+  // luminance.
+  Sky sky;
+  sky.luminance = *findLuminance("cie-5");
+  sky.sun.path.key_time_h = {0.0};
+  sky.sun.path.key_azimuth_rad = {0.4};
+  sky.sun.path.key_elevation_rad = {0.7};
+  const double blue = 0.25 + 0.4 * 0x1p-8;
+  sky.gradient_sun = sky.gradient_anti = Gradient::constant({1.0, 0.5, blue});
+  const auto error = measureGradients(sky, GradientFormat::rgb9e5, Effort::fast);
+  const double y = 0.2126 + 0.7152 * 0.5 + 0.0722 * blue;
+  const double rounded_y = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
+  // Blue is half of the luminance here, which divides: both are 1 over y.
+  CHECK(error.error == Approx(blue / y - 0.25 / rounded_y).epsilon(1e-4));  // the gradient's floats
+  CHECK(error.channel == 2);
+  CHECK(error.largest.error == Approx(error.error).epsilon(1e-9));
+  CHECK(error.mean == Approx(error.error).epsilon(1e-9));
+  CHECK(measureGradients(sky, GradientFormat::rgb32f, Effort::fast).error == 0.0);
+}
+
+TEST_CASE("DomeError, FastIsFullAndAGridThroughTheRuntime") {
+  constexpr double kAgree = 0.05;
+  for (const NamedSky& named : someSkies()) {
+    const double fast = measureGradients(named.sky, GradientFormat::rgb9e5, Effort::fast).error;
+    const double full = measureGradients(named.sky, GradientFormat::rgb9e5, Effort::full).error;
+    const auto exact_bytes = bakedFile(named.sky, GradientFormat::rgb32f);
+    const auto bytes = bakedFile(named.sky, GradientFormat::rgb9e5);
+    CHECK(bytes.size() < exact_bytes.size());
+    welkin::Sky exact;
+    welkin::Sky opened;
+    REQUIRE(exact.open(exact_bytes.data(), exact_bytes.size()));
+    REQUIRE(opened.open(bytes.data(), bytes.size()));
+    constexpr int kAzimuths = 48;
+    constexpr int kHeights = 48;
+    double worst = 0.0;
+    for (int minute = 0; minute < 1440; minute += 10) {
+      WelkinSkySample sample{};
+      REQUIRE(exact.sample(minute / 60.0, sample));
+      double square[3] = {};
+      double mean[3] = {};
+      for (int i = 0; i < kAzimuths * kHeights; ++i) {
+        const double height = (i / kAzimuths + 0.5) / kHeights;
+        const double turn = 2.0 * f64::kPi * (i % kAzimuths + 0.3) / kAzimuths;
+        const double length = std::sqrt(1.0 - height * height);
+        const float d[3] = {static_cast<float>(length * std::cos(turn)), static_cast<float>(height),
+                            static_cast<float>(length * std::sin(turn))};
+        float model[3];
+        float shown[3];
+        REQUIRE(welkin_dome_radiance(exact.get(), &sample, d, model) == WELKIN_OK);
+        REQUIRE(welkin_dome_radiance(opened.get(), &sample, d, shown) == WELKIN_OK);
+        for (int c = 0; c < 3; ++c) {
+          const double difference = double{shown[c]} - double{model[c]};
+          square[c] += difference * difference / (kAzimuths * kHeights);
+          mean[c] += double{model[c]} / (kAzimuths * kHeights);
+        }
+      }
+      const double luminance = 0.2126 * mean[0] + 0.7152 * mean[1] + 0.0722 * mean[2];
+      for (int c = 0; c < 3; ++c) worst = std::max(worst, std::sqrt(square[c]) / std::max(mean[c], luminance));
+    }
+    CAPTURE(named.name, fast, full, worst);
+    CHECK(fast == Approx(full).epsilon(kAgree));
+    CHECK(worst == Approx(full).epsilon(kAgree));
+    CHECK(full < 0.01);
+  }
 }
 
 }  // namespace welkin::sky
