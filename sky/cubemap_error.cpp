@@ -165,6 +165,29 @@ std::vector<double> instantsOf(const Sky& sky, const std::vector<double>& baked,
 
 }  // namespace
 
+namespace {
+
+constexpr int kMostColumns = 288;  // more are closer than five minutes: the instants between cubemaps meet them
+constexpr double kBend = 0.002;    // of a texel that is worth an instant, of the brightest component, which is about 1
+
+/// Columns at which a gradient's change over the day bends.
+std::vector<int> bentColumns(const Gradient& gradient) {
+  std::vector<int> list;
+  const int n = gradient.width;
+  for (int i = 0; i < n; ++i) {
+    double most = 0.0;
+    for (int j = 0; j < gradient.height; ++j) {
+      const Number3 bend =
+          gradient.texel((i + n - 1) % n, j) - gradient.texel(i, j) * 2.0 + gradient.texel((i + 1) % n, j);
+      most = std::max({most, std::abs(bend.x), std::abs(bend.y), std::abs(bend.z)});
+    }
+    if (most > kBend) list.push_back(i);
+  }
+  return list;
+}
+
+}  // namespace
+
 DomeScale::DomeScale(const Sky& sky) : floor_(0.0) {
   const DomeDirections directions({192, 0, 0});
   std::vector<double> time_h = bendsOf(sky);
@@ -197,6 +220,9 @@ std::vector<double> bendsOf(const Sky& sky) {
     }
     for (const double apart_h : {-0.12, -0.04, 0.0, 0.04, 0.12}) time_h.push_back(low + apart_h);
   }
+  for (const Gradient* gradient : {&sky.gradient_sun, &sky.gradient_anti})
+    if (gradient->width <= kMostColumns)
+      for (const int i : bentColumns(*gradient)) time_h.push_back(24.0 * (i + 0.5) / gradient->width);
   for (const auto* keys : {&sky.intensity.time_h, &sky.polarising_tint.time_h, &sky.sun.path.key_time_h})
     time_h.insert(time_h.end(), keys->begin(), keys->end());
   tidy(time_h);

@@ -65,7 +65,8 @@ class DomeScale {
   double floor_;  ///< 1e-4 of the day's brightest mean luminance
 };
 
-/// Hours at which the sky bends: keys of intensity and tint, and of a path by hand; around sunrise and sunset.
+/// Hours at which the sky bends: keys of intensity and tint, and of a path by hand; columns of the
+/// gradients; around sunrise and sunset.
 /// Ascending, in [0, 24).
 std::vector<double> bendsOf(const Sky& sky);
 

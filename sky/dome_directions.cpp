@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/dome_directions.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace welkin::sky {
@@ -38,7 +39,8 @@ std::vector<WeightedDirection> DomeDirections::around(const Number3& sun) const 
   list.reserve(even_.size() + low_.size() + about_sun_.size());
   const auto add = [&](const Number3& direction, double chord2) {
     double density = even_density_;
-    if (chord2 >= kNearest * kNearest && chord2 <= kFarthest * kFarthest) density += sun_density_ / chord2;
+    // Closer than the nearest of the crowd an even one would stand for a whole cell, and the cusp for all of it.
+    if (chord2 <= kFarthest * kFarthest) density += sun_density_ / std::max(chord2, kNearest * kNearest);
     if (direction.y >= kLowest && direction.y <= kHighest) density += low_density_ / direction.y;
     list.push_back({direction, 1.0 / density});
   };

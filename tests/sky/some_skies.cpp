@@ -17,7 +17,10 @@ Sky clearDay() {
   Sky sky;
   sky.luminance = {-1.0, -0.24, 18.0, -3.2, 0.35, 0.0};
   sky.intensity = {1, {5.0, 7.0, 11.0, 17.0, 19.5}, {0.02, 0.7, 1.9, 0.9, 0.02}};
-  sky.gradient_sun = ramp({{1.0, 0.6, 0.4}, {0.7, 0.6, 0.6}, {0.3, 0.5, 0.9}}, {0.6, 0.9, 1.0, 0.8});
+  // Irregular columns, as painted ones are: the day bends at every one.
+  const std::vector<double> columns = {0.6, 0.55, 0.62, 0.6,  0.58, 0.7,  0.9,  0.85, 0.97, 0.9, 1.0,  0.95,
+                                       1.0, 0.93, 0.98, 0.85, 0.9,  0.88, 0.75, 0.8,  0.6,  0.7, 0.62, 0.66};
+  sky.gradient_sun = ramp({{1.0, 0.6, 0.4}, {0.7, 0.6, 0.6}, {0.3, 0.5, 0.9}}, columns);
   sky.gradient_anti = ramp({{0.6, 0.6, 0.8}, {0.2, 0.4, 0.9}}, {0.7, 1.0, 0.9});
   sky.polarising_tint = {3, {6.0, 13.0}, {0.9, 1.0, 1.1, 0.8, 0.9, 1.0}};
   sky.sun.path = sunPathFromPlace(17.0, -3.5, 0.0, 2012, 172);
