@@ -39,10 +39,12 @@ BakeSettings readBake(Section section) {
   BakeSettings bake;
   if (table.has("max_error")) bake.max_error = section.number("max_error", std::nullopt);
   bake.fixed = {
-      section.isFixed("bands"), section.isFixed("keys"),
+      section.isFixed("bands"),
+      section.isFixed("keys"),
       section.isFixed("cubemap_size") || section.isFixed("cubemap_times") || section.isFixed("cubemap_format"),
-section.isFixed("gradient_format"),
-      section.isFixed("reconstruction"), section.isFixed("encoding")};
+      section.isFixed("gradient_format"),
+      section.isFixed("reconstruction"),
+      section.isFixed("encoding")};
   bake.bands = section.wholeNumberIfAny("bands").value_or(bake.bands);
   bake.key_time_h = section.hours("keys", kAutoKeys);
   bake.cubemap_size = section.wholeNumberIfAny("cubemap_size").value_or(bake.cubemap_size);

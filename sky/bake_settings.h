@@ -22,12 +22,12 @@ struct BakeSettings {
   Reconstruction reconstruction = Reconstruction::projected;
   Encoding encoding = Encoding::float32;
   bool mildest_window = false;
-  std::optional<double> max_error;  ///< none: no budget, and everything is as it stands here
+  std::optional<double> max_error = std::nullopt;  ///< none: no budget, and everything is as it stands here
 
   /// What the file says itself, which a budget keeps; it chooses the rest.
   struct Fixed {
     bool bands = false, keys = false, cubemaps = false, gradients = false, reconstruction = false, encoding = false;
-  } fixed;
+  } fixed = {};
 };
 
 /// Keys of a table with keys = "auto": one every five minutes.

@@ -33,6 +33,7 @@ struct Certificate {
     double time_h = 0.0;
     double resolution = 0.0, time = 0.0, encoding = 0.0;  ///< parts
   } cubemaps;
+  double dome_error = 0.0;  ///< of the analytic dome, in the same measure: what rounds the gradients
 };
 
 }  // namespace welkin::sky

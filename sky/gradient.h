@@ -39,6 +39,11 @@ enum class GradientFormat {
   rgb9e5   ///< shared exponent: 4 bytes, each component within 2^-9 of the texel's largest
 };
 
+/// "rgb32f" or "rgb9e5".
+constexpr const char* nameOf(GradientFormat format) {
+  return format == GradientFormat::rgb9e5 ? "rgb9e5" : "rgb32f";
+}
+
 /// The gradient as a file of that format gives it back.
 Gradient rounded(const Gradient& gradient, GradientFormat format);
 

@@ -198,9 +198,9 @@ void checkDay(Check& check, const format::Sky& sky) {
 void checkCertificate(Check& check, const format::Certificate& c) {
   constexpr const char* kName = "the certificate";
   if (!check.that(c.normal() != nullptr, kName, "has no normal")) return;
-  const double numbers[] = {c.max_error(),     c.mean_error(),      c.quadrature(),    c.truncation(),
-                            c.time(),          c.encoding(),        c.cubemap_error(), c.cubemap_resolution(),
-                            c.cubemap_blend(), c.cubemap_encoding()};
+  const double numbers[] = {c.max_error(),     c.mean_error(),       c.quadrature(),    c.truncation(),
+                            c.time(),          c.encoding(),         c.cubemap_error(), c.cubemap_resolution(),
+                            c.cubemap_blend(), c.cubemap_encoding(), c.dome_error()};
   check.that(within(std::span<const double>(numbers), 0.0, kAny), kName, "has an error out of its domain");
   const double normal[] = {c.normal()->x(), c.normal()->y(), c.normal()->z()};
   check.that(within(std::span<const double>(normal), -1.0, 1.0) && c.channel() <= 2 && c.time_h() >= 0.0 &&

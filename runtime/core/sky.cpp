@@ -226,7 +226,8 @@ WelkinResult welkin_sky_certificate(const WelkinSky* sky, WelkinCertificate* cer
                     c->cubemap_time_h(),
                     c->cubemap_resolution(),
                     c->cubemap_blend(),
-                    c->cubemap_encoding()};
+                    c->cubemap_encoding(),
+                    c->dome_error()};
   return WELKIN_OK;
 }
 

@@ -164,7 +164,8 @@ Json certificateJson(const sky::Certificate& c, const std::optional<sky::Cubemap
                  {"truncation", c.parts.truncation},
                  {"time", c.parts.time},
                  {"encoding", c.parts.encoding}}},
-               {"instants", c.instants}};
+               {"instants", c.instants},
+               {"dome", {{"max_error", c.dome_error}}}};
   if (cubemaps)
     json["cubemaps"] = {
         {"max_error", cubemaps->error},
@@ -211,11 +212,15 @@ std::string certificateText(const Json& c) {
   return text;
 }
 
-Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Certify how, ProgressReport::Style style,
+Json bakeSky(const sky::SkyFile& given, const std::filesystem::path& folder, Certify how, ProgressReport::Style style,
              Json& timing) {
   Stopwatch watch;
-  Certified certified = planAndMeasure(file, how, style, watch, timing);
+  Certified certified = planAndMeasure(given, how, style, watch, timing);
   const SkyPlan& plan = certified.plan;
+  sky::SkyFile file = given;
+  file.bake.gradient_format = plan.gradient_format;
+  file.bake.cubemap_time_h = plan.cubemap_time_h;
+  file.bake.cubemap_size = plan.cubemap_size;
   makeFolder(folder);
   Outputs outputs{folder};
 
@@ -236,6 +241,7 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Cert
                                        cubemap_error->parts.time, cubemap_error->parts.encoding};
     timing["certify_s"] = timing["certify_s"].get<double>() + watch.lap();
   }
+  if (certified.certificate) certified.certificate->dome_error = plan.dome_error;
   const sky::Certificate* certificate = certified.certificate ? &*certified.certificate : nullptr;
   outputs.write("sky.welkin", sky::encodeSky(file, plan.table, cubemaps, plan.encoding, certificate));
   removeStaleCubemaps(folder / "cubemaps", cubemapNames(plan.cubemap_time_h));
@@ -259,6 +265,7 @@ Json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Cert
                    {"format", format::nameOf(plan.cubemap_format)},
                    {"time_h", plan.cubemap_time_h},
                    {"bytes", plan.cubemap_bytes}}},
+                 {"gradients", {{"format", sky::nameOf(plan.gradient_format)}, {"bytes", plan.gradient_bytes}}},
                  {"left_out", leftOutJson(plan)}};
   if (certificate != nullptr) report["certificate"] = certificateJson(*certificate, cubemap_error);
   report["outputs"] = outputs.list;

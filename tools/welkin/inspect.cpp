@@ -68,7 +68,8 @@ Json certificateJson(const Sky& sky) {
            {{"max_error", c.cubemap_error},
             {"time_h", c.cubemap_time_h},
             {"parts",
-             {{"resolution", c.cubemap_resolution}, {"time", c.cubemap_blend}, {"encoding", c.cubemap_encoding}}}}}};
+             {{"resolution", c.cubemap_resolution}, {"time", c.cubemap_blend}, {"encoding", c.cubemap_encoding}}}}},
+          {"dome", {{"max_error", c.dome_error}}}};
 }
 
 Json skyJson(const Sky& sky) {

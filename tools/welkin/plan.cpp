@@ -41,14 +41,16 @@ void plan(const Options& options) {
   options.budget.applyTo(file.bake);
   const auto style = options.json ? ProgressReport::Style::none : ProgressReport::styleOf(options.progress);
   const SkyPlan plan = SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0));
-  const std::size_t gradient_bytes = 4 * (file.sky.gradient_sun.rgb.size() + file.sky.gradient_anti.rgb.size());
   const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
-  const std::size_t bytes = plan.table_bytes + gradient_bytes + star_bytes + plan.cubemap_bytes;
+  const std::size_t bytes = plan.table_bytes + plan.gradient_bytes + star_bytes + plan.cubemap_bytes;
   nlohmann::ordered_json inputs = nlohmann::json::array();
   for (const auto& input : file.inputs) inputs.push_back(input.name);
   const nlohmann::ordered_json json = {{"inputs", inputs},
                                        {"table", planJson(plan, file.bake.max_error)},
-                                       {"gradients", {{"bytes", gradient_bytes}}},
+                                       {"gradients",
+                                        {{"format", sky::nameOf(plan.gradient_format)},
+                                         {"bytes", plan.gradient_bytes},
+                                         {"dome_error", plan.dome_error}}},
                                        {"stars", {{"bytes", star_bytes}}},
                                        {"cubemaps",
                                         {{"count", plan.cubemap_time_h.size()},
@@ -71,8 +73,9 @@ void plan(const Options& options) {
                100.0 * plan.predicted_error, 100.0 * *file.bake.max_error);
   fmt::print("table      {} keys x {}, {} channels, {}: {} bytes\n", plan.table.key_time_h.size(),
              plan.representation.name(), plan.table.channels, sky::nameOf(plan.encoding), plan.table_bytes);
-  fmt::print("gradients  {} x {} and {} x {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
-             file.sky.gradient_anti.width, file.sky.gradient_anti.height, gradient_bytes);
+  fmt::print("gradients  {} x {} and {} x {} {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
+             file.sky.gradient_anti.width, file.sky.gradient_anti.height, sky::nameOf(plan.gradient_format),
+             plan.gradient_bytes);
   fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", plan.cubemap_time_h.size(),
              plan.cubemap_size, plan.cubemap_size, format::nameOf(plan.cubemap_format), plan.cubemap_bytes);
   fmt::print("stars      {} bytes\n", star_bytes);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sh/window.h"
+#include "sky/dome_error.h"
 #include "sky/error.h"
 #include "welkin/left_out.h"
 
@@ -85,6 +86,7 @@ SkyPlan SkyPlanner::plan(double aim) {
   SkyPlan plan;
   planTable(aim, plan);
   planCubemaps(plan);
+  planGradients(plan);
   plan.left_out = leftOut(file_, plan);
   return plan;
 }
@@ -162,6 +164,27 @@ void SkyPlanner::planCubemaps(SkyPlan& plan) {
   }
   plan.cubemap_bytes = plan.cubemap_time_h.size() * 6 * static_cast<std::size_t>(plan.cubemap_size) *
                        static_cast<std::size_t>(plan.cubemap_size) * format::texelBytes(plan.cubemap_format);
+}
+
+void SkyPlanner::planGradients(SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  const auto errorOf = [&](sky::GradientFormat format) {
+    return sky::measureGradients(file_.sky, format, sky::Effort::fast).error;
+  };
+  plan.gradient_format = bake.gradient_format;
+  if (bake.max_error && !bake.fixed.gradients) {
+    if (!dome_error_) dome_error_ = errorOf(sky::GradientFormat::rgb9e5);
+    if (*dome_error_ <= *bake.max_error) plan.gradient_format = sky::GradientFormat::rgb9e5;
+  }
+  const bool is_small = plan.gradient_format == sky::GradientFormat::rgb9e5;
+  if (is_small && !dome_error_) dome_error_ = errorOf(plan.gradient_format);
+  plan.dome_error = is_small ? *dome_error_ : 0.0;
+  if (bake.max_error && plan.dome_error > *bake.max_error)
+    throw cannotMeet(file_, fmt::format("gradient_format = \"rgb9e5\" makes an error of the dome of {:.3g}; \"rgb32f\" "
+                                        "makes none",
+                                        plan.dome_error));
+  plan.gradient_bytes =
+      (is_small ? 4 : 12) * (file_.sky.gradient_sun.rgb.size() + file_.sky.gradient_anti.rgb.size()) / 3;
 }
 
 nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error) {

@@ -42,6 +42,9 @@ struct SkyPlan {
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
   std::vector<double> cubemap_time_h;
   std::size_t cubemap_bytes = 0;
+  sky::GradientFormat gradient_format = sky::GradientFormat::rgb32f;
+  std::size_t gradient_bytes = 0;
+  double dome_error = 0.0;  ///< of the gradients' format
   std::vector<LeftOut> left_out;
 };
 
@@ -59,11 +62,13 @@ class SkyPlanner {
   struct Day;
   void planTable(double aim, SkyPlan& plan);
   void planCubemaps(SkyPlan& plan);
+  void planGradients(SkyPlan& plan);
 
   const sky::SkyFile& file_;
   ProgressReport::Style style_;
   std::unique_ptr<Day> day_;                  ///< sampled for the first plan under a budget
   std::optional<sky::CubemapPlan> cubemaps_;  ///< the same for every aim
+  std::optional<double> dome_error_;          ///< of RGB9E5
 };
 
 /// For report.json and `plan --json`.

@@ -193,6 +193,7 @@ typedef struct WelkinCertificate {
   double cubemap_error; /* of the cubemaps: root mean square over the upper hemisphere, over the dome's mean; 0: none */
   double cubemap_time_h;
   double cubemap_resolution, cubemap_blend, cubemap_encoding; /* its parts */
+  double dome_error;                                          /* of welkin_dome_radiance, in the same measure */
 } WelkinCertificate;
 
 /* What a result means, in a few words. Never null. */
