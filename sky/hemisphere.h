@@ -22,6 +22,9 @@ struct Latitude {
   Number3 sun_colour;  ///< of the two gradients
   Number3 anti_colour;
   double blend = 0.0;  ///< amplitude of the azimuth blend: the sun's weight is 1/2 + blend cos(alpha) / 2
+  // tan of half the azimuth, from the darker gradient's, over which the other takes the hue over; 1: as bright.
+  double dark_sun = 1.0;
+  double dark_anti = 1.0;
   // sin^2 of half the angle to the sun is near + reach sin^2(alpha / 2), to its antipode far + reach cos^2(alpha / 2).
   double near = 0.0;
   double far = 0.0;
@@ -47,7 +50,9 @@ struct SunFrame {
   double elevation;
   double half_sine;  ///< of half the elevation
   double half_cosine;
-  double length;  ///< horizontal length of the sun's direction
+  double length;       ///< horizontal length of the sun's direction
+  bool has_dark_rows;  ///< a gradient has a row much darker than its neighbour, or so dark that colours fade
+  double dark_side;    ///< of the two gradients where their blend starts to fade: the darker by the brighter, or 1
 };
 
 class HemisphereQuadrature {
@@ -72,14 +77,14 @@ class HemisphereQuadrature {
   /// tan(alpha / 2) at which the caller's integrand bends.
   template <typename Visit>
   void forEachAzimuth(const Latitude& at, std::span<const double> extra, Visit&& visit) const {
-    forEachAzimuthInHalf(at.near, at.reach, extra, [&](double t, double weight) {
+    forEachAzimuthInHalf(at.near, at.reach, at.dark_sun, extra, [&](double t, double weight) {
       const double norm = 1.0 / (1.0 + t * t);
       visit(Azimuth{(1.0 - t * t) * norm, 2.0 * t * norm, t * t * norm, norm, 2.0 * norm * weight});
     });
     double mirrored[4];
     const std::size_t count = std::min<std::size_t>(extra.size(), 4);
     for (std::size_t i = 0; i < count; ++i) mirrored[i] = 1.0 / extra[i];
-    forEachAzimuthInHalf(at.far, at.reach, {mirrored, count}, [&](double t, double weight) {
+    forEachAzimuthInHalf(at.far, at.reach, at.dark_anti, {mirrored, count}, [&](double t, double weight) {
       const double norm = 1.0 / (1.0 + t * t);
       visit(Azimuth{(t * t - 1.0) * norm, 2.0 * t * norm, norm, t * t * norm, 2.0 * norm * weight});
     });
@@ -89,8 +94,7 @@ class HemisphereQuadrature {
   /// directions it looked at.
   std::size_t addOrders(const SunFrame& sun, const Latitude& at, std::span<Number3> order) const;
 
-  /// Whether a gradient is dark enough here for its colours to fade, which takes twice the nodes: within the texel
-  /// beside a black one the hue changes as 1 / luminance.
+  /// Whether a gradient is dark enough here for its colours to fade.
   static bool fades(const SkyInstant& instant);
   /// tan(alpha / 2) at which the blended colour crosses the luminance under which colours fade; none gives an empty
   /// span.
@@ -99,13 +103,17 @@ class HemisphereQuadrature {
  private:
   const sh::GaussRule& ruleFor(const SunFrame& sun, double low, double high) const;
   static Latitude latitude(const SunFrame& sun, double elevation, double weight);
+  /// Panels that shrink towards a row much darker than its neighbour, where the hue changes as 1 / luminance.
+  static void addDarkRows(const GradientColumn& column, std::vector<double>& edge);
   static void addFadeCrossings(const SunFrame& sun, std::vector<double>& edge);
 
   /// Panels of t = tan(alpha / 2) over [0, 1], alpha counted from the cusp's side. The distance to the cusp is
-  /// near + (near + reach) t^2 over 1 + t^2, whose root is at t = i h: panels grow from kFirst h by kGrowth.
+  /// near + (near + reach) t^2 over 1 + t^2, whose root is at t = i h, and a dark gradient's hue has a pole at i dark:
+  /// panels grow from kFirst times the smaller of them by kGrowth.
   template <typename Visit>
-  void forEachAzimuthInHalf(double distance, double reach, std::span<const double> extra, Visit&& visit) const {
-    const double h = std::max(std::sqrt(distance / (distance + reach)), smallest_h_);
+  void forEachAzimuthInHalf(double distance, double reach, double dark, std::span<const double> extra,
+                            Visit&& visit) const {
+    const double h = std::max(std::min(std::sqrt(distance / (distance + reach)), dark), smallest_h_);
     double edge[32];
     int edges = 0;
     edge[edges++] = 0.0;

@@ -21,7 +21,7 @@ Number3 IrradianceField::excess(double y, double cos_alpha) const {
 }
 
 IrradianceProjector::IrradianceProjector(const LuminanceModel& model)
-    : quadrature_(kFieldTolerance, kOrders, model.d), fading_(kFieldTolerance * kFieldTolerance, kOrders, model.d), recurrence_(kBands) {
+    : quadrature_(kFieldTolerance, kOrders, model.d), recurrence_(kBands) {
   for (int r = 0; r < kRows; ++r) {
     const double y = det::yOfModeRow(r / (kRows - 1.0));
     row_.push_back({y, std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0))});
@@ -61,7 +61,6 @@ void IrradianceProjector::addCircle(const Latitude& at, const std::vector<Number
 }
 
 IrradianceField IrradianceProjector::fieldOf(const SkyInstant& instant) const {
-  const HemisphereQuadrature& quadrature = HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
   IrradianceField field;
   field.series.assign(row_.size() * kOrders, Number3(0.0));
   field.moments.radiance_sh.assign(polarIndex(kBands, 0), Number3(0.0));
@@ -69,9 +68,9 @@ IrradianceField IrradianceProjector::fieldOf(const SkyInstant& instant) const {
   std::vector<Number3> order(kOrders);
 
   const SunFrame sun(instant, table_ ? &*table_ : nullptr);
-  quadrature.forEachLatitude(sun, extra_, [&](const Latitude& at) {
+  quadrature_.forEachLatitude(sun, extra_, [&](const Latitude& at) {
     std::fill(order.begin(), order.end(), Number3(0.0));
-    field.moments.evaluations += quadrature.addOrders(sun, at, order);
+    field.moments.evaluations += quadrature_.addOrders(sun, at, order);
     addCircle(at, order, field);
     recurrence_.evaluate(at.sine, at.cosine, factor);
     addMoments(at, order, factor, kBands, field.moments);

@@ -52,7 +52,7 @@ class IrradianceProjector {
 
   std::vector<Row> row_;
   std::vector<double> extra_;  ///< elevations of further panels: the clip may lie anywhere
-  HemisphereQuadrature quadrature_, fading_;
+  HemisphereQuadrature quadrature_;
   sh::LatitudeRecurrence recurrence_;
   std::optional<IndicatrixTable> table_;
 };

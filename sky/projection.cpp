@@ -37,14 +37,9 @@ struct Turn {
 SkyProjector::SkyProjector(const LuminanceModel& model, int bands, double tolerance)
     : bands_(bands),
       quadrature_(toleranceFor(model, tolerance), bands, model.d),
-      fading_(tolerance * tolerance, bands, model.d),
       recurrence_(bands),
       to_world_(bands, sh::kPolarAxes) {
   if (tolerance >= kTableTolerance && model.d >= -IndicatrixTable::kSteepest) table_.emplace(model.d);
-}
-
-const HemisphereQuadrature& SkyProjector::quadratureFor(const SkyInstant& instant) const {
-  return HemisphereQuadrature::fades(instant) ? fading_ : quadrature_;
 }
 
 void addMoments(const Latitude& at, std::span<const Number3> order, std::span<const double> factor, int bands,
@@ -57,16 +52,15 @@ void addMoments(const Latitude& at, std::span<const Number3> order, std::span<co
 }
 
 PolarMoments SkyProjector::projectPolar(const SkyInstant& instant) const {
-  const HemisphereQuadrature& quadrature = quadratureFor(instant);
   PolarMoments moments;
   moments.radiance_sh.resize(polarIndex(bands_, 0));
   std::vector<double> factor(static_cast<std::size_t>(sh::coefficientCount(bands_)));
   std::vector<Number3> order(static_cast<std::size_t>(bands_));
 
   const SunFrame sun(instant, table_ ? &*table_ : nullptr);
-  quadrature.forEachLatitude(sun, {}, [&](const Latitude& at) {
+  quadrature_.forEachLatitude(sun, {}, [&](const Latitude& at) {
     std::fill(order.begin(), order.end(), Number3(0.0));
-    moments.evaluations += quadrature.addOrders(sun, at, order);
+    moments.evaluations += quadrature_.addOrders(sun, at, order);
     recurrence_.evaluate(at.sine, at.cosine, factor);
     addMoments(at, order, factor, bands_, moments);
   });
@@ -111,10 +105,9 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
   std::vector<double> extra = {tangent};
   for (double r = 0.3; r > 1e-3; r /= 3.0) extra.insert(extra.end(), {tangent - r, tangent + r});
 
-  const HemisphereQuadrature& quadrature = quadratureFor(instant);
   Number3 sum(0.0);
   const SunFrame sun(instant, table_ ? &*table_ : nullptr);
-  quadrature.forEachLatitude(sun, extra, [&](const Latitude& at) {
+  quadrature_.forEachLatitude(sun, extra, [&](const Latitude& at) {
     const double across = horizontal * at.cosine;
     const double along = normal.y * at.sine;
     for (const double side : {1.0, -1.0}) {
@@ -129,7 +122,7 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
           if (alpha > 0.0) bend[bends++] = det::sin(0.5 * alpha) / det::cos(0.5 * alpha);
         }
       }
-      quadrature.forEachAzimuth(at, {bend, bends}, [&](const Azimuth& azimuth) {
+      quadrature_.forEachAzimuth(at, {bend, bends}, [&](const Azimuth& azimuth) {
         const double lit = along + across * (azimuth.cosine * cos_facing + side * azimuth.sine * sin_facing);
         if (lit > 0.0) sum += shapeOn(sun, at, azimuth) * (azimuth.weight * at.weight * lit);
       });

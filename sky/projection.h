@@ -63,10 +63,7 @@ class SkyProjector {
 
  private:
   int bands_;
-  const HemisphereQuadrature& quadratureFor(const SkyInstant& instant) const;
-
   HemisphereQuadrature quadrature_;
-  HemisphereQuadrature fading_;  ///< where gradients are black
   sh::LatitudeRecurrence recurrence_;
   sh::Rotation to_world_;
   std::optional<IndicatrixTable> table_;
