@@ -34,6 +34,12 @@ std::vector<std::string_view> luminanceNames() {
   return names;
 }
 
+/// The rows that cannot stand beside a path: a place, a day, a phase.
+Parameter withoutPath(Parameter p) {
+  p.without_path = true;
+  return p;
+}
+
 std::vector<Parameter> rows() {
   return {
       {"", "time_h", "", Kind::part, kHours, kDay, Required{}, "of every key; ascending, periodic"},
@@ -71,11 +77,11 @@ std::vector<Parameter> rows() {
       {"sky", "ambient_saturation", "", Kind::number_or_keys, "", kFraction, 1.0, ""},
       {"sky", "ground_albedo", "", Kind::colour, "", kFraction, 0.0, ""},
       {"sky", "luminance_unit", "", Kind::number, "cd/m2", {1e-12, 1e12}, 1.0, "of radiance 1"},
-      {"sun", "latitude_deg", "", Kind::number, kDegrees, kLatitude, Required{}, "or `path`"},
-      {"sun", "longitude_deg", "", Kind::number, kDegrees, {-180.0, 180.0}, 0.0, "east positive; not beside `path`"},
-      {"sun", "utc_offset_h", "", Kind::number, kHours, {-14.0, 14.0}, "longitude_deg / 15", "not beside `path`"},
-      {"sun", "year", "", Kind::whole_number, "", {-2000.0, 6000.0}, 2000.0, "not beside `path`"},
-      {"sun", "day_of_year", "", Kind::whole_number, "", {1.0, 366.0}, Required{}, "or `path`"},
+      withoutPath({"sun", "latitude_deg", "", Kind::number, kDegrees, kLatitude, Required{}, ""}),
+      withoutPath({"sun", "longitude_deg", "", Kind::number, kDegrees, {-180.0, 180.0}, 0.0, "east positive"}),
+      withoutPath({"sun", "utc_offset_h", "", Kind::number, kHours, {-14.0, 14.0}, "longitude_deg / 15", ""}),
+      withoutPath({"sun", "year", "", Kind::whole_number, "", {-2000.0, 6000.0}, 2000.0, ""}),
+      withoutPath({"sun", "day_of_year", "", Kind::whole_number, "", {1.0, 366.0}, Required{}, ""}),
       {"sun", "north_offset_deg", "", Kind::number, kDegrees, kTurn, 0.0, "added to every azimuth"},
       {"sun", "path", "", Kind::path, "", {}, "a place and a day", ""},
       {"sun", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
@@ -83,9 +89,9 @@ std::vector<Parameter> rows() {
       {"sun", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "of a surface that faces the light"},
       {"sun", "colour", "", Kind::colour_or_keys, "", kBrightness, 1.0, "luminance above 1e-12"},
       {"sun", "disc_radius_deg", "", Kind::number, kDegrees, kDiscRadius, kSunRadius_deg, "0: no disc"},
-      {"moon", "declination_deg", "", Kind::number, kDegrees, kLatitude, Required{}, "or `path`"},
-      {"moon", "phase", "", Kind::number, "", kFraction, Required{}, "0 new, 0.5 full; or `path`"},
-      {"moon", "latitude_deg", "", Kind::number, kDegrees, kLatitude, "the sun's", "not beside `path`"},
+      withoutPath({"moon", "declination_deg", "", Kind::number, kDegrees, kLatitude, Required{}, ""}),
+      withoutPath({"moon", "phase", "", Kind::number, "", kFraction, Required{}, "0 new, 0.5 full"}),
+      withoutPath({"moon", "latitude_deg", "", Kind::number, kDegrees, kLatitude, "the sun's", ""}),
       {"moon", "north_offset_deg", "", Kind::number, kDegrees, kTurn, "the sun's", "added to every azimuth"},
       {"moon", "path", "", Kind::path, "", {}, "declination and phase", ""},
       {"moon", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
@@ -259,10 +265,12 @@ std::string domainTable() {
   std::string_view section;
   for (const Parameter& p : domain()) {
     if (p.section != section) text += fmt::format("| **[{}]** | | | | |\n", section = p.section);
+    std::string meaning(p.meaning);
+    if (p.without_path) meaning += meaning.empty() ? "not beside `path`" : ", not beside `path`";
     const std::string range = phrase(p.range);
     text += fmt::format("| {}{}{} | {}{}{}{}{} | {}{}{} | {} | {} |\n", p.key, p.part.empty() ? "" : ": ", p.part,
                         phrase(p.kind), p.words.empty() ? "" : ", `", fmt::join(p.words, "`, `"),
-                        p.words.empty() ? "" : "`", p.meaning.empty() ? "" : fmt::format("; {}", p.meaning), range,
+                        p.words.empty() ? "" : "`", meaning.empty() ? "" : "; " + meaning, range,
                         range.empty() || p.unit.empty() ? "" : " ", p.unit, phraseDefault(p), p.outside);
   }
   return text;

@@ -54,6 +54,7 @@ struct Parameter {
   std::string_view meaning;  ///< and further conditions
   std::string_view outside = "refused";
   std::vector<std::string_view> words = {};
+  bool without_path = false;  ///< cannot stand beside the section's path
 };
 
 /// In the order of the page.

@@ -47,4 +47,11 @@ std::vector<double> Section::hours(const std::string& key, int otherwise) {
   return table_.hours(key, static_cast<int>(row.range.high), otherwise, word.empty() ? nullptr : word.c_str());
 }
 
+void Section::excludeBesidePath(const std::string& must) {
+  std::vector<std::string> keys;
+  for (const Parameter& row : domain())
+    if (row.section == name_ && row.without_path) keys.emplace_back(row.key);
+  table_.exclude(keys, must);
+}
+
 }  // namespace welkin::sky

@@ -36,6 +36,9 @@ class Section {
   /// Whether the key is there and is not a word of the row's list.
   bool isFixed(const std::string& key);
 
+  /// Refuses the keys that cannot stand beside a path.
+  void excludeBesidePath(const std::string& must);
+
   const Range& rangeOf(std::string_view key, std::string_view part = "") const {
     return parameterOf(name_, key, part).range;
   }

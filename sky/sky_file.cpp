@@ -130,8 +130,7 @@ Light readSun(Section section) {
     sun.path = sunPathFromPlace(latitude, longitude, offset, year, day);
     sun.path.north_offset_rad = north;
   } else {
-    section.table().exclude({"latitude_deg", "longitude_deg", "utc_offset_h", "year", "day_of_year"},
-                            "cannot stand beside path: a sun has a place and a day, or a path");
+    section.excludeBesidePath("cannot stand beside path: a sun has a place and a day, or a path");
   }
   readLightLook(section, sun);
   section.table().finish();
@@ -153,7 +152,7 @@ Light readMoon(Section section, const LightPath& sun) {
     // New (0) it crosses the meridian with the sun, full (1/2) twelve hours later.
     moon.path.transit_h = (sun_has_place ? sun.transit_h : 12.0) + 24.0 * section.number("phase");
   } else {
-    section.table().exclude({"latitude_deg", "declination_deg", "phase"}, "cannot stand beside path");
+    section.excludeBesidePath("cannot stand beside path");
   }
   readLightLook(section, moon);
   section.table().finish();

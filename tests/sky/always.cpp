@@ -39,6 +39,10 @@ class Check {
   Fault fault_;
 };
 
+double largestOf(const Number3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 void checkLight(Check& check, const WelkinLight& light) {
   check.unit("a light's direction", light.direction);
   check.positive("a light's illuminance", double{light.illuminance});
@@ -100,14 +104,27 @@ Fault faultOfDirection(const welkin::Sky& sky, const WelkinSkySample& sample, co
   return check.fault();
 }
 
-std::vector<double> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction) {
+Shown domeOf(const sky::SkyInstant& instant, const Number3& direction) {
+  const Number3 tint = instant.sky().polarising_tint.colourAt(instant.time_h());
+  return {instant.dome(direction, Number3(0.0)),
+          largestOf(instant.shape(direction)) * instant.intensity() * largestOf(tint)};
+}
+
+std::vector<Shown> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction) {
   const float d[3] = {float(direction.x), float(direction.y), float(direction.z)};
   float dome[3];
   float irradiance[3];
   welkin_dome_radiance(sky.get(), &sample, d, dome);
   welkin_sample_irradiance(&sample, d, irradiance);
-  return {double{dome[0]},       double{dome[1]},       double{dome[2]},
-          double{irradiance[0]}, double{irradiance[1]}, double{irradiance[2]}};
+  const float* c0 = sample.ambient_sh[0];
+  const double mean = f64::kPi * f64::kShConstant * double{std::max({c0[0], c0[1], c0[2]})};
+  double size = 0.0;
+  for (int c = 0; c < 3; ++c)
+    if (const double tint = double{sample.polarising_tint[c]}; tint > 0.0)
+      size = std::max(
+          size, double{dome[c]} / tint * double{*std::max_element(sample.polarising_tint, sample.polarising_tint + 3)});
+  return {{{double{dome[0]}, double{dome[1]}, double{dome[2]}}, size},
+          {{double{irradiance[0]}, double{irradiance[1]}, double{irradiance[2]}}, mean}};
 }
 
 std::vector<Number3> specialDirections(const Number3& sun) {
@@ -123,22 +140,23 @@ std::vector<Number3> specialDirections(const Number3& sun) {
   return list;
 }
 
-double largestStep(const std::function<std::vector<double>(double)>& function, double low, double high,
-                   double resolution) {
-  std::vector<double> at_low = function(low);
-  std::vector<double> at_high = function(high);
-  std::vector<double> scale(at_low.size() / 3, 0.0);
-  const auto change = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) scale[i / 3] = std::max({scale[i / 3], std::abs(a[i]), std::abs(b[i])});
+Step largestStep(const std::function<std::vector<Shown>(double)>& function, double low, double high,
+                 double resolution) {
+  std::vector<Shown> at_low = function(low);
+  std::vector<Shown> at_high = function(high);
+  std::vector<double> size(at_low.size(), 0.0);
+  const auto change = [&](const std::vector<Shown>& a, const std::vector<Shown>& b) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      largest = std::max(largest, std::abs(a[i] - b[i]) / (scale[i / 3] > 1e-30 ? scale[i / 3] : 1.0));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (const Shown* s : {&a[i], &b[i]}) size[i] = std::max({size[i], s->size, largestOf(s->colour)});
+      largest = std::max(largest, largestOf(a[i].colour - b[i].colour) / (size[i] > 1e-30 ? size[i] : 1.0));
+    }
     return largest;
   };
   while (high - low > resolution) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
-    std::vector<double> at_middle = function(middle);
+    std::vector<Shown> at_middle = function(middle);
     if (change(at_low, at_middle) > change(at_middle, at_high)) {
       high = middle;
       at_high = std::move(at_middle);
@@ -147,7 +165,7 @@ double largestStep(const std::function<std::vector<double>(double)>& function, d
       at_low = std::move(at_middle);
     }
   }
-  return change(at_low, at_high);
+  return {change(at_low, at_high), low, high};
 }
 
 }  // namespace welkin::test

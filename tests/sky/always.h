@@ -27,18 +27,33 @@ Fault faultOfSample(const WelkinSkySample& sample);
 /// faces it.
 Fault faultOfDirection(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
 
-/// Radiance of the runtime's dome and irradiance by its SH, six numbers.
-std::vector<double> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
+/// A colour whose changes are measured: against its own largest component, or against `size` where that is larger.
+struct Shown {
+  Number3 colour;
+  double size = 0.0;
+};
+
+/// The model's dome. A channel's rounding is that of the brightest before the tint, whatever the tint makes of them:
+/// the size is the brightest channel under the largest tint.
+Shown domeOf(const sky::SkyInstant& instant, const Number3& direction);
+
+/// The runtime's dome, and irradiance by its SH, whose sum cancels: its size is the mean irradiance.
+std::vector<Shown> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
 
 /// Zenith, nadir, four on the horizon and one unit above and below it, and those that matter for a sun: towards it,
 /// away from it, and at its azimuth on the horizon.
 std::vector<Number3> specialDirections(const Number3& sun);
 
-/// The largest step of colours, three numbers each, as functions of one variable that is left when [low, high] is
-/// halved until it is `resolution` wide, always where they change more: the height of a step, and about slope times
-/// resolution where there is none. Relative to the largest component of the colour that was met, absolute when that is
-/// below 1e-30.
-double largestStep(const std::function<std::vector<double>(double)>& function, double low, double high,
-                   double resolution);
+/// A change between two places.
+struct Step {
+  double height = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// The largest step of colours as functions of one variable that is left when [low, high] is halved until it is
+/// `resolution` wide, always where they change more: the height of a step, and about slope times resolution where there
+/// is none. Relative to the largest size that was met of each, absolute when that is below 1e-30.
+Step largestStep(const std::function<std::vector<Shown>(double)>& function, double low, double high, double resolution);
 
 }  // namespace welkin::test

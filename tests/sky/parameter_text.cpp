@@ -42,15 +42,11 @@ std::string fileText(const Parameter& p, const std::string& value) {
   const std::string key(p.section.empty() ? "intensity" : p.key);
   std::map<std::string, std::map<std::string, std::string>> sections;
   sections["sky"];
-  const bool place = section == "sun" &&
-                     (key.ends_with("_deg") || key.ends_with("_h") || key == "year" || key == "day_of_year") &&
-                     key != "disc_radius_deg";
-  if (place)
+  if (section == "sun" && p.without_path)
     sections["sun"] = {{"latitude_deg", "10"}, {"day_of_year", "80"}};
   else
     sections["sun"] = {{"path", "[[0, 0, 45]]"}};
-  const bool phase = key == "declination_deg" || key == "phase" || key == "latitude_deg";
-  if (section == "moon" && phase)
+  if (section == "moon" && p.without_path)
     sections["moon"] = {{"declination_deg", "5"}, {"phase", "0.25"}, {"latitude_deg", "10"}};
   else if (section == "moon")
     sections["moon"] = {{"path", "[[0, 0, 45]]"}};

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "look.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "draw.h"
+#include "sensitivity.h"
+#include "sky/error.h"
+#include "sky/sky_file.h"
+#include "tests/sky/always.h"
+
+namespace welkin::stress {
+namespace {
+
+using sky::Number3;
+using sky::SkyInstant;
+using test::Baked;
+using test::Fault;
+
+/// What a float leaves of a direction, radians, and of a radiance, relative.
+constexpr double kFloatDirection = 2e-7;
+constexpr double kFloat = 1e-6;
+
+/// As floats hold it. Not inlined: GCC 12 drops the two conversions then.
+[[gnu::noinline]] Number3 rounded(const Number3& d) {
+  return {double{float(d.x)}, double{float(d.y)}, double{float(d.z)}};
+}
+
+/// Part of a light that counts as what it gives the ground at least.
+constexpr double kShare = 0.01;
+
+double largestOf(const Number3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+Number3 groundRadianceOf(const WelkinSkySample& sample) {
+  const float* g = sample.ground_radiance;
+  return {double{g[0]}, double{g[1]}, double{g[2]}};
+}
+
+/// The sky under test and everything that is drawn for it.
+class Look {
+ public:
+  Look(Random& random, sky::SkyFile file, Outcome& outcome)
+      : random_(random), file_(std::move(file)), outcome_(outcome), keys_(keysOf(file_)) {
+    if (random_.once(2)) drawGradients();
+    baked_.emplace(file_.sky, file_.bake.bands, keys_);
+  }
+
+  /// Everything, until the first fault.
+  Fault run(const Effort& effort) {
+    for (int i = 0; i < effort.instants; ++i)
+      if (const Fault fault = instant(drawTime(), effort.directions); !fault.empty()) return fault;
+    if (const Fault fault = stepInTime(); !fault.empty()) return fault;
+    if (const Fault fault = stepInDirection(); !fault.empty()) return fault;
+    if (random_.once(4))
+      if (const Fault fault = cubemap(); !fault.empty()) return fault;
+    return random_.once(32) ? bakeError() : Fault();
+  }
+
+ private:
+  static std::vector<double> keysOf(const sky::SkyFile& file) {
+    constexpr std::size_t kMost = 6;
+    std::vector<double> keys = file.bake.key_time_h;
+    if (keys.size() > kMost) keys = {keys[0], keys[keys.size() / 2]};
+    return keys;
+  }
+
+  void drawGradients() {
+    file_.sky.gradient_sun = drawGradient(random_);
+    file_.sky.gradient_anti = drawGradient(random_);
+    for (const auto* g : {&file_.sky.gradient_sun, &file_.sky.gradient_anti})
+      outcome_.gradients += fmt::format("a gradient of {} x {}: {}\n", g->width, g->height, fmt::join(g->rgb, " "));
+    normalise(file_.sky.gradient_sun, file_.sky.gradient_anti);
+  }
+
+  double drawTime() {
+    if (random_.once(4)) {
+      const auto& times =
+          random_.once(2) || file_.sky.sun.path.key_time_h.empty() ? keys_ : file_.sky.sun.path.key_time_h;
+      const double key = times[static_cast<std::size_t>(random_.below(static_cast<int>(times.size())))];
+      return random_.once(2) ? key : std::nextafter(key, random_.between(-1.0, 25.0));
+    }
+    return random_.between(0.0, 24.0);
+  }
+
+  Fault instant(double time_h, int directions) {
+    const SkyInstant instant(file_.sky, time_h);
+    WelkinSkySample sample{};
+    if (!baked_->sky.sample(time_h, sample)) return fmt::format("no sample at {} h", time_h);
+    if (const Fault fault = test::faultOfSample(sample); !fault.empty()) return at(time_h) + fault;
+    std::vector<Number3> looked = test::specialDirections(instant.sunDirection());
+    while (static_cast<int>(looked.size()) < directions) looked.push_back(drawDirection(random_));
+    for (const Number3& d : looked) {
+      ++outcome_.evaluations;
+      Fault fault = test::faultOfModel(instant, d);
+      if (fault.empty()) fault = test::faultOfDirection(baked_->sky, sample, d);
+      if (fault.empty()) fault = domeError(instant, sample, rounded(d));
+      if (!fault.empty()) return at(time_h) + fmt::format("direction ({}, {}, {}): ", d.x, d.y, d.z) + fault;
+    }
+    return {};
+  }
+
+  /// The runtime's dome in floats against the model's.
+  Fault domeError(const SkyInstant& instant, const WelkinSkySample& sample, const Number3& d) {
+    if (d.y < 0.0) return {};
+    const Number3 wanted = instant.dome(d, Number3(0.0));
+    const double allowed = kFloat + kFloatDirection * sensitivityAt(instant, d);
+    if (allowed > 0.1) return {};  // steeper than what a float direction can tell
+    const float f[3] = {float(d.x), float(d.y), float(d.z)};
+    float got[3];
+    welkin_dome_radiance(baked_->sky.get(), &sample, f, got);
+    const double size = test::domeOf(instant, d).size;
+    for (int c = 0; c < 3; ++c) {
+      const double expected = std::min(wanted[c], double{std::numeric_limits<float>::max()});
+      const double error = std::abs(double{got[c]} - expected) / (allowed * size + 1e-36);
+      outcome_.dome_error = std::max(outcome_.dome_error, error);
+      if (!(error <= 1.0))
+        return fmt::format("the runtime's dome is {}, the model's {}, {} of {} apart", got[c], expected, allowed, size);
+    }
+    return {};
+  }
+
+  /// The ground under lights of which at least kShare is taken for what they give it: it starts from 0 as they rise.
+  test::Shown groundOf(const SkyInstant& instant, const WelkinSkySample& sample) const {
+    return {groundRadianceOf(sample), kShare * largestOf(file_.sky.ground_albedo) * lightsAt(instant.time_h())};
+  }
+  double lightsAt(double time_h) const {
+    double sum = largestOf(file_.sky.sun.normalIrradianceAt(time_h));
+    if (file_.sky.moon) sum += largestOf(file_.sky.moon->normalIrradianceAt(time_h));
+    return sum;
+  }
+
+  Fault stepInTime() {
+    constexpr double kResolution_h = 1e-9;
+    constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / sky::kGradientDelta;  // of chromaticities, an hour
+    const double middle = drawTime();
+    const Number3 directions[] = {
+        {0, 1, 0}, Number3{0.6, 0.0, -0.8}, rounded(det::directionOf(random_.between(0, 6.28), 0.7))};
+    const auto shown = [&](double time_h) {
+      const SkyInstant instant(file_.sky, time_h);
+      WelkinSkySample sample{};
+      baked_->sky.sample(time_h, sample);
+      const test::Shown ground = groundOf(instant, sample);
+      std::vector<test::Shown> values = {ground};
+      for (const Number3& d : directions) {
+        values.push_back(test::domeOf(instant, d));
+        auto seen = test::seen(baked_->sky, sample, d);
+        seen[1].size += det::kPi * ground.size;
+        values.insert(values.end(), seen.begin(), seen.end());
+      }
+      return values;
+    };
+    const test::Step step =
+        test::largestStep(shown, middle - random_.magnitude(1e-7, 0.1), middle + 0.03, kResolution_h);
+    if (const Fault fault = steepCurve(step); !fault.empty()) return fault;
+    const SkyInstant before(file_.sky, step.low);
+    const SkyInstant after(file_.sky, step.high);
+    double slope = 0.0;
+    for (const Number3& d : directions) slope = std::max({slope, sensitivityAt(before, d), sensitivityAt(after, d)});
+    const double allowed =
+        1e-5 + (step.high - step.low) * kColumns + changeOfCurves(step) +
+        (moveOf(file_.sky.sun.path, step) + kFloatDirection) * slope +
+        (moveOf(file_.sky.sun.path, step) + (file_.sky.moon ? moveOf(file_.sky.moon->path, step) : 0.0)) / kShare;
+    return judge(step, allowed, "h");
+  }
+
+  static double moveOf(const sky::LightPath& path, const test::Step& step) {
+    return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
+  }
+
+  /// What the artist's curves change by over a step, relative: that much a sky may change too.
+  double changeOfCurves(const test::Step& step) const {
+    const sky::Sky& s = file_.sky;
+    const auto change = [](const Number3& a, const Number3& b) {
+      return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
+    };
+    double sum = change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
+                 change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
+                 20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high)) +
+                 change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
+    if (s.moon) sum += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
+    // Table keys, too, may be a second apart.
+    return sum + 4.0 * 3600.0 * (step.high - step.low);
+  }
+
+  /// Curves themselves change by no more than their largest key in the second that keys are apart.
+  Fault steepCurve(const test::Step& step) const {
+    for (const sky::Curve* curve : {&file_.sky.intensity, &file_.sky.ambient_saturation, &file_.sky.sun.illuminance}) {
+      const double largest = *std::max_element(curve->value.begin(), curve->value.end());
+      const double change = std::abs(curve->at(step.high) - curve->at(step.low));
+      if (change > largest * (3600.01 * (step.high - step.low) + 1e-9))
+        return fmt::format("a curve up to {} changes by {} between {} and {} h", largest, change, step.low, step.high);
+    }
+    return {};
+  }
+
+  Fault stepInDirection() {
+    constexpr double kResolution_rad = 1e-6;
+    const double time_h = drawTime();
+    const SkyInstant instant(file_.sky, time_h);
+    WelkinSkySample sample{};
+    baked_->sky.sample(time_h, sample);
+    // A great circle over the upper hemisphere, through the sun's vertical plane or any other.
+    const Number3 sun = instant.sunDirection();
+    const double azimuth = random_.once(2) ? std::atan2(sun.x, -sun.z) : random_.between(0.0, 6.28);
+    const auto towards = [&](double e) { return det::directionOf(azimuth, e); };
+    const test::Step step = test::largestStep(
+        [&](double e) {
+          auto values = test::seen(baked_->sky, sample, towards(e));
+          values.push_back(test::domeOf(instant, towards(e)));
+          return values;
+        },
+        random_.magnitude(1e-6, 1.0), det::kPi - 1e-6, kResolution_rad);
+    const double slope =
+        std::max(sensitivityAt(instant, towards(step.low)), sensitivityAt(instant, towards(step.high)));
+    return judge(step, 1e-5 + (step.high - step.low + kFloatDirection) * slope, "rad at " + at(time_h));
+  }
+
+  Fault judge(const test::Step& step, double allowed, const std::string& unit) {
+    if (allowed > 0.1) return {};
+    outcome_.step_measured = true;
+    if (step.height <= allowed) return {};
+    return fmt::format("a step of {} where {} is allowed, between {} and {} {}", step.height, allowed, step.low,
+                       step.high, unit);
+  }
+
+  Fault cubemap() {
+    constexpr int kSize = 4;
+    const SkyInstant instant(file_.sky, drawTime());
+    const auto image = sky::renderDome(instant, instant.groundRadiance(Number3(1.0)), sky::Layout::vulkan_cube, kSize);
+    for (const std::uint16_t half : image.rgb_half)
+      if (half >= 0x7c00) return at(instant.time_h()) + fmt::format("a texel's half float is {:#x}", half);
+    return {};
+  }
+
+  Fault bakeError() {
+    const SkyInstant instant(file_.sky, keys_[0]);
+    WelkinSkySample sample{};
+    if (instant.intensity() < 1e-12 || !baked_->sky.sample(keys_[0], sample)) return {};
+    const auto exact = sky::SkyProjector(file_.sky.luminance, file_.bake.bands, 1e-12).project(instant);
+    const Number3 c0 = exact.radiance_sh[0] * instant.intensity();
+    if (std::max({c0.x, c0.y, c0.z}) > 1e37) return {};
+    const Number3 ground = groundRadianceOf(sample);
+    const auto up = det::shBasis({0, 1, 0});
+    for (std::size_t i = 0; i < exact.radiance_sh.size(); ++i) {
+      const int band = i < 1 ? 0 : i < 4 ? 1 : i < 9 ? 2 : i < 16 ? 3 : 4;
+      const Number3 wanted = exact.radiance_sh[i] * instant.intensity() + ground * (det::groundLobe(band) * up.v[i]);
+      for (int c = 0; c < 3; ++c) {
+        const double error =
+            std::abs(double{sample.radiance_sh[i][c]} - wanted[c]) / (std::max({c0.x, c0.y, c0.z}) + ground[c] + 1e-30);
+        outcome_.bake_error = std::max(outcome_.bake_error, error);
+      }
+    }
+    if (outcome_.bake_error < sky::kTolerance) return {};
+    return fmt::format("the key at {} h is {} of c0 off, more than {}", keys_[0], outcome_.bake_error, sky::kTolerance);
+  }
+
+  static std::string at(double time_h) { return fmt::format("{} h: ", time_h); }
+
+  Random& random_;
+  sky::SkyFile file_;
+  Outcome& outcome_;
+  std::vector<double> keys_;
+  std::optional<Baked> baked_;
+};
+
+}  // namespace
+
+std::string skyFileOf(std::uint64_t seed, std::uint64_t index) {
+  Random random(seed, index);
+  return drawSkyFile(random);
+}
+
+Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const test::Folder& folder) {
+  Outcome outcome;
+  Random random(seed, index);
+  const std::string path = folder.write("sky.toml", drawSkyFile(random));
+  std::optional<sky::SkyFile> file;
+  try {
+    file = sky::readSkyFile(path);
+  } catch (const Error& e) {
+    outcome.refused = true;
+    // Numbers are drawn inside their ranges, so only what coefficients make of the sky, or black light, is refused.
+    const std::string why = e.what();
+    const bool expected =
+        why.find("makes the luminance") != std::string::npos || why.find("must not be black") != std::string::npos ||
+        why.find("bytes; at most") != std::string::npos || why.find("cubemap_size") != std::string::npos;
+    if (!expected || e.status() != ExitStatus::content) outcome.fault = "refused: " + why;
+    return outcome;
+  }
+  try {
+    outcome.fault = Look(random, *std::move(file), outcome).run(effort);
+  } catch (const std::exception& e) {
+    outcome.fault = e.what();
+  }
+  return outcome;
+}
+
+}  // namespace welkin::stress

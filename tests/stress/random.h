@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counter-based random numbers: the n-th number of a seed and an index is a hash of the three, so that any draw can be
+// repeated without those before it.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace welkin::stress {
+
+class Random {
+ public:
+  Random(std::uint64_t seed, std::uint64_t index) : key_(mixed(mixed(seed) ^ index)) {}
+
+  /// Uniform in [0, 1), 53 bits.
+  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  /// Uniform in 0 .. count - 1; the bias of count / 2^64 is nothing.
+  int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
+  bool once(int of) { return below(of) == 0; }
+  /// Uniform in its logarithm; 0 < low < high.
+  double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+
+ private:
+  /// The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
+  static std::uint64_t mixed(std::uint64_t z) {
+    z += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t next() { return mixed(key_ ^ mixed(++counter_)); }
+
+  std::uint64_t key_;
+  std::uint64_t counter_ = 0;
+};
+
+}  // namespace welkin::stress

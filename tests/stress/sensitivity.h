@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// How steep a sky is: what its dome can change by when the sun or the direction moves a little.
+#pragma once
+
+#include "sky/sky.h"
+
+namespace welkin::stress {
+
+/// Bound of the relative change of the dome's radiance in unit `direction`, y >= 0, a radian that the sun or the
+/// direction moves; for moves that are small beside the lobe's width and the layer's height.
+double sensitivityAt(const sky::SkyInstant& instant, const sky::Number3& direction);
+
+}  // namespace welkin::stress
