@@ -34,20 +34,41 @@ Nodes nodesFor(double tolerance, int orders) {
   return nodes;
 }
 
-/// Luminance of the darker of two gradient colours as a part of the brighter, not below where colours are neutral; 1
-/// where it is so much that the rules see no difference (1/10 costs 3e-6 of c0 at a bake's).
+/// Luminance of the darker of two gradient colours as a part of the brighter, not below where colours are neutral.
 double darknessOf(const Number3& darker, const Number3& brighter) {
-  constexpr double kMild = 0.1;
-  const double low = std::max(det::luminanceOf(darker), kGradientDelta);
-  const double high = std::max(det::luminanceOf(brighter), kGradientDelta);
-  return low < kMild * high ? low / high : 1.0;
+  return std::max(det::luminanceOf(darker), kGradientDelta) / std::max(det::luminanceOf(brighter), kGradientDelta);
+}
+
+// Ratios from which on panels are as small as a pole of the hue asks for: between rows, and between the gradients.
+constexpr double kDarkRow = 0.25;
+constexpr double kDarkSide = 0.1;
+
+/// The least distance of a hue's pole from the rows that it lies beyond, where a texel's hue is 1 / luminance.
+double hueScaleOf(const GradientColumn& column) {
+  double scale = det::kHalfPi;
+  for (std::size_t j = 1; j < column.row.size(); ++j) {
+    const Number3& a = column.row[j - 1];
+    const Number3& b = column.row[j];
+    if (a == b) continue;
+    const double ratio = std::min(darknessOf(a, b), darknessOf(b, a));
+    const double reach = det::kHalfPi / static_cast<double>(column.row.size());
+    scale = std::min(scale, reach * ratio / std::max(1.0 - ratio, 1e-3));
+  }
+  return scale;
 }
 
 bool hasDarkRows(const GradientColumn& column) {
   for (std::size_t j = 1; j < column.row.size(); ++j)
-    if (darknessOf(column.row[j - 1], column.row[j]) < 1.0 || darknessOf(column.row[j], column.row[j - 1]) < 1.0)
+    if (darknessOf(column.row[j - 1], column.row[j]) < kDarkRow ||
+        darknessOf(column.row[j], column.row[j - 1]) < kDarkRow)
       return true;
   return false;
+}
+
+/// 1 where the other gradient is not much brighter.
+double darkSide(const Number3& darker, const Number3& brighter) {
+  const double ratio = darknessOf(darker, brighter);
+  return ratio < kDarkSide ? ratio : 1.0;
 }
 
 double cuspScale(const LuminanceModel& m) {
@@ -64,10 +85,11 @@ SunFrame::SunFrame(const SkyInstant& instant_, const IndicatrixTable* table_)
       half_cosine(det::cos(0.5 * elevation)),
       length(det::horizontalLength(instant_.sunDirection())),
       has_dark_rows(HemisphereQuadrature::fades(instant_) || hasDarkRows(instant_.sunColumn()) ||
-                    hasDarkRows(instant_.antiColumn())) {
+                    hasDarkRows(instant_.antiColumn())),
+      hue_scale(std::min(hueScaleOf(instant_.sunColumn()), hueScaleOf(instant_.antiColumn()))) {
   const Number3 at_sun = instant.sunColumn().at(kFadeElevation);
   const Number3 opposite = instant.antiColumn().at(kFadeElevation);
-  dark_side = std::min(darknessOf(at_sun, opposite), darknessOf(opposite, at_sun));
+  dark_side = std::min(darkSide(at_sun, opposite), darkSide(opposite, at_sun));
 }
 
 HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders, double d) {
@@ -152,6 +174,7 @@ void HemisphereQuadrature::addDarkRows(const GradientColumn& column, std::vector
       const int bright = j - side;
       const double ratio =
           darknessOf(column.row[static_cast<std::size_t>(dark)], column.row[static_cast<std::size_t>(bright)]);
+      if (ratio >= kDarkRow) continue;
       const double reach = column.centre(bright) - column.centre(dark);
       for (double r = ratio; r < 1.0; r *= kRatio) edge.push_back(column.centre(dark) + r * reach);
     }
@@ -209,7 +232,7 @@ const sh::GaussRule& HemisphereQuadrature::ruleFor(const SunFrame& sun, double l
   if (sun.has_dark_rows || (sun.dark_side < 1.0 && low >= kFadeElevation)) return fine_;
   const LuminanceModel& m = sun.instant.sky().luminance;
   const double width = high - low;
-  double scale = 1.0;  // over which the sky changes here
+  double scale = std::min(1.0, 3.0 * sun.hue_scale);  // over which the sky changes here
   if (m.a != 0.0) scale = std::min(scale, std::max(low, width));
   if (m.c != 0.0) scale = std::min(scale, std::max({low - sun.elevation, sun.elevation - high, cuspScale(m) / 4.0}));
   return width > 0.3 * scale ? fine_ : width > 0.1 * scale ? middle_ : coarse_;
@@ -226,8 +249,8 @@ Latitude HemisphereQuadrature::latitude(const SunFrame& sun, double elevation, d
   at.sun_colour = sun.instant.sunColumn().at(elevation);
   at.anti_colour = sun.instant.antiColumn().at(elevation);
   at.blend = at.cosine / std::max(at.cosine, det::kAzimuthFade) * sun.length / std::max(sun.length, det::kAzimuthFade);
-  at.dark_sun = std::sqrt(darknessOf(at.sun_colour, at.anti_colour));
-  at.dark_anti = std::sqrt(darknessOf(at.anti_colour, at.sun_colour));
+  at.dark_sun = std::sqrt(darkSide(at.sun_colour, at.anti_colour));
+  at.dark_anti = std::sqrt(darkSide(at.anti_colour, at.sun_colour));
   const double below = half_sine * sun.half_cosine - half_cosine * sun.half_sine;  // sin of half the difference
   const double above = half_sine * sun.half_cosine + half_cosine * sun.half_sine;
   at.near = below * below;

@@ -52,6 +52,7 @@ struct SunFrame {
   double half_cosine;
   double length;       ///< horizontal length of the sun's direction
   bool has_dark_rows;  ///< a gradient has a row much darker than its neighbour, or so dark that colours fade
+  double hue_scale;    ///< of the elevations over which a gradient's hue changes, radians
   double dark_side;    ///< of the two gradients where their blend starts to fade: the darker by the brighter, or 1
 };
 
@@ -114,10 +115,11 @@ class HemisphereQuadrature {
   void forEachAzimuthInHalf(double distance, double reach, double dark, std::span<const double> extra,
                             Visit&& visit) const {
     const double h = std::max(std::min(std::sqrt(distance / (distance + reach)), dark), smallest_h_);
+    const double growth = dark < 1.0 ? kDarkGrowth : kGrowth;
     double edge[32];
     int edges = 0;
     edge[edges++] = 0.0;
-    for (double t = kFirst * h; t < 0.5 * (1.0 + 1.0 / kGrowth); t *= kGrowth) edge[edges++] = t;
+    for (double t = kFirst * h; t < 0.5 * (1.0 + 1.0 / growth); t *= growth) edge[edges++] = t;
     edge[edges++] = 1.0;
     for (const double t : extra.first(std::min<std::size_t>(extra.size(), 4))) {
       if (!(t > 0.0 && t < 1.0)) continue;
@@ -128,8 +130,9 @@ class HemisphereQuadrature {
     for (int i = 1; i < edges; ++i) sh::forEachNode(azimuth_, edge[i - 1], edge[i], visit);
   }
 
-  static constexpr double kFirst = 1.25;  ///< the first panel's end, in units of h
-  static constexpr double kGrowth = 5.0;  ///< of the panels after it
+  static constexpr double kFirst = 1.25;      ///< the first panel's end, in units of h
+  static constexpr double kGrowth = 5.0;      ///< of the panels after it
+  static constexpr double kDarkGrowth = 2.5;  ///< the same beside a pole, which is stronger than a cusp
   double smallest_h_;
   sh::GaussRule coarse_, middle_, fine_, azimuth_;
 };
