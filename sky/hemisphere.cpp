@@ -39,9 +39,8 @@ double darknessOf(const Number3& darker, const Number3& brighter) {
   return std::max(det::luminanceOf(darker), kGradientDelta) / std::max(det::luminanceOf(brighter), kGradientDelta);
 }
 
-// Ratios from which on panels are as small as a pole of the hue asks for: between rows, and between the gradients.
-constexpr double kDarkRow = 0.25;
-constexpr double kDarkSide = 0.1;
+// From this ratio on panels are as small as a pole of the hue asks for: between rows, and between the gradients.
+constexpr double kDark = 0.25;
 
 /// The least distance of a hue's pole from the rows that it lies beyond, where a texel's hue is 1 / luminance.
 double hueScaleOf(const GradientColumn& column) {
@@ -59,8 +58,7 @@ double hueScaleOf(const GradientColumn& column) {
 
 bool hasDarkRows(const GradientColumn& column) {
   for (std::size_t j = 1; j < column.row.size(); ++j)
-    if (darknessOf(column.row[j - 1], column.row[j]) < kDarkRow ||
-        darknessOf(column.row[j], column.row[j - 1]) < kDarkRow)
+    if (darknessOf(column.row[j - 1], column.row[j]) < kDark || darknessOf(column.row[j], column.row[j - 1]) < kDark)
       return true;
   return false;
 }
@@ -68,7 +66,7 @@ bool hasDarkRows(const GradientColumn& column) {
 /// 1 where the other gradient is not much brighter.
 double darkSide(const Number3& darker, const Number3& brighter) {
   const double ratio = darknessOf(darker, brighter);
-  return ratio < kDarkSide ? ratio : 1.0;
+  return ratio < kDark ? ratio : 1.0;
 }
 
 double cuspScale(const LuminanceModel& m) {
@@ -174,7 +172,7 @@ void HemisphereQuadrature::addDarkRows(const GradientColumn& column, std::vector
       const int bright = j - side;
       const double ratio =
           darknessOf(column.row[static_cast<std::size_t>(dark)], column.row[static_cast<std::size_t>(bright)]);
-      if (ratio >= kDarkRow) continue;
+      if (ratio >= kDark) continue;
       const double reach = column.centre(bright) - column.centre(dark);
       for (double r = ratio; r < 1.0; r *= kRatio) edge.push_back(column.centre(dark) + r * reach);
     }
