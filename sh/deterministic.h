@@ -17,6 +17,7 @@
 #define INLINE inline
 #define CONSTANT inline constexpr
 #define NUMBER(literal) Number(literal)
+#define SCALED(factor, value) ((factor) != Number(0) ? (factor) * (value) : Number(0))
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "Baked bytes need IEEE arithmetic: no -ffast-math, -fassociative-math or -freciprocal-math"
@@ -59,6 +60,7 @@ inline Number atan(Number y, Number x) {
 #include "formulas.glsl"  // NOLINT(bugprone-suspicious-include)
 }  // namespace welkin::det
 
+#undef SCALED
 #undef NUMBER
 #undef CONSTANT
 #undef INLINE

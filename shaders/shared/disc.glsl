@@ -13,7 +13,8 @@ INLINE Number discCoverage(Number angle_rad, Number radius_rad, Number pixel_rad
 // Brightness of the moon's disc in unit `direction`, relative to a full moon's: its sphere is lit by the sun, the
 // terminator softened as by a rough surface, with a little earthshine on the night side. A full moon is a flat disc.
 INLINE Number moonPhase(Number3 direction, Number3 moon, Number radius_rad, Number3 sun) {
-  Number3 across = (direction - moon * dot(direction, moon)) / sin(max(radius_rad, NUMBER(1e-4)));
+  Number3 offset = direction - moon;  // exact where they are close; direction - moon dot(direction, moon) cancels there
+  Number3 across = (offset - moon * dot(offset, moon)) / sin(max(radius_rad, NUMBER(1e-4)));
   Number from_centre = min(dot(across, across), NUMBER(1.0));
   Number3 normal = across - moon * sqrt(NUMBER(1.0) - from_centre);
   Number lit = clamp(dot(normal, sun) * NUMBER(4.0) + NUMBER(0.2), NUMBER(0.0), NUMBER(1.0));

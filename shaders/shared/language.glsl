@@ -6,6 +6,8 @@
 #define INLINE
 #define CONSTANT const
 #define NUMBER(literal) literal
+// factor * value; C++ leaves the value alone where the factor is 0, a shader takes it rather than a branch.
+#define SCALED(factor, value) ((factor) * (value))
 #define Number float
 #define Number3 vec3
 

@@ -15,11 +15,15 @@ struct LuminanceModel {
   Number k;
 };
 
-// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. For a = -1 no digits are lost
-// near the zenith: 1 - exp(x) = -expm1(x).
+// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. No digits are lost: a negative a
+// takes 1 + a exp(x) = (1 + a) + a expm1(x), where 1 and a would cancel at the zenith, a positive one the sum as it is,
+// where 1 + a and a would cancel at the horizon. One of them has the factor 0.
 INLINE Number gradation(LuminanceModel m, Number cos_zenith) {
   if (!(cos_zenith > NUMBER(0.0))) return NUMBER(1.0);
-  return (NUMBER(1.0) + m.a) + m.a * expMinusOne(m.b / cos_zenith) + m.k * cos_zenith;
+  Number below = min(m.a, NUMBER(0.0));
+  Number above = max(m.a, NUMBER(0.0));
+  Number x = m.b / cos_zenith;
+  return (NUMBER(1.0) + below) + SCALED(below, expMinusOne(x)) + SCALED(above, exp(x)) + m.k * cos_zenith;
 }
 
 // g from exp(d theta), exp(d pi/2) and the cosine of theta, the angle to the sun.

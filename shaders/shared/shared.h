@@ -10,6 +10,7 @@
 #define INLINE inline
 #define CONSTANT inline constexpr
 #define NUMBER(literal) Number(literal)
+#define SCALED(factor, value) ((factor) != Number(0) ? (factor) * (value) : Number(0))
 
 #define WELKIN_STANDARD_FUNCTIONS          \
   inline Number exp(Number x) {            \
@@ -54,6 +55,7 @@ WELKIN_STANDARD_FUNCTIONS
 // NOLINTEND(bugprone-suspicious-include)
 
 #undef WELKIN_STANDARD_FUNCTIONS
+#undef SCALED
 #undef NUMBER
 #undef CONSTANT
 #undef INLINE
