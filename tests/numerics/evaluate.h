@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shared formulas on the CPU, as floats and as doubles, for the same arguments.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace welkin::numerics {
+
+/// A result of an evaluation: of a formula, or a component of it.
+struct Slot {
+  std::string formula;
+  std::string arguments;  ///< which ones matter
+};
+
+/// What an evaluation returns, in its order.
+const std::vector<Slot>& slots();
+
+/// Value and size (formulas.h) of every slot.
+struct Values {
+  std::vector<double> value;
+  std::vector<double> size;
+};
+
+void evaluateAsFloats(std::span<const float> arguments, Values& out);
+void evaluateAsDoubles(std::span<const float> arguments, Values& out);
+
+/// Arguments of the evaluations from `first` on: uniform ones, and for each formula those near its edges: directions at
+/// the poles, on the horizon and close to each other, small angles, small exponents, dark colours. The same for every
+/// call.
+std::vector<float> drawArguments(std::size_t first, std::size_t count);
+
+/// The arguments that matter to a slot, in words.
+std::string describe(const Slot& slot, std::span<const float> arguments);
+
+}  // namespace welkin::numerics

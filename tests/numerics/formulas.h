@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every shared formula once, as calls that compile as GLSL and as C++: PUT(name, size, arguments, value) and PUT3 for a
+// vector. An error counts in units of the last place of the value or of `size`, whichever is larger: 0 where the
+// formula owes its relative digits, and otherwise what its value is added to or multiplied with. `arguments` says which
+// of the arguments of body.h matter.
+#ifndef WELKIN_NUMERICS_FORMULAS_H
+#define WELKIN_NUMERICS_FORMULAS_H
+
+#define WELKIN_MODEL(a, b, c, d, e, k) LuminanceModel(NUMBER(a), NUMBER(b), NUMBER(c), NUMBER(d), NUMBER(e), NUMBER(k))
+
+#define WELKIN_FORMULAS_OF_ANGLES                                                                                   \
+  PUT3(directionOf, 1.0, "az el", directionOf(azimuth_rad, angle_rad))                                              \
+  PUT(horizontalLength, 0.0, "a", horizontalLength(a))                                                              \
+  PUT(elevationOf, 0.0, "a", elevationOf(a))                                                                        \
+  PUT(angleBetween, 0.0, "a b", angleBetween(a, b))                                                                 \
+  PUT(angleBetween_opposite, 0.0, "a b", angleBetween(a, -b))                                                       \
+  PUT3(celestialDirection, 1.0, "az el t", celestialDirection(azimuth_rad, angle_rad, t* NUMBER(1.5), NUMBER(0.7))) \
+  PUT3(equatorialOf, 1.0, "a el", equatorialOf(a, angle_rad, NUMBER(0.7)))                                          \
+  PUT3(starCoordinates, NUMBER(1.0) / horizontalLength(equatorialOf(a, angle_rad, NUMBER(0.7))), "a el az",         \
+       starCoordinates(a, angle_rad, NUMBER(0.7), azimuth_rad))                                                     \
+  PUT(discCoverage, 1.0, "s t", discCoverage(s* NUMBER(0.02), NUMBER(0.01), NUMBER(0.001) + t * NUMBER(0.01)))      \
+  PUT(moonPhase, 1.0, "a b near", moonPhase(near_b, b, NUMBER(0.0047), a))                                          \
+  PUT(ditherAt, 1.0, "s t", ditherAt(int(s * NUMBER(4096.0)), int(t * NUMBER(4096.0))))
+
+#define WELKIN_FORMULAS_OF_LUMINANCE                                      \
+  PUT(expMinusOne, 0.0, "x", expMinusOne(x))                              \
+  PUT(gradation_clear, 0.0, "y", gradation(clear_sky, up))                \
+  PUT(gradation_thin, 0.0, "y", gradation(thin, up))                      \
+  PUT(gradation_overcast, 0.0, "y", gradation(overcast, up))              \
+  PUT(gradation_strong, 0.0, "y", gradation(strong, up))                  \
+  PUT(indicatrix_clear, 0.0, "theta", indicatrix(clear_sky, theta))       \
+  PUT(indicatrix_delta, 0.0, "theta", indicatrix(delta, theta))           \
+  PUT(indicatrix_strong, 0.0, "theta", indicatrix(strong, theta))         \
+  PUT(constantNorm_sun, 0.0, "", constantNorm(clear_sky, true))           \
+  PUT(constantNorm_zenith, 0.0, "", constantNorm(clear_sky, false))       \
+  PUT(luminanceNorm_sun, 0.0, "b", luminanceNorm(clear_sky, b, true))     \
+  PUT(luminanceNorm_zenith, 0.0, "b", luminanceNorm(clear_sky, b, false)) \
+  PUT(relativeLuminance, 0.0, "a b", relativeLuminance(clear_sky, a, b, NUMBER(1.5)))
+
+#define WELKIN_FORMULAS_OF_COLOUR                                                 \
+  PUT(luminanceOf, 0.0, "rgb", luminanceOf(rgb))                                  \
+  PUT3(chromaticity, 1.0, "rgb", chromaticity(rgb, NUMBER(1e-4)))                 \
+  PUT3(desaturate, luminanceOf(rgb), "rgb s", desaturate(rgb, s))                 \
+  PUT(srgbDecode, 0.0, "s", srgbDecode(s))                                        \
+  PUT(srgbEncode, 0.0, "s", srgbEncode(s))                                        \
+  PUT(gradientColumn, 64.0, "t", gradientColumn(t* NUMBER(23.999), NUMBER(64.0))) \
+  PUT(gradientRow, 64.0, "el", gradientRow(angle_rad, NUMBER(64.0)))              \
+  PUT(azimuthWeight, 1.0, "a b", azimuthWeight(a, b))                             \
+  PUT(starFade, 1.0, "s t", starFade(s, NUMBER(0.01) + t))
+
+#endif

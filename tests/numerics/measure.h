@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The largest error of every shared formula in units of the last place, and where it is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace welkin::numerics {
+
+struct Worst {
+  double ulp = 0.0;
+  std::string where;
+};
+
+struct Measured {
+  std::string formula;
+  Worst floats;        ///< the CPU's floats against double
+  Worst gpu;           ///< the device's against double
+  double apart = 0.0;  ///< the device's against the CPU's floats, ulp
+};
+
+/// Over `count` evaluations of evaluate.h; components of a formula count together. `gpu`: on the first Vulkan device,
+/// whose name goes into `device`.
+std::vector<Measured> measure(std::size_t count, bool gpu, std::string& device);
+
+}  // namespace welkin::numerics
