@@ -27,8 +27,7 @@ struct Reading {
   void record(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
     for (const Input& input : inputs)
       if (input.path == path) return;
-    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-    inputs.push_back({name, path, hash.low64, hash.high64});
+    inputs.push_back(inputOf(name, path, bytes));
   }
   Image image(const TomlTable& table, const std::string& key, const toml::node& at) {
     const auto name = *at.value<std::string>();
@@ -197,6 +196,11 @@ void warnOfPath(TomlTable& table, const std::string& light, const LightPath& pat
 }
 
 }  // namespace
+
+Input inputOf(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {name, path, hash.low64, hash.high64};
+}
 
 SkyFile readSkyFile(const std::filesystem::path& path) {
   const std::string file = path.string();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Input {
   std::uint64_t xxh3_low = 0;
   std::uint64_t xxh3_high = 0;
 };
+
+Input inputOf(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct SkyFile {
   Sky sky;

@@ -57,6 +57,7 @@ void GltfMeshes::readMaterial(const tinygltf::Primitive& primitive, const std::s
     piece.albedo[i] = f;
   }
   piece.double_sided = material.doubleSided;
+  piece.roughness = material.pbrMetallicRoughness.roughnessFactor;
 }
 
 GltfPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive, const std::string& what) {

@@ -18,7 +18,8 @@ struct GltfPiece {
   int32_t vertex_offset = 0;
   f64::Number3 albedo;  ///< times the vertex colours
   bool double_sided = false;
-  Bounds bounds;  ///< in the mesh's axes
+  double roughness = 1.0;  ///< 0: a mirror
+  Bounds bounds;           ///< in the mesh's axes
 };
 
 class GltfMeshes {

@@ -154,6 +154,7 @@ class GltfReader {
         instance.albedo[row] = static_cast<float>(piece.albedo[row]);
       }
       placings_.push_back({&piece, role, t.determinant() < 0.0, instance});
+      scene_.least_roughness = std::min(scene_.least_roughness, piece.roughness);
       Bounds& bounds = role == Role::water ? scene_.water : scene_.bounds;
       for (int corner = 0; corner < 8; ++corner)
         bounds.add(t.point({(corner & 1) != 0 ? piece.bounds.high.x : piece.bounds.low.x,

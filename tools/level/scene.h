@@ -48,8 +48,9 @@ struct Scene {
   std::vector<uint32_t> indices;
   std::vector<Instance> instances;
   std::vector<Draw> draws;
-  Bounds bounds;  ///< of all but the water
-  Bounds water;   ///< empty without water
+  Bounds bounds;                 ///< of all but the water
+  Bounds water;                  ///< empty without water
+  double least_roughness = 1.0;  ///< of all materials, water included; 0: a mirror
 };
 
 /// Reads every geometry of a level; at least one draw comes of it. Throws Error as readLevelFile does, naming the file

@@ -12,6 +12,7 @@
 #include "welkin/bake_sky.h"
 #include "welkin/budget_option.h"
 #include "welkin/commands.h"
+#include "welkin/subject.h"
 #include "welkin/warnings.h"
 
 namespace welkin::tools {
@@ -45,7 +46,8 @@ void bake(const Options& options) {
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  sky::SkyFile file = sky::readSkyFile(options.file);
+  Subject subject = readSubject(options.file);
+  sky::SkyFile& file = subject.sky;
   options.budget.applyTo(file.bake);
   const Certify how = options.certify == "none"   ? Certify::none
                       : options.certify == "full" ? Certify::full
@@ -73,8 +75,9 @@ void bake(const Options& options) {
 
 void addBake(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("bake", "Bake a sky file into a folder");
-  command->add_option("FILE", options->file, "sky.toml")->required();
+  auto* command = app.add_subcommand("bake", "Bake a sky file, or the sky of a level file, into a folder");
+  command->add_option("FILE", options->file, "sky.toml, or level.toml: its sky, with what the level requires")
+      ->required();
   command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
   command->add_option("--threads", options->threads, "Threads; 0: all. The outputs do not depend on it")
       ->check(CLI::Range(0, 4096))

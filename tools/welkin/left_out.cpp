@@ -39,8 +39,10 @@ std::vector<LeftOut> leftOut(const sky::SkyFile& file, const SkyPlan& plan) {
   if (!file.sky.moon) list.push_back({"moon", "there is no [moon]", 0, 0.0});
   if (!file.sky.stars) list.push_back({"stars", "there is no [stars]", 0, 0.0});
   if (plan.cubemap_time_h.empty())
-    list.push_back(
-        {"cubemaps", "cubemap_size is 0: nothing reflects the sky", 8UL * 6 * 128 * 128 * 8, 8.0 * 6 * 128 * 128 * 3});
+    list.push_back({"cubemaps",
+                    file.bake.cubemap_size == 0 ? "cubemap_size is 0"
+                                                : "no surface of the level is smooth enough to reflect the sky",
+                    8UL * 6 * 128 * 128 * 8, 8.0 * 6 * 128 * 128 * 3});
   return list;
 }
 

@@ -10,6 +10,7 @@
 #include "welkin/budget_option.h"
 #include "welkin/commands.h"
 #include "welkin/sky_plan.h"
+#include "welkin/subject.h"
 #include "welkin/warnings.h"
 
 namespace welkin::tools {
@@ -37,7 +38,8 @@ struct Options {
 
 void plan(const Options& options) {
   catchInterrupts();
-  sky::SkyFile file = sky::readSkyFile(options.file);
+  Subject subject = readSubject(options.file);
+  sky::SkyFile& file = subject.sky;
   options.budget.applyTo(file.bake);
   const auto style = options.json ? ProgressReport::Style::none : ProgressReport::styleOf(options.progress);
   const SkyPlan plan = SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0));
@@ -91,7 +93,8 @@ void plan(const Options& options) {
 void addPlan(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("plan", "Say what a bake would make, and how large");
-  command->add_option("FILE", options->file, "sky.toml")->required();
+  command->add_option("FILE", options->file, "sky.toml, or level.toml: its sky, with what the level requires")
+      ->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
       ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a bake is asked for: a sky, or a level, whose sky is baked with what the level requires.
+#pragma once
+
+#include <filesystem>
+
+#include "sky/sky_file.h"
+
+namespace welkin::tools {
+
+/// Surfaces as smooth as this reflect the sky in a way that cubemaps show; rougher ones see little but its irradiance.
+inline constexpr double kReflectiveRoughness = 0.5;
+
+struct Subject {
+  sky::SkyFile sky;               ///< its inputs include the level's files
+  bool nothing_reflects = false;  ///< a level without a surface of kReflectiveRoughness or less: no cubemaps then,
+                                  ///< unless the sky file asks for some
+};
+
+/// Reads a sky file or a level file, told apart by their sections. Throws Error.
+Subject readSubject(const std::filesystem::path& path);
+
+}  // namespace welkin::tools
