@@ -51,11 +51,15 @@ ModeTable mapOf(const ModeSet& modes, int columns, int rows, int bands) {
   map.texels.resize(width * height * modes.count());
   for (std::size_t k = 0; k < modes.count(); ++k) {
     const std::vector<double> value = atCentres(modes.mode[k], width, height);
+    const auto rowBend = [&](std::size_t i, std::size_t j) {
+      return secondDifference(value.data() + j * width + i, j, height, static_cast<std::ptrdiff_t>(width));
+    };
+    double zenith = 0.0;  // there all columns are one normal
+    for (std::size_t i = 0; i < width; ++i) zenith += rowBend(i, height - 1) / static_cast<double>(width);
     for (std::size_t j = 0; j < height; ++j)
       for (std::size_t i = 0; i < width; ++i) {
         const double* at = value.data() + j * width + i;
-        const double bend =
-            secondDifference(at, i, width, 1) + secondDifference(at, j, height, static_cast<std::ptrdiff_t>(width));
+        const double bend = j + 1 == height ? zenith : secondDifference(at, i, width, 1) + rowBend(i, j);
         const double texel = *at - bend / 16.0;
         map.texels[(j * width + i) * modes.count() + k] = Imath::half(static_cast<float>(texel)).bits();
       }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// A day sampled at a few hours, as tables are planned from it, and the normals and skies that tests look at.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+#include <welkin/welkin.hpp>
+
+#include "sky/encode.h"
+#include "sky/representation.h"
+#include "sky/toml_table.h"
+
+namespace welkin::test {
+
+struct SampledDay {
+  sky::Sky sky;
+  sky::DayFields fields;
+  sky::ErrorGrid grid;
+  sky::DayValues values;
+
+  SampledDay(sky::Sky sky_, const std::vector<double>& time_h)
+      : sky(std::move(sky_)),
+        fields(sky::sampleDay(sky, time_h, sky::brightestOf(sky), [] { return true; })),
+        values(fields, grid) {}
+  SampledDay(const SampledDay&) = delete;
+  SampledDay& operator=(const SampledDay&) = delete;
+};
+
+/// The sun stands still at an elevation and azimuth 40 degrees; grey, intensity 1.
+inline sky::Sky stillSky(const sky::LuminanceModel& model, double elevation_deg) {
+  constexpr double kDegree = M_PI / 180.0;
+  sky::Sky sky;
+  sky.luminance = model;
+  sky.sun.path.key_time_h = {0.0};
+  sky.sun.path.key_azimuth_rad = {40.0 * kDegree};
+  sky.sun.path.key_elevation_rad = {elevation_deg * kDegree};
+  return sky;
+}
+
+/// The world's direction of a normal of component y, at an azimuth from that of the instant's sun.
+inline sky::Number3 normalAt(const sky::SkyInstant& instant, double y, double alpha) {
+  const double across = std::sqrt(std::max(1.0 - y * y, 0.0));
+  const double azimuth = std::atan2(instant.sunDirection().x, -instant.sunDirection().z) + alpha;
+  return {across * std::sin(azimuth), y, -across * std::cos(azimuth)};
+}
+
+/// A table as the file of a sky, opened by the runtime. Throws std::runtime_error with the runtime's message.
+struct OpenedTable {
+  std::vector<std::byte> bytes;
+  welkin::Sky sky;
+
+  OpenedTable(const sky::Sky& model, const sky::DayTable& table, sky::Encoding encoding = sky::Encoding::float32) {
+    sky::SkyFile file;
+    file.sky = model;
+    file.settings = "{}";
+    file.bake.key_time_h = table.key_time_h;
+    bytes = sky::encodeSky(file, table, {}, encoding);
+    const Status status = sky.open(bytes.data(), bytes.size());
+    if (!status) throw std::runtime_error(std::string("the runtime refuses the table: ") + status.message);
+  }
+
+  WelkinSkySample at(double time_h) const {
+    WelkinSkySample sample{};
+    if (!sky.sample(time_h, sample)) throw std::runtime_error("the runtime cannot sample the table");
+    return sample;
+  }
+  sky::Number3 irradiance(const WelkinSkySample& sample, const sky::Number3& normal) const {
+    const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    float e[3];
+    if (welkin_sky_irradiance(sky.get(), &sample, n, e) != WELKIN_OK)
+      throw std::runtime_error("the runtime gives no irradiance");
+    return {double{e[0]}, double{e[1]}, double{e[2]}};
+  }
+};
+
+}  // namespace welkin::test
