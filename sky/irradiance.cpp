@@ -79,15 +79,18 @@ IrradianceField IrradianceProjector::fieldOf(const SkyInstant& instant) const {
   return field;
 }
 
-double IrradianceProjector::truncationOf(const IrradianceField& field) const {
-  double last = 0.0;
-  for (std::size_t r = 0; r < row_.size(); ++r)
-    for (int c = 0; c < 3; ++c) {
-      const Number3* series = field.series.data() + (r + 1) * kOrders;
-      last = std::max(last, std::abs(series[-1][c]) + std::abs(series[-2][c]));
-    }
-  const double mean = std::max({field.mean.x, field.mean.y, field.mean.z});
-  return mean > 0.0 ? 0.5 * last * kOrders / 3.0 / mean : 0.0;
+double IrradianceProjector::truncationOf(const IrradianceField& field, int channel) const {
+  double most = 0.0;
+  for (std::size_t r = 0; r < row_.size(); ++r) {
+    const Number3* series = field.series.data() + r * kOrders;
+    const auto around = [&](int m) { return 0.5 * (std::abs(series[m][channel]) + std::abs(series[m - 1][channel])); };
+    const double last = around(kOrders - 1);
+    const double middle = around(kOrders / 2);
+    // What m^-p leaves is m / (p - 1) times its last one; half the orders before, it was 2^p times as large.
+    const double share = middle > 0.0 ? std::clamp(4.0 * last / middle, 1.0 / 3.0, 1.0) : 1.0;
+    most = std::max(most, share * last * kOrders);
+  }
+  return field.mean[channel] > 0.0 ? most / field.mean[channel] : 0.0;
 }
 
 std::vector<double> azimuthCosines(int columns, int orders) {
