@@ -26,6 +26,10 @@ struct Certificate {
   double mean_error = 0.0;  ///< over normals, channels and instants
   ErrorParts parts;
   std::size_t instants = 0;
+  /// What the reference of sky/irradiance.h may itself be off by, as errors are divided: max_error may be wrong by so
+  /// much. An estimate, 1 to 4 times what is found; under 2e-4 for every named model, hundredths for a lobe that is a
+  /// degree wide.
+  double reference_error = 0.0;
 
   /// Of the cubemaps: docs/conventions.md, "Error of the cubemaps". All 0 without any.
   struct Cubemaps {

@@ -14,15 +14,14 @@ namespace {
 using sky::DayInstant;
 using sky::Number3;
 
-constexpr double kMinute_h = 1.0 / 60.0;
 constexpr int kFullNormals = 642;
 constexpr double kFullTolerance = 1e-5;
 constexpr std::size_t kQuadratureChecks = 24;  ///< instants at which the moments are compared with finer ones
 constexpr double kConverged = 1e-9;
 constexpr std::size_t kInstantsAtOnce = 1024;  ///< bounds the memory
 
-std::vector<double> instantsOf(const Baked& baked) {
-  std::vector<double> hours = sky::hoursOfInterest(baked.sky, kMinute_h);
+std::vector<double> instantsOf(const Baked& baked, double step_h) {
+  std::vector<double> hours = sky::hoursOfInterest(baked.sky, step_h);
   const auto& keys = baked.table.key_time_h;
   hours.insert(hours.end(), keys.begin(), keys.end());
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -135,6 +134,20 @@ double quadratureOf(const Baked& baked, double brightest, const sky::ErrorGrid& 
   return *std::max_element(error.begin(), error.end());
 }
 
+/// What the fast reference may itself be off by, as an error is divided: what every sky's may, or what it leaves out of
+/// this one.
+double referenceErrorOf(const sky::Sky& model, const std::vector<DayInstant>& instants) {
+  const sky::IrradianceProjector projector(model.luminance);
+  double worst = 0.0;
+  for (const DayInstant& at : instants)
+    for (int c = 0; c < 3; ++c) {
+      if (!(at.divisor[c] > 0.0)) continue;
+      const double share = at.field.mean[c] * at.intensity / at.divisor[c];
+      worst = std::max(worst, share * std::max(sky::IrradianceProjector::kError, projector.truncationOf(at.field, c)));
+    }
+  return worst;
+}
+
 /// Sum of errors over channels and normals, and how many those were.
 struct Mean {
   double sum = 0.0, weight = 0.0;
@@ -167,6 +180,7 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Da
       certificate.channel = c;
     }
   certificate.instants += looked.size();
+  certificate.reference_error = std::max(certificate.reference_error, referenceErrorOf(baked.sky, instants));
   const auto parts = sky::partsOf(day, sky::atHoursOf(day, baked.representation), baked.table, baked.encoding);
   certificate.parts.truncation = std::max(certificate.parts.truncation, parts.truncation);
   certificate.parts.time = std::max(certificate.parts.time, parts.time);
@@ -176,16 +190,17 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Da
 }  // namespace
 
 std::size_t certifySteps(const Baked& baked, Certify how) {
-  return instantsOf(baked).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
+  return instantsOf(baked, kMinute_h).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
 }
 
-sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress) {
+sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress,
+                         double step_h) {
   const double brightest = sky::brightestOf(baked.sky);
   const sky::ErrorGrid grid;
   sky::Certificate certificate;
   certificate.method = how == Certify::full ? sky::Certificate::Method::full : sky::Certificate::Method::fast;
   Mean mean;
-  const std::vector<double> hours = instantsOf(baked);
+  const std::vector<double> hours = instantsOf(baked, step_h);
   for (std::size_t first = 0; first < hours.size(); first += kInstantsAtOnce) {
     const std::size_t last = std::min(first + kInstantsAtOnce, hours.size());
     const sky::DayFields fields = sky::sampleDay(

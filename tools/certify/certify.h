@@ -10,6 +10,8 @@ namespace welkin::tools {
 
 enum class Certify { none, fast, full };
 
+inline constexpr double kMinute_h = 1.0 / 60.0;
+
 /// What was baked.
 struct Baked {
   const sky::Sky& sky;
@@ -19,11 +21,13 @@ struct Baked {
   double tolerance;  ///< of the moments (sky/projection.h); 0: those of sky/irradiance.h
 };
 
-/// Measures `opened`, the file of `baked`: at every minute of the day, every key and the middle between two, and the
-/// instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals on both sides of the
-/// sun's plane (sky/irradiance.h); `full` adds direct integration (sky/projection.h, 1e-5) at 642 evenly
-/// spread normals, which takes minutes. The same numbers for any number of threads. `progress` as in bakeDayTable.
-sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress);
+/// Measures `opened`, the file of `baked`: at every minute of the day (every `step_h`), every key and the middle
+/// between two, and the instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals
+/// on both sides of the sun's plane (sky/irradiance.h); `full` adds direct integration (sky/projection.h, 1e-5) at 642
+/// evenly spread normals, which takes minutes. The same numbers for any number of threads. `progress` as in
+/// bakeDayTable.
+sky::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const sky::Progress& progress,
+                         double step_h = kMinute_h);
 
 /// How many steps of progress that takes.
 std::size_t certifySteps(const Baked& baked, Certify how);

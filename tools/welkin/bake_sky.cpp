@@ -165,6 +165,7 @@ Json certificateJson(const sky::Certificate& c, const std::optional<sky::Cubemap
                  {"time", c.parts.time},
                  {"encoding", c.parts.encoding}}},
                {"instants", c.instants},
+               {"reference_error", c.reference_error},
                {"dome", {{"max_error", c.dome_error}}}};
   if (cubemaps)
     json["cubemaps"] = {
@@ -256,6 +257,13 @@ Json bakeSky(const sky::SkyFile& given, const std::filesystem::path& folder, Cer
           fmt::format("{} components of the cubemaps are past the largest value of their format ({}: {}; EXR: "
                       "65504) and were stored as that; raise luminance_unit and lower intensity",
                       saturated, format::nameOf(plan.cubemap_format), format::largestOf(plan.cubemap_format, 2))}});
+  constexpr double kUnsure = 0.05;
+  if (certificate != nullptr && certificate->reference_error > kUnsure * certificate->max_error)
+    warnings.push_back(
+        {{"id", "certificate-unsure"},
+         {"message", fmt::format("the certificate's own reference may be off by {:.2g}, which is more than {:.0f} % of "
+                                 "the error of {:.2g} that it states: the sky's lobe is too narrow for it",
+                                 certificate->reference_error, 100.0 * kUnsure, certificate->max_error)}});
   Json report = {{"format_version", format::kVersion},
                  {"inputs", inputsJson(file)},
                  {"settings", Json::parse(file.settings)},
