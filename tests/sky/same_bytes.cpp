@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bakes two skies and projects pictures with 1, 2 and 8 threads and prints a checksum of every product: the same lines
-// from any compiler, at any optimisation, on any x86-64 processor. With a file as argument, compares them with it.
+// Bakes and plans two skies and projects pictures with 1, 2 and 8 threads and prints a checksum of every product: the
+// same lines from any compiler, at any optimisation, on any x86-64 processor. With a file as argument, compares them
+// with it.
 #include <tbb/global_control.h>
 #include <xxhash.h>
 
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "sh/environment.h"
 #include "sky/encode.h"
 #include "sky/exr.h"
+#include "sky/plan.h"
 
 namespace welkin::sky {
 namespace {
@@ -149,6 +152,26 @@ void bake(SkyFile file, const std::string& name, Products& products) {
   add(products.lines, name + ".welkin", encodeSky(file, table, cubemaps));
 }
 
+/// A budget's plan, from a look every hour.
+void plan(const Sky& sky, const std::string& name, Products& products) {
+  const DayFields fields = sampleDay(sky, hoursOfInterest(sky, 1.0), brightestOf(sky), [] { return true; });
+  const ErrorGrid grid;
+  PlanRequest request;
+  for (const auto& [reconstruction, of, budget] :
+       {std::tuple(Reconstruction::fitted, "fitted", 0.1), {Reconstruction::modes, "modes", 0.03}}) {
+    request.reconstruction = reconstruction;
+    request.max_error = budget;
+    const DayPlan chosen = planDay(DayValues(fields, grid), request);
+    const std::string at = name + ".plan." + of;
+    add(products.lines, at + ".keys", chosen.table.key_time_h);
+    add(products.lines, at + ".numbers", chosen.table.number);
+    add(products.lines, at + ".stored", encodeNumbers(chosen.table, chosen.encoding).numbers);
+    if (!chosen.table.modes) continue;
+    add(products.lines, at + ".map", chosen.table.modes->texels);
+    add(products.lines, at + ".polar_sh", chosen.table.modes->polar_sh);
+  }
+}
+
 void project(Products& products) {
   constexpr int kSize = 24;
   Numbers numbers;
@@ -173,6 +196,8 @@ Products make(std::size_t threads) {
   Products products;
   bake(colourful(), "colourful", products);
   bake(faded(), "faded", products);
+  plan(colourful().sky, "colourful", products);
+  plan(faded().sky, "faded", products);
   project(products);
   return products;
 }
