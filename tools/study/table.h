@@ -14,7 +14,7 @@ namespace welkin::study {
 /// A column: names are unique within a table. CSV and JSON hold its numbers as they are, Markdown by `quantity`.
 struct Column {
   std::string name;
-  std::string unit;  ///< as CSV and JSON state it, for example "bytes"; empty for a number or words
+  std::string unit = {};  ///< as CSV and JSON state it, for example "bytes"; empty for a number or words
   Quantity quantity = Quantity::number;
 };
 

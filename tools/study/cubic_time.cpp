@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/cubic_time.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace welkin::study {
+namespace {
+
+using sky::Number3;
+
+/// Instants of a day taken round and round.
+class Round {
+ public:
+  Round(const sky::DayValues& day, const sky::Representation& r) : day_(day), r_(r), count_(day.day->instant.size()) {}
+
+  std::size_t count() const { return count_; }
+  double timeAt(std::size_t i) const {
+    return day_.day->instant[i % count_].time_h + format::kDay_h * static_cast<double>(i / count_);
+  }
+  const Number3* weightsAt(std::size_t i) const { return r_.weight.data() + i % count_ * r_.rows; }
+  double errorAt(std::size_t i, const std::vector<Number3>& rows) const {
+    return sky::errorOf(day_, r_, i % count_, rows).value;
+  }
+  std::size_t rows() const { return r_.rows; }
+
+ private:
+  const sky::DayValues& day_;
+  const sky::Representation& r_;
+  std::size_t count_;
+};
+
+/// Hermite's cubic at u in [0, 1] between values a and b with slopes already times the interval.
+Number3 hermite(const Number3& a, const Number3& slope_a, const Number3& b, const Number3& slope_b, double u) {
+  const double v = 1.0 - u;
+  return a * (v * v * (1.0 + 2.0 * u)) + b * (u * u * (1.0 + 2.0 * v)) + slope_a * (u * v * v) - slope_b * (u * u * v);
+}
+
+/// The key's index among the instants, `offset` keys away, over midnight.
+std::size_t keyAt(const std::vector<std::size_t>& keys, std::size_t count, std::size_t k, int offset) {
+  const auto n = static_cast<long>(keys.size());
+  long at = static_cast<long>(k) + offset + n;  // a day later: no negative index
+  return keys[static_cast<std::size_t>(at % n)] + static_cast<std::size_t>(at / n) * count;
+}
+
+/// Largest error over the segments between keys of `rowsAt(segment, instant)`.
+template <typename RowsAt>
+double largestError(const Round& round, const std::vector<std::size_t>& keys, const RowsAt& rowsAt) {
+  std::vector<double> error(keys.size());
+  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t k) {
+    const std::size_t first = keyAt(keys, round.count(), k, 0);
+    const std::size_t last = keyAt(keys, round.count(), k, 1);
+    for (std::size_t i = first; i < last; ++i) error[k] = std::max(error[k], round.errorAt(i, rowsAt(k, i)));
+  });
+  return *std::max_element(error.begin(), error.end());
+}
+
+std::vector<Number3> linearRows(const Round& round, std::size_t first, std::size_t last, std::size_t i) {
+  const double u = (round.timeAt(i) - round.timeAt(first)) / (round.timeAt(last) - round.timeAt(first));
+  std::vector<Number3> rows(round.rows());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k] = round.weightsAt(first)[k] * (1.0 - u) + round.weightsAt(last)[k] * u;
+  return rows;
+}
+
+/// With the slopes of the instants next to the ends, inside.
+bool hermiteReaches(const Round& round, std::size_t first, std::size_t last, double error) {
+  const double interval = round.timeAt(last) - round.timeAt(first);
+  const double start = round.timeAt(first + 1) - round.timeAt(first);
+  const double end = round.timeAt(last) - round.timeAt(last - 1);
+  const auto holds = [&](std::size_t i) {
+    const double u = (round.timeAt(i) - round.timeAt(first)) / interval;
+    std::vector<Number3> rows(round.rows());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Number3& a = round.weightsAt(first)[k];
+      const Number3& b = round.weightsAt(last)[k];
+      rows[k] = hermite(a, (round.weightsAt(first + 1)[k] - a) * (interval / start), b,
+                        (b - round.weightsAt(last - 1)[k]) * (interval / end), u);
+    }
+    return round.errorAt(i, rows) <= error;
+  };
+  const std::size_t inside = last - first - 1;
+  for (std::size_t stride = std::bit_ceil(inside + 1); stride > 1; stride /= 2)
+    for (std::size_t i = stride / 2; i <= inside; i += stride)
+      if (!holds(first + i)) return false;
+  return true;
+}
+
+}  // namespace
+
+double linearError(const sky::DayValues& day, const sky::Representation& r, const std::vector<std::size_t>& keys) {
+  const Round round(day, r);
+  return largestError(round, keys, [&](std::size_t k, std::size_t i) {
+    return linearRows(round, keyAt(keys, round.count(), k, 0), keyAt(keys, round.count(), k, 1), i);
+  });
+}
+
+double catmullRomError(const sky::DayValues& day, const sky::Representation& r, const std::vector<std::size_t>& keys) {
+  if (keys.size() < 3) return linearError(day, r, keys);
+  const Round round(day, r);
+  // The slope at key b of the parabola through a, b and c.
+  const auto slope = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t row) {
+    const double before = round.timeAt(b) - round.timeAt(a);
+    const double after = round.timeAt(c) - round.timeAt(b);
+    const Number3 rise_before = (round.weightsAt(b)[row] - round.weightsAt(a)[row]) * (1.0 / before);
+    const Number3 rise_after = (round.weightsAt(c)[row] - round.weightsAt(b)[row]) * (1.0 / after);
+    return (rise_before * after + rise_after * before) * (1.0 / (before + after));
+  };
+  return largestError(round, keys, [&](std::size_t k, std::size_t i) {
+    const std::size_t p[4] = {keyAt(keys, round.count(), k, -1), keyAt(keys, round.count(), k, 0),
+                              keyAt(keys, round.count(), k, 1), keyAt(keys, round.count(), k, 2)};
+    const double interval = round.timeAt(p[2]) - round.timeAt(p[1]);
+    const double u = (round.timeAt(i) - round.timeAt(p[1])) / interval;
+    std::vector<Number3> rows(round.rows());
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      rows[row] = hermite(round.weightsAt(p[1])[row], slope(p[0], p[1], p[2], row) * interval,
+                          round.weightsAt(p[2])[row], slope(p[1], p[2], p[3], row) * interval, u);
+    return rows;
+  });
+}
+
+std::vector<std::size_t> placeHermiteKeys(const sky::DayValues& day, const sky::Representation& r, double error) {
+  const Round round(day, r);
+  const std::size_t count = round.count();
+  for (std::size_t i = 0; i < count; ++i)
+    if (round.errorAt(i, {round.weightsAt(i), round.weightsAt(i) + round.rows()}) > error) return {};
+  std::vector<std::size_t> keys = {0};
+  while (keys.back() < count) {
+    const std::size_t first = keys.back();
+    std::size_t good = first + 1;
+    std::size_t bad = count + 1;
+    for (std::size_t step = 2; good < count; step *= 2) {  // gallop, then bisect
+      const std::size_t next = std::min(first + step, count);
+      if (!hermiteReaches(round, first, next, error)) {
+        bad = next;
+        break;
+      }
+      good = next;
+    }
+    while (good + 1 < bad && good < count) {
+      const std::size_t middle = (good + bad) / 2;
+      (hermiteReaches(round, first, middle, error) ? good : bad) = middle;
+    }
+    keys.push_back(good);
+  }
+  keys.pop_back();  // the first again
+  return keys;
+}
+
+}  // namespace welkin::study

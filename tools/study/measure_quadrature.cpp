@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/measure_quadrature.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace welkin::study {
+namespace {
+
+constexpr double kTolerances[] = {1e-4, 1e-5, 1e-9, 1e-12};
+constexpr double kConverged = 1e-9;  // of direct integration: 1e-12 takes seconds a normal
+constexpr std::size_t kNormalsApart = 45;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Nothing for what the others are compared with.
+Cell errorCell(double error, bool is_reference) {
+  Cell cell;
+  if (!is_reference) cell = error;
+  return cell;
+}
+
+std::vector<sky::SkyInstant> instantsOf(const sky::Sky& sky, std::size_t count) {
+  std::vector<sky::SkyInstant> instants;
+  for (std::size_t i = 0; i < count; ++i)  // none at a whole hour, where curves have keys
+    instants.emplace_back(sky, format::kDay_h * (static_cast<double>(i) + 0.37) / static_cast<double>(count));
+  return instants;
+}
+
+std::vector<QuadratureRow> measureProjector(const sky::Sky& sky, const std::vector<sky::SkyInstant>& instants) {
+  std::vector<QuadratureRow> rows;
+  std::vector<std::vector<sky::PolarMoments>> moments;
+  for (const double tolerance : kTolerances) {
+    const sky::SkyProjector projector(sky.luminance, sky::IrradianceProjector::kBands, tolerance);
+    QuadratureRow row{tolerance};
+    moments.emplace_back();
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& instant : instants) moments.back().push_back(projector.projectPolar(instant));
+    row.key_s = secondsSince(start) / static_cast<double>(instants.size());
+    for (const auto& m : moments.back())
+      row.evaluations += static_cast<double>(m.evaluations) / static_cast<double>(instants.size());
+    rows.push_back(row);
+  }
+  const auto& reference = moments.back();
+  for (std::size_t t = 0; t < rows.size(); ++t)
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      const auto& want = reference[i].radiance_sh;
+      const double scale = std::max({want[0].x, want[0].y, want[0].z});
+      for (std::size_t k = 0; k < want.size(); ++k)
+        for (int c = 0; c < 3; ++c)
+          if (scale > 0.0)
+            rows[t].error = std::max(rows[t].error, std::abs(moments[t][i].radiance_sh[k][c] - want[k][c]) / scale);
+    }
+  return rows;
+}
+
+std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vector<sky::SkyInstant>& instants) {
+  const sky::Sky& sky = day.sky();
+  const sky::SkyProjector converged(sky.luminance, 1, kConverged);
+  const sky::SkyProjector direct(sky.luminance, 1, sky::kTolerance);
+  const sky::IrradianceProjector projector(sky.luminance);
+  IrradianceRow circles{"circles (IrradianceProjector)"};
+  IrradianceRow integrated{"direct integration, 1e-5"};
+  IrradianceRow reference{"direct integration, 1e-9"};
+  const auto normals = static_cast<double>(day.grid().count());
+  const auto share = 1.0 / static_cast<double>(instants.size());
+  for (const auto& instant : instants) {
+    auto start = std::chrono::steady_clock::now();
+    const sky::IrradianceField field = projector.fieldOf(instant);
+    std::vector<double> value[3];
+    for (int c = 0; c < 3; ++c) value[c] = day.grid().valuesOf(sky::FieldChannel(field, c));
+    circles.instant_s += secondsSince(start) * share;
+    const sky::Number3& sun = instant.sunDirection();
+    const double length = det::horizontalLength(sun);
+    const sky::Number3 along = length > 0.0 ? sky::Number3(sun.x / length, 0.0, sun.z / length) : sky::Number3(0, 0, 1);
+    double looked = 0.0;
+    for (std::size_t p = 0; p < day.grid().count(); p += kNormalsApart, looked += 1.0) {
+      const sky::Number3 n = day.grid().normal(p).inSunFrame();
+      const sky::Number3 world = along * n.z + sky::Number3(along.z, 0.0, -along.x) * n.x + sky::Number3(0.0, n.y, 0.0);
+      start = std::chrono::steady_clock::now();
+      const sky::Number3 want = converged.irradiance(instant, world);
+      reference.instant_s += secondsSince(start) * share;
+      start = std::chrono::steady_clock::now();
+      const sky::Number3 got = direct.irradiance(instant, world);
+      integrated.instant_s += secondsSince(start) * share;
+      for (int c = 0; c < 3; ++c) {
+        if (!(field.mean[c] > 0.0)) continue;
+        circles.error = std::max(circles.error, std::abs(value[c][p] - want[c]) / field.mean[c]);
+        integrated.error = std::max(integrated.error, std::abs(got[c] - want[c]) / field.mean[c]);
+      }
+    }
+    if (&instant == &instants.back()) {  // as if all normals had been integrated
+      integrated.instant_s *= normals / looked;
+      reference.instant_s *= normals / looked;
+    }
+  }
+  return {circles, integrated, reference};
+}
+
+}  // namespace
+
+QuadratureStudy measureQuadrature(const StudyDay& day, const StudyOptions& options) {
+  const auto instants = instantsOf(day.sky(), options.quick ? 6 : 12);
+  QuadratureStudy study;
+  study.quadrature = measureProjector(day.sky(), instants);
+  if (options.interrupt && !options.interrupt()) return study;
+  study.irradiance = measureIrradiance(day, instants);
+  return study;
+}
+
+void reportQuadrature(const QuadratureStudy& study, StudyReport& report) {
+  Table quadrature(
+      {{"tolerance"}, {"evaluations", "a key"}, {"error", "of c0"}, {"key_time", "seconds", Quantity::seconds}});
+  Chart chart{"Evaluations of the sky a key against the error of a coefficient",
+              {"evaluations of the radiance", Quantity::number, Scale::log},
+              {"largest error of a coefficient, of c0", Quantity::number, Scale::log},
+              {}};
+  Series series{"SkyProjector, five bands", SeriesStyle::line, {}};
+  for (const QuadratureRow& row : study.quadrature) {
+    const bool is_reference = &row == &study.quadrature.back();
+    quadrature.addRow({row.tolerance, row.evaluations, errorCell(row.error, is_reference), row.key_s});
+    if (!is_reference)
+      series.points.push_back({row.evaluations, row.error, inWords(row.tolerance, Quantity::number, 1)});
+  }
+  chart.series.push_back(std::move(series));
+  Table irradiance({{"method"},
+                    {"error", "of the mean irradiance", Quantity::share},
+                    {"instant_time", "seconds, all normals", Quantity::seconds}});
+  for (const IrradianceRow& row : study.irradiance) {
+    const bool is_reference = &row == &study.irradiance.back();
+    irradiance.addRow({row.method, errorCell(row.error, is_reference), row.instant_s});
+  }
+  report.tables.push_back({"quadrature", "Quadrature", std::move(quadrature)});
+  report.tables.push_back({"irradiance", "Irradiance of every normal of the grid", std::move(irradiance)});
+  report.charts.push_back({"quadrature", std::move(chart)});
+}
+
+}  // namespace welkin::study

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/measure_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "sky/key_placement.h"
+#include "study/pareto.h"
+
+namespace welkin::study {
+namespace {
+
+constexpr sky::Encoding kEncodings[] = {sky::Encoding::float32, sky::Encoding::float16, sky::Encoding::fixed16,
+                                        sky::Encoding::fixed8};
+
+/// Errors that keys are placed for.
+constexpr double kAims[] = {0.5, 0.3, 0.2, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003};
+
+/// A way is tried with aims up to this many times its own error: past it one of fewer numbers is smaller.
+constexpr double kFarthest = 4.0;
+
+}  // namespace
+
+std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Way>& ways) {
+  std::vector<EncodingRow> rows;
+  const auto keys = evenKeys(day, std::min<std::size_t>(288, day.count() / 2));
+  for (const Way& way : ways) {
+    const bool bands = !way.isModes() && way.fit == Fit::projected;
+    const bool modes = way.isModes() && way.fit == Fit::projected && way.numbers() % 4 == 0 &&
+                       way.representation.modes->columns == kLargestMap.columns;
+    if (!bands && !modes) continue;
+    const sky::DayTable table = sky::tableAt(day.values(), way.representation, keys);
+    for (const sky::Encoding encoding : kEncodings)
+      rows.push_back({way.name, encoding, keys.size(), sky::bytesOf(way.representation, table, encoding),
+                      sky::partsOf(day.values(), way.representation, table, encoding).encoding,
+                      sky::errorOf(day.values(), way.representation, table, encoding).value});
+  }
+  return rows;
+}
+
+std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Way>& ways,
+                                         const StudyOptions& options) {
+  std::vector<MeasuredTable> tables;
+  for (const Way& way : ways) {
+    for (const double aim : kAims) {
+      if (way.error > aim || way.error * kFarthest < aim || way.fit == Fit::windowed) continue;
+      const auto keys = sky::placeKeys(day.values(), way.representation, aim);
+      if (keys.empty()) continue;
+      const sky::DayTable table = sky::tableAt(day.values(), way.representation, keys);
+      for (const sky::Encoding encoding : kEncodings)
+        tables.push_back({fmt::format("{}, {} keys, {}", way.name, keys.size(), sky::nameOf(encoding)), keys.size(),
+                          sky::bytesOf(way.representation, table, encoding),
+                          sky::errorOf(day.values(), way.representation, table, encoding).value, way.isModes(),
+                          way.fit == Fit::fitted});
+    }
+    if (options.interrupt && !options.interrupt()) break;
+  }
+  return tables;
+}
+
+std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& options) {
+  std::vector<BudgetRow> rows;
+  for (const double budget : kBudgets) {
+    if (options.quick && budget < 0.01) break;
+    const auto start = std::chrono::steady_clock::now();
+    sky::PlanRequest request;
+    request.max_error = budget;
+    BudgetRow row{budget, sky::planDay(day.values(), request), 0.0};
+    row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rows.push_back(std::move(row));
+    if (options.interrupt && !options.interrupt()) break;
+  }
+  return rows;
+}
+
+std::vector<std::size_t> frontOf(const std::vector<MeasuredTable>& tables) {
+  std::vector<Trade> trades;
+  for (const MeasuredTable& table : tables) trades.push_back({static_cast<double>(table.bytes), table.error});
+  return paretoFront(trades);
+}
+
+namespace {
+
+Chart paretoChart(const TableStudy& study) {
+  Chart chart{"Bytes of the day's table against its error",
+              {"bytes, modes included", Quantity::bytes, Scale::log},
+              {"largest error of the irradiance", Quantity::share, Scale::log},
+              {}};
+  Series bands{"bands, projected", SeriesStyle::markers, {}};
+  Series fitted{"bands, fitted", SeriesStyle::markers, {}};
+  Series modes{"modes", SeriesStyle::markers, {}};
+  for (const MeasuredTable& table : study.tables) {
+    auto& points = table.is_modes ? modes.points : table.is_fitted ? fitted.points : bands.points;
+    points.push_back({static_cast<double>(table.bytes), table.error});
+  }
+  Series front{"Pareto front", SeriesStyle::front, {}};
+  for (const std::size_t i : study.front)
+    front.points.push_back({static_cast<double>(study.tables[i].bytes), study.tables[i].error});
+  Series plans{"what a bake plans", SeriesStyle::markers, {}};
+  for (const BudgetRow& row : study.budgets)
+    if (row.plan.met) plans.points.push_back({static_cast<double>(row.plan.bytes), row.plan.predicted_error});
+  for (Series* series : {&bands, &fitted, &modes, &front, &plans})
+    if (!series->points.empty()) chart.series.push_back(std::move(*series));
+  chart.levels = {{0.1, "10 %"}, {0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
+  return chart;
+}
+
+Chart encodingsChart(const std::vector<EncodingRow>& rows) {
+  Chart chart{"What rounding the numbers adds, at even keys",
+              {"bytes, modes included", Quantity::bytes, Scale::log},
+              {"error of the encoding alone", Quantity::share, Scale::log},
+              {}};
+  for (const EncodingRow& row : rows) {
+    if (chart.series.empty() || chart.series.back().name != row.way)
+      chart.series.push_back({row.way, SeriesStyle::line, {}});
+    const bool first = chart.series.size() == 1;
+    chart.series.back().points.push_back(
+        {static_cast<double>(row.bytes), row.encoding_error, first ? sky::nameOf(row.encoding) : ""});
+  }
+  return chart;
+}
+
+}  // namespace
+
+void reportTables(const TableStudy& study, StudyReport& report) {
+  const std::vector<Column> columns = {
+      {"table"}, {"keys"}, {"bytes", "bytes", Quantity::bytes}, {"error", "of the mean irradiance", Quantity::share}};
+  Table front(columns);
+  Table all(columns);
+  const auto add = [](Table& table, const MeasuredTable& row) {
+    table.addRow({row.name, static_cast<double>(row.keys), static_cast<double>(row.bytes), row.error});
+  };
+  for (const MeasuredTable& row : study.tables) add(all, row);
+  for (const std::size_t i : study.front) add(front, study.tables[i]);
+  Table encodings({{"way"},
+                   {"encoding"},
+                   {"keys"},
+                   {"bytes", "bytes", Quantity::bytes},
+                   {"encoding_error", "of the mean irradiance", Quantity::share},
+                   {"error", "of the mean irradiance", Quantity::share}});
+  for (const EncodingRow& row : study.encodings)
+    encodings.addRow({row.way, std::string(sky::nameOf(row.encoding)), static_cast<double>(row.keys),
+                      static_cast<double>(row.bytes), row.encoding_error, row.error});
+  Table budgets({{"max_error", "of the mean irradiance", Quantity::share},
+                 {"met"},
+                 {"way"},
+                 {"encoding"},
+                 {"keys"},
+                 {"bytes", "bytes", Quantity::bytes},
+                 {"predicted_error", "of the mean irradiance", Quantity::share},
+                 {"plan_time", "seconds", Quantity::seconds}});
+  for (const BudgetRow& row : study.budgets)
+    budgets.addRow({row.max_error, std::string(row.plan.met ? "yes" : "no"), row.plan.representation.name(),
+                    std::string(sky::nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
+                    static_cast<double>(row.plan.bytes), row.plan.predicted_error, row.plan_s});
+  report.tables.push_back({"budgets", "What a bake plans for a budget", std::move(budgets)});
+  report.tables.push_back({"pareto", "The Pareto front of bytes and error", std::move(front)});
+  report.tables.push_back({"encodings", "Encodings at even keys", std::move(encodings)});
+  report.tables.push_back({"tables", "All tables that were measured", std::move(all), false});
+  if (!study.tables.empty()) report.charts.push_back({"pareto", paretoChart(study)});
+  if (!study.encodings.empty()) report.charts.push_back({"encodings", encodingsChart(study.encodings)});
+}
+
+}  // namespace welkin::study

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The third and fourth axes of a study: encodings of the numbers, and what an error budget buys. All complete tables
+// that were measured, their Pareto front, and what the planner of a bake makes of each budget.
+#pragma once
+
+#include "sky/plan.h"
+#include "study/measure_ways.h"
+
+namespace welkin::study {
+
+/// One encoding at even keys.
+struct EncodingRow {
+  std::string way;
+  sky::Encoding encoding;
+  std::size_t keys = 0;
+  std::size_t bytes = 0;
+  double encoding_error = 0.0;  ///< what rounding alone adds
+  double error = 0.0;           ///< of everything
+};
+
+/// A complete table: a way, placed keys, an encoding.
+struct MeasuredTable {
+  std::string name;
+  std::size_t keys = 0;
+  std::size_t bytes = 0;
+  double error = 0.0;
+  bool is_modes = false;
+  bool is_fitted = false;
+};
+
+/// What sky::planDay finds for a budget.
+struct BudgetRow {
+  double max_error = 0.0;
+  sky::DayPlan plan;
+  double plan_s = 0.0;
+};
+
+inline constexpr double kBudgets[] = {0.1, 0.03, 0.01, 0.003};
+
+struct TableStudy {
+  std::vector<EncodingRow> encodings;
+  std::vector<MeasuredTable> tables;
+  std::vector<std::size_t> front;  ///< indices of tables, bytes rising
+  std::vector<BudgetRow> budgets;
+};
+
+std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Way>& ways);
+std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Way>& ways,
+                                         const StudyOptions& options);
+std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& options);
+std::vector<std::size_t> frontOf(const std::vector<MeasuredTable>& tables);
+
+/// Adds the tables "encodings", "pareto", "tables" and "budgets" and the charts "pareto" and "encodings".
+void reportTables(const TableStudy& study, StudyReport& report);
+
+}  // namespace welkin::study

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What reading a baked sky costs a game's processor.
+#pragma once
+
+#include "sky/sky_file.h"
+#include "study/study_day.h"
+
+namespace welkin::study {
+
+/// Nanoseconds of one call, the least of a few rounds of some thousand calls over the day, on one thread.
+struct RuntimeSpeed {
+  double sample_ns = 0.0;      ///< welkin_sky_sample
+  double irradiance_ns = 0.0;  ///< welkin_sky_irradiance, a normal
+  std::size_t file_bytes = 0;  ///< of the whole file, without cubemaps
+};
+
+/// Of a file that holds `way` at `keys` even instants as float32.
+RuntimeSpeed measureRuntime(const sky::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys);
+
+/// Indices of the instants nearest to `count` even hours, each once, ascending.
+std::vector<std::size_t> evenKeys(const StudyDay& day, std::size_t count);
+
+}  // namespace welkin::study

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study.h"
+
+#include <fmt/format.h>
+
+#include "sky/error.h"
+
+namespace welkin::study {
+namespace {
+
+constexpr double kStep_h = 2.5 / 60.0;  // as a plan for 0.5 % and more
+constexpr double kQuickStep_h = 10.0 / 60.0;
+
+}  // namespace
+
+StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options) {
+  const auto require = [](bool keep_going) {
+    if (!keep_going) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+  };
+  const auto axisDone = [&] { require(!options.progress || options.progress()); };
+  const sky::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
+
+  StudyReport report;
+  report.title = fmt::format("Cost against error: {}", file.inputs.empty() ? "a sky" : file.inputs.front().name);
+  const StudyDay day(file.sky, options.quick ? kQuickStep_h : kStep_h, interrupt);
+  axisDone();
+  Study study;
+  study.shaders = measuredShaders();
+  study.ways = collectWays(day, options);
+  axisDone();
+  study.tables.budgets = measureBudgets(day, options);
+  axisDone();
+  study.keys = measureKeys(day, study.ways, options);
+  axisDone();
+  study.tables.encodings = measureEncodings(day, study.ways);
+  study.tables.tables = measureTables(day, study.ways, options);
+  study.tables.front = frontOf(study.tables.tables);
+  axisDone();
+  study.cubemaps = measureCubemapAxis(file.sky, options);
+  axisDone();
+  study.quadrature = measureQuadrature(day, options);
+  axisDone();
+  reportTables(study.tables, report);
+  reportWays(file, day, study.ways, report);
+  reportKeys(study.keys, report);
+  reportCubemaps(study.cubemaps, report);
+  reportQuadrature(study.quadrature, report);
+  report.paragraphs = conclusionOf(study);
+  axisDone();
+  return report;
+}
+
+}  // namespace welkin::study

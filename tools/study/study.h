@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole study of a sky: what every way of baking it costs and what it loses.
+#pragma once
+
+#include "sky/sky_file.h"
+#include "study/measure_cubemaps.h"
+#include "study/measure_keys.h"
+#include "study/measure_quadrature.h"
+#include "study/measure_tables.h"
+
+namespace welkin::study {
+
+/// Everything that was measured.
+struct Study {
+  std::vector<Way> ways;
+  std::vector<NamedShaderCost> shaders;
+  KeyStudy keys;
+  TableStudy tables;
+  CubemapStudy cubemaps;
+  QuadratureStudy quadrature;
+};
+
+/// Axes of a study: how often `progress` is told.
+inline constexpr std::size_t kAxes = 8;
+
+/// Measures and reports; nothing is written. Everything but times is the same for any number of threads. Throws
+/// Error(interrupted) when a progress says so.
+StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options);
+
+/// What the numbers say, a sentence or a few a paragraph.
+std::vector<std::string> conclusionOf(const Study& study);
+
+}  // namespace welkin::study

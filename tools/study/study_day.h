@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The day that a study measures, sampled once for all axes, and the ways to hold it that are compared.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sky/representation.h"
+#include "sky/sky_file.h"
+
+namespace welkin::study {
+
+/// How much of a study is made, and who is told.
+struct StudyOptions {
+  bool quick = false;       ///< fewer instants, ways and cubemaps
+  sky::Progress progress;   ///< told after every axis; false stops with Error(interrupted)
+  sky::Progress interrupt;  ///< asked often within an axis
+};
+
+/// Irradiance at every few minutes and wherever the sun's path bends. Neither copied nor moved: parts point at others.
+class StudyDay {
+ public:
+  StudyDay(const sky::Sky& sky, double step_h, const sky::Progress& progress);
+  StudyDay(const StudyDay&) = delete;
+  StudyDay& operator=(const StudyDay&) = delete;
+
+  const sky::Sky& sky() const { return *fields_.sky; }
+  const sky::DayFields& fields() const { return fields_; }
+  const sky::DayValues& values() const { return values_; }
+  const sky::ErrorGrid& grid() const { return grid_; }
+  std::size_t count() const { return fields_.instant.size(); }
+
+ private:
+  sky::ErrorGrid grid_;
+  sky::DayFields fields_;
+  sky::DayValues values_;
+};
+
+/// How the numbers of a way are found.
+enum class Fit {
+  projected,  ///< coefficients of the radiance; of modes, the nearest combination in the mean square
+  fitted,     ///< the least largest error of the irradiance
+  windowed    ///< projected, then the mildest window that keeps irradiance from being negative (sh/window.h)
+};
+
+/// A way to hold the day's irradiance.
+struct Way {
+  std::string name;
+  sky::Representation representation;
+  Fit fit = Fit::projected;
+  double window_strength = 0.0;
+  double error = 0.0;  ///< the largest at exact keys: what is left out, and the map of modes
+
+  bool isModes() const { return representation.modes.has_value(); }
+  /// Numbers a channel and instant that irradiance depends on; the ground's horizontal irradiance apart.
+  std::size_t numbers() const;
+  /// Bytes of a key and of everything else in a table, as sky::bytesOf counts them.
+  std::size_t bytesOfKey(const sky::Sky& sky, sky::Encoding encoding) const;
+  std::size_t bytes(const sky::Sky& sky, std::size_t keys, sky::Encoding encoding) const;
+};
+
+Way coefficientsWay(const StudyDay& day, int bands, Fit fit);
+
+/// Texels of a map of modes.
+struct MapSize {
+  int columns, rows;
+};
+inline constexpr MapSize kSmallMap = {9, 5}, kMiddleMap = {9, 9}, kLargeMap = {17, 17}, kLargestMap = {25, 25};
+
+/// Modes and the weights nearest to every instant: what maps of any size have in common.
+struct DayWeights {
+  sky::ModeSet set;
+  std::vector<sky::Number3> weights;
+};
+DayWeights modeWeights(const StudyDay& day, const sky::DayModes& modes, std::size_t count);
+Way modesWay(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit);
+
+/// The largest error over the instants when every one is a key.
+double errorAtKeys(const StudyDay& day, const sky::Representation& r);
+
+}  // namespace welkin::study
