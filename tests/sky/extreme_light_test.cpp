@@ -91,14 +91,15 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
 }
 
 TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
-  // The brightest that the loader takes: relative luminances of 2e26 under an intensity and a tint of 1e12.
-  const LuminanceModel brightest{1e4, -1e-3, 1e4, -1.0, 1e4, 0.0};
+  // The last is about the brightest that the loader takes: 2e17 times the zenith on the horizon, of factors of 2e-9.
+  const LuminanceModel brightest{-1.0, -2e-9, 0.0, -1.0, 2e-9 - 1.0, 0.0};
   for (const LuminanceModel& m : {*findLuminance("cie-5"), *findLuminance("far-cry-3"), brightest})
     for (const bool to_sun : {true, false})
       for (const double intensity : {0.0, 4.9e-324, 1e-310, 1e-45, 1e-38, 65504.0, 65505.0, 1e12})
         for (const double tint : {0.0, 1e-12, 1e12}) {
           Sky model = coloured(m, to_sun);
-          model.sun.path = still(2.0, 0.6);
+          model.sun.path = still(2.0, det::kHalfPi);
+          REQUIRE_FALSE(whyUnusable(m, model.sun.path));
           model.intensity = Curve::constant(intensity);
           model.polarising_tint = Curve::constant(Number3(tint, 1.0, tint));
           model.sun.illuminance = Curve::constant(1e12);
@@ -109,8 +110,9 @@ TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
           holds(model, baked, 13.0);
           WelkinSkySample sample{};
           REQUIRE(baked.sky.sample(13.0, sample));
-          const Number3 e = irradianceOf(sample, {0, 1, 0});
-          if (intensity > 1e-30) CHECK(e.y > 0.0);
+          if (intensity > 1e-30) CHECK(irradianceOf(sample, {0, 1, 0}).y > 0.0);
+          if (m.a != brightest.a || m.b != brightest.b || to_sun || intensity < 1e12 || tint < 1.0) continue;
+          CHECK(test::seen(baked.sky, sample, {1, 0, 0})[0].colour.x == double{kLargest});  // past it: the largest
         }
 }
 
