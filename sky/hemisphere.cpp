@@ -98,6 +98,8 @@ HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders, double 
   middle_ = sh::gaussLegendre(nodes.middle);
   fine_ = sh::gaussLegendre(nodes.fine);
   azimuth_ = sh::gaussLegendre(nodes.azimuth);
+  dark_ = sh::gaussLegendre(nodes.fine + 3);
+  dark_azimuth_ = sh::gaussLegendre(nodes.azimuth + 3);
 }
 
 std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::span<const double> extra) const {
@@ -227,7 +229,7 @@ std::span<const double> HemisphereQuadrature::fadeCrossing(const Latitude& at, d
 }
 
 const sh::GaussRule& HemisphereQuadrature::ruleFor(const SunFrame& sun, double low, double high) const {
-  if (sun.has_dark_rows || (sun.dark_side < 1.0 && low >= kFadeElevation)) return fine_;
+  if (sun.has_dark_rows || (sun.dark_side < 1.0 && low >= kFadeElevation)) return dark_;
   const LuminanceModel& m = sun.instant.sky().luminance;
   const double width = high - low;
   double scale = std::min(1.0, 3.0 * sun.hue_scale);  // over which the sky changes here
@@ -249,6 +251,7 @@ Latitude HemisphereQuadrature::latitude(const SunFrame& sun, double elevation, d
   at.blend = at.cosine / std::max(at.cosine, det::kAzimuthFade) * sun.length / std::max(sun.length, det::kAzimuthFade);
   at.dark_sun = std::sqrt(darkSide(at.sun_colour, at.anti_colour));
   at.dark_anti = std::sqrt(darkSide(at.anti_colour, at.sun_colour));
+  at.has_dark = sun.has_dark_rows || at.dark_sun < 1.0 || at.dark_anti < 1.0;
   const double below = half_sine * sun.half_cosine - half_cosine * sun.half_sine;  // sin of half the difference
   const double above = half_sine * sun.half_cosine + half_cosine * sun.half_sine;
   at.near = below * below;

@@ -25,6 +25,7 @@ struct Latitude {
   // tan of half the azimuth, from the darker gradient's, over which the other takes the hue over; 1: as bright.
   double dark_sun = 1.0;
   double dark_anti = 1.0;
+  bool has_dark = false;  ///< one of the gradients, here or in a row beside
   // sin^2 of half the angle to the sun is near + reach sin^2(alpha / 2), to its antipode far + reach cos^2(alpha / 2).
   double near = 0.0;
   double far = 0.0;
@@ -78,14 +79,14 @@ class HemisphereQuadrature {
   /// tan(alpha / 2) at which the caller's integrand bends.
   template <typename Visit>
   void forEachAzimuth(const Latitude& at, std::span<const double> extra, Visit&& visit) const {
-    forEachAzimuthInHalf(at.near, at.reach, at.dark_sun, extra, [&](double t, double weight) {
+    forEachAzimuthInHalf(at, at.near, at.dark_sun, extra, [&](double t, double weight) {
       const double norm = 1.0 / (1.0 + t * t);
       visit(Azimuth{(1.0 - t * t) * norm, 2.0 * t * norm, t * t * norm, norm, 2.0 * norm * weight});
     });
     double mirrored[4];
     const std::size_t count = std::min<std::size_t>(extra.size(), 4);
     for (std::size_t i = 0; i < count; ++i) mirrored[i] = 1.0 / extra[i];
-    forEachAzimuthInHalf(at.far, at.reach, at.dark_anti, {mirrored, count}, [&](double t, double weight) {
+    forEachAzimuthInHalf(at, at.far, at.dark_anti, {mirrored, count}, [&](double t, double weight) {
       const double norm = 1.0 / (1.0 + t * t);
       visit(Azimuth{(t * t - 1.0) * norm, 2.0 * t * norm, norm, t * t * norm, 2.0 * norm * weight});
     });
@@ -112,9 +113,9 @@ class HemisphereQuadrature {
   /// near + (near + reach) t^2 over 1 + t^2, whose root is at t = i h, and a dark gradient's hue has a pole at i dark:
   /// panels grow from kFirst times the smaller of them by kGrowth.
   template <typename Visit>
-  void forEachAzimuthInHalf(double distance, double reach, double dark, std::span<const double> extra,
+  void forEachAzimuthInHalf(const Latitude& at, double distance, double dark, std::span<const double> extra,
                             Visit&& visit) const {
-    const double h = std::max(std::min(std::sqrt(distance / (distance + reach)), dark), smallest_h_);
+    const double h = std::max(std::min(std::sqrt(distance / (distance + at.reach)), dark), smallest_h_);
     const double growth = dark < 1.0 ? kDarkGrowth : kGrowth;
     double edge[32];
     int edges = 0;
@@ -127,7 +128,8 @@ class HemisphereQuadrature {
       for (; edge[place - 1] > t; --place) edge[place] = edge[place - 1];
       edge[place] = t;
     }
-    for (int i = 1; i < edges; ++i) sh::forEachNode(azimuth_, edge[i - 1], edge[i], visit);
+    const sh::GaussRule& rule = at.has_dark ? dark_azimuth_ : azimuth_;
+    for (int i = 1; i < edges; ++i) sh::forEachNode(rule, edge[i - 1], edge[i], visit);
   }
 
   static constexpr double kFirst = 1.25;      ///< the first panel's end, in units of h
@@ -135,6 +137,7 @@ class HemisphereQuadrature {
   static constexpr double kDarkGrowth = 2.5;  ///< the same beside a pole, which is stronger than a cusp
   double smallest_h_;
   sh::GaussRule coarse_, middle_, fine_, azimuth_;
+  sh::GaussRule dark_, dark_azimuth_;  ///< where a dark gradient's hue has poles
 };
 
 /// The sky's radiance at intensity 1 at a point of a circle of constant elevation.
