@@ -109,6 +109,21 @@ TEST_CASE("Certificate, FindsOneBrokenNumber") {
   CHECK(bad.channel == 1);
 }
 
+TEST_CASE("Certificate, LooksBetweenKeys") {
+  // The sun climbs and sinks again, never below the horizon; three modes hold the keys, two of which are alike.
+  sky::Sky sky = stillSky(*sky::findLuminance("cie-12"), 5.0);
+  sky.sun.path.key_time_h = {0.0, 12.0};
+  sky.sun.path.key_azimuth_rad = {1.0, 1.0};
+  sky.sun.path.key_elevation_rad = {0.1, 1.2};
+  const SampledDay day(sky, everyHours(6.0));
+  const sky::ModeSet set = sky::DayModes(day.fields, day.grid).best(3);
+  const BakedDay baked(day, sky::modesOf(day.values, set, sky::weightsOf(day.values, set), 25, 25, 3));
+  const Certificate c = baked.certificate(24.0);
+  CHECK(std::fmod(c.time_h, 6.0) == 3.0);
+  CHECK(c.max_error == Approx(errorAt(baked, c.time_h, {c.normal})).epsilon(0.01));
+  CHECK(c.parts.time > 0.8 * c.max_error);
+}
+
 TEST_CASE("Certificate, SeesTheGround") {
   // A file made for another ground: E differs by the albedo times E_h, at the nadir most.
   sky::Sky sky = stillSky(*sky::findLuminance("cie-5"), 30.0);
