@@ -34,9 +34,11 @@ std::string budgetSentence(const BudgetRow& row) {
   if (!row.plan.met)
     return fmt::format("Nothing that a file can hold keeps the irradiance within {}: the best is {}, by {}.",
                        share(row.max_error), share(row.plan.predicted_error), row.plan.representation.name());
-  return fmt::format("Within {} the least is {}: {} with {} keys of {}, at {}.", share(row.max_error),
+  const auto& modes = row.plan.representation.modes;
+  return fmt::format("Within {} the least is {}: {} with {} keys of {}, at {}{}.", share(row.max_error),
                      bytes(static_cast<double>(row.plan.bytes)), row.plan.representation.name(),
-                     row.plan.table.key_time_h.size(), sky::nameOf(row.plan.encoding), share(row.plan.predicted_error));
+                     row.plan.table.key_time_h.size(), sky::nameOf(row.plan.encoding), share(row.plan.predicted_error),
+                     modes && modes->count > 8 ? "; more modes than the shader includes read" : "");
 }
 
 std::string bandsParagraph(const std::vector<Way>& ways) {
@@ -104,8 +106,9 @@ std::string shadersParagraph(const std::vector<NamedShaderCost>& shaders) {
   bool first = true;
   for (const auto& [name, cost] : shaders) {
     if (!name.starts_with("irradiance ")) continue;
-    text += fmt::format("{} {} scalar operations, {} fetches and {} uniform loads with {}", first ? "" : ",",
-                        cost.scalar_operations, cost.texture_fetches, cost.uniform_loads, name.substr(11));
+    text += fmt::format("{} {} scalar operations, {} {} and {} uniform loads with {}", first ? "" : ",",
+                        cost.scalar_operations, cost.texture_fetches, cost.texture_fetches == 1 ? "fetch" : "fetches",
+                        cost.uniform_loads, name.substr(11));
     first = false;
   }
   return text + ".";

@@ -75,6 +75,16 @@ std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& o
   return rows;
 }
 
+void addPlans(TableStudy& study) {
+  for (const auto& [budget, plan, seconds] : study.budgets) {
+    const std::size_t keys = plan.table.key_time_h.size();
+    if (plan.met)
+      study.tables.push_back(
+          {fmt::format("{}, {} keys, {}", plan.representation.name(), keys, sky::nameOf(plan.encoding)), keys,
+           plan.bytes, plan.predicted_error, plan.representation.modes.has_value(), plan.representation.fitted});
+  }
+}
+
 std::vector<std::size_t> frontOf(const std::vector<MeasuredTable>& tables) {
   std::vector<Trade> trades;
   for (const MeasuredTable& table : tables) trades.push_back({static_cast<double>(table.bytes), table.error});
@@ -112,13 +122,15 @@ Chart encodingsChart(const std::vector<EncodingRow>& rows) {
               {"bytes, modes included", Quantity::bytes, Scale::log},
               {"error of the encoding alone", Quantity::share, Scale::log},
               {}};
-  for (const EncodingRow& row : rows) {
-    if (chart.series.empty() || chart.series.back().name != row.way)
-      chart.series.push_back({row.way, SeriesStyle::line, {}});
-    const bool first = chart.series.size() == 1;
-    chart.series.back().points.push_back(
-        {static_cast<double>(row.bytes), row.encoding_error, first ? sky::nameOf(row.encoding) : ""});
+  for (const sky::Encoding encoding : kEncodings) {
+    Series series{sky::nameOf(encoding), SeriesStyle::line, {}};
+    for (const EncodingRow& row : rows)
+      if (row.encoding == encoding)
+        series.points.push_back({static_cast<double>(row.bytes), row.encoding_error,
+                                 encoding == sky::Encoding::fixed8 ? row.way.substr(0, row.way.find(',')) : ""});
+    chart.series.push_back(std::move(series));
   }
+  chart.levels = {{0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
   return chart;
 }
 

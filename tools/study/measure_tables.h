@@ -48,6 +48,8 @@ std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector
 std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Way>& ways,
                                          const StudyOptions& options);
 std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& options);
+/// Adds the tables of the budgets that were met to all tables.
+void addPlans(TableStudy& study);
 std::vector<std::size_t> frontOf(const std::vector<MeasuredTable>& tables);
 
 /// Adds the tables "encodings", "pareto", "tables" and "budgets" and the charts "pareto" and "encodings".

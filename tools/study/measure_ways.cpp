@@ -78,13 +78,14 @@ std::vector<Way> collectWays(const StudyDay& day, const StudyOptions& options) {
   for (const int bands : {2, 3, 5})
     for (const Fit fit : {Fit::projected, Fit::fitted, Fit::windowed}) ways.push_back(coefficientsWay(day, bands, fit));
   const sky::DayModes modes(day.fields(), day.grid());
-  std::vector<MapSize> maps = {kSmallMap, kLargeMap, kLargestMap};
+  std::vector<MapSize> maps = {kSmallMap, kMiddleMap, kLargeMap, kLargestMap};
   if (options.quick) maps = {kSmallMap, kLargestMap};
   for (std::size_t count = 1; count <= (options.quick ? 8 : sky::DayModes::kMost); ++count) {
     const DayWeights weights = modeWeights(day, modes, count);
     if (weights.set.count() < count) break;  // the day has no more
     for (const MapSize map : maps) ways.push_back(modesWay(day, weights, map, Fit::projected));
-    if (count >= 4 && count <= 8) ways.push_back(modesWay(day, weights, kLargestMap, Fit::fitted));
+    if ((count >= 4 && count <= 8) || count == sky::DayModes::kMost)
+      ways.push_back(modesWay(day, weights, kLargestMap, Fit::fitted));
     if (options.interrupt && !options.interrupt()) break;
   }
   return ways;

@@ -11,19 +11,17 @@ namespace {
 constexpr double kStep_h = 2.5 / 60.0;  // as a plan for 0.5 % and more
 constexpr double kQuickStep_h = 10.0 / 60.0;
 
+void require(bool keep_going) {
+  if (!keep_going) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+}
+
 }  // namespace
 
-StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options) {
-  const auto require = [](bool keep_going) {
-    if (!keep_going) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+Study measureSky(const StudyDay& day, const StudyOptions& options) {
+  const auto axisDone = [&] {
+    require(!options.interrupt || options.interrupt());
+    require(!options.progress || options.progress());
   };
-  const auto axisDone = [&] { require(!options.progress || options.progress()); };
-  const sky::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
-
-  StudyReport report;
-  report.title = fmt::format("Cost against error: {}", file.inputs.empty() ? "a sky" : file.inputs.front().name);
-  const StudyDay day(file.sky, options.quick ? kQuickStep_h : kStep_h, interrupt);
-  axisDone();
   Study study;
   study.shaders = measuredShaders();
   study.ways = collectWays(day, options);
@@ -34,19 +32,30 @@ StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options) {
   axisDone();
   study.tables.encodings = measureEncodings(day, study.ways);
   study.tables.tables = measureTables(day, study.ways, options);
+  addPlans(study.tables);
   study.tables.front = frontOf(study.tables.tables);
   axisDone();
-  study.cubemaps = measureCubemapAxis(file.sky, options);
+  study.cubemaps = measureCubemapAxis(day.sky(), options);
   axisDone();
   study.quadrature = measureQuadrature(day, options);
   axisDone();
+  return study;
+}
+
+StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options) {
+  const sky::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
+  StudyReport report;
+  report.title = fmt::format("Cost against error: {}", file.inputs.empty() ? "a sky" : file.inputs.front().name);
+  const StudyDay day(file.sky, options.quick ? kQuickStep_h : kStep_h, interrupt);
+  require(!options.progress || options.progress());
+  const Study study = measureSky(day, options);
   reportTables(study.tables, report);
   reportWays(file, day, study.ways, report);
   reportKeys(study.keys, report);
   reportCubemaps(study.cubemaps, report);
   reportQuadrature(study.quadrature, report);
   report.paragraphs = conclusionOf(study);
-  axisDone();
+  require(!options.progress || options.progress());
   return report;
 }
 

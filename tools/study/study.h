@@ -20,11 +20,14 @@ struct Study {
   QuadratureStudy quadrature;
 };
 
+/// Measures every axis. Everything but times is the same for any number of threads. Throws Error(interrupted) when a
+/// progress says so.
+Study measureSky(const StudyDay& day, const StudyOptions& options);
+
 /// Axes of a study: how often `progress` is told.
 inline constexpr std::size_t kAxes = 8;
 
-/// Measures and reports; nothing is written. Everything but times is the same for any number of threads. Throws
-/// Error(interrupted) when a progress says so.
+/// Samples the day, measures and reports; nothing is written. Throws as measureSky.
 StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options);
 
 /// What the numbers say, a sentence or a few a paragraph.

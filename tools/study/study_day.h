@@ -12,9 +12,9 @@ namespace welkin::study {
 
 /// How much of a study is made, and who is told.
 struct StudyOptions {
-  bool quick = false;       ///< fewer instants, ways and cubemaps
-  sky::Progress progress;   ///< told after every axis; false stops with Error(interrupted)
-  sky::Progress interrupt;  ///< asked often within an axis
+  bool quick = false;            ///< fewer instants, ways and cubemaps
+  sky::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
+  sky::Progress interrupt = {};  ///< asked often within an axis
 };
 
 /// Irradiance at every few minutes and wherever the sun's path bends. Neither copied nor moved: parts point at others.
