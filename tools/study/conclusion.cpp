@@ -59,21 +59,18 @@ std::string bandsParagraph(const std::vector<Way>& ways) {
 std::string windowParagraph(const std::vector<Way>& ways) {
   std::string text = "The mildest window that keeps irradiance from being negative";
   bool wins = false;
+  bool taken = false;
   for (const int bands : {2, 3, 5}) {
     const Way* projected = find(ways, fmt::format("{} bands", bands));
     const Way* windowed = find(ways, fmt::format("{} bands, mildest window", bands));
     if (projected == nullptr || windowed == nullptr) continue;
     wins = wins || windowed->error < projected->error;
-    text += windowed->window_strength > 0.0 ? fmt::format("{} takes {} bands from {} to {}",
-                                                          bands == 2   ? ""
-                                                          : bands == 5 ? ", and"
-                                                                       : ",",
-                                                          bands, share(projected->error), share(windowed->error))
-                                            : fmt::format("{} changes nothing of {} bands, which are never negative",
-                                                          bands == 2   ? ""
-                                                          : bands == 5 ? ", and"
-                                                                       : ",",
-                                                          bands);
+    const char* joint = bands == 2 ? "" : bands == 5 ? ", and" : ",";
+    text += windowed->window_strength > 0.0
+                ? fmt::format("{}{} {} bands from {} to {}", joint, taken ? "" : " takes", bands,
+                              share(projected->error), share(windowed->error))
+                : fmt::format("{} leaves {} bands alone, which are never negative", joint, bands);
+    taken = taken || windowed->window_strength > 0.0;
   }
   return text + (wins ? ": for some it lessens the error, so it is worth trying for this sky."
                       : ": it lessens no error, so windows stay off unless negative light cannot be borne.");
