@@ -98,8 +98,8 @@ HemisphereQuadrature::HemisphereQuadrature(double tolerance, int orders, double 
   middle_ = sh::gaussLegendre(nodes.middle);
   fine_ = sh::gaussLegendre(nodes.fine);
   azimuth_ = sh::gaussLegendre(nodes.azimuth);
-  dark_ = sh::gaussLegendre(nodes.fine + 3);
-  dark_azimuth_ = sh::gaussLegendre(nodes.azimuth + 3);
+  dark_ = sh::gaussLegendre(nodes.fine + 2);
+  dark_azimuth_ = sh::gaussLegendre(nodes.azimuth + 2);
 }
 
 std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::span<const double> extra) const {

@@ -11,7 +11,7 @@
 #include "sensitivity.h"
 #include "sky/error.h"
 #include "sky/sky_file.h"
-#include "tests/sky/always.h"
+#include "steps.h"
 
 namespace welkin::stress {
 namespace {
@@ -21,25 +21,11 @@ using sky::SkyInstant;
 using test::Baked;
 using test::Fault;
 
-/// What a float leaves of a direction, radians, and of a radiance, relative.
-constexpr double kFloatDirection = 2e-7;
-constexpr double kFloat = 1e-6;
+constexpr double kFloat = 1e-6;  ///< what floats leave of a radiance, relative
 
 /// As floats hold it. Not inlined: GCC 12 drops the two conversions then.
 [[gnu::noinline]] Number3 rounded(const Number3& d) {
   return {double{float(d.x)}, double{float(d.y)}, double{float(d.z)}};
-}
-
-/// Part of a light that counts as what it gives the ground at least.
-constexpr double kShare = 0.01;
-
-double largestOf(const Number3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Number3 groundRadianceOf(const WelkinSkySample& sample) {
-  const float* g = sample.ground_radiance;
-  return {double{g[0]}, double{g[1]}, double{g[2]}};
 }
 
 /// The sky under test and everything that is drawn for it.
@@ -125,108 +111,23 @@ class Look {
     return {};
   }
 
-  /// The ground under lights of which at least kShare is taken for what they give it: it starts from 0 as they rise.
-  test::Shown groundOf(const SkyInstant& instant, const WelkinSkySample& sample) const {
-    return {groundRadianceOf(sample), kShare * largestOf(file_.sky.ground_albedo) * lightsAt(instant.time_h())};
-  }
-  double lightsAt(double time_h) const {
-    double sum = largestOf(file_.sky.sun.normalIrradianceAt(time_h));
-    if (file_.sky.moon) sum += largestOf(file_.sky.moon->normalIrradianceAt(time_h));
-    return sum;
-  }
-
   Fault stepInTime() {
-    constexpr double kResolution_h = 1e-9;
-    constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / sky::kGradientDelta;  // of chromaticities, an hour
     const double middle = drawTime();
-    const Number3 directions[] = {
-        {0, 1, 0}, Number3{0.6, 0.0, -0.8}, rounded(det::directionOf(random_.between(0, 6.28), 0.7))};
-    const auto shown = [&](double time_h) {
-      const SkyInstant instant(file_.sky, time_h);
-      WelkinSkySample sample{};
-      baked_->sky.sample(time_h, sample);
-      const test::Shown ground = groundOf(instant, sample);
-      std::vector<test::Shown> values = {ground};
-      for (const Number3& d : directions) {
-        values.push_back(test::domeOf(instant, d));
-        auto seen = test::seen(baked_->sky, sample, d);
-        seen[1].size += det::kPi * ground.size;
-        values.insert(values.end(), seen.begin(), seen.end());
-      }
-      return values;
-    };
-    const test::Step step =
-        test::largestStep(shown, middle - random_.magnitude(1e-7, 0.1), middle + 0.03, kResolution_h);
-    if (const Fault fault = steepCurve(step); !fault.empty()) return fault;
-    const SkyInstant before(file_.sky, step.low);
-    const SkyInstant after(file_.sky, step.high);
-    double slope = 0.0;
-    for (const Number3& d : directions) slope = std::max({slope, sensitivityAt(before, d), sensitivityAt(after, d)});
-    const double allowed =
-        1e-5 + (step.high - step.low) * kColumns + changeOfCurves(step) +
-        (moveOf(file_.sky.sun.path, step) + kFloatDirection) * slope +
-        (moveOf(file_.sky.sun.path, step) + (file_.sky.moon ? moveOf(file_.sky.moon->path, step) : 0.0)) / kShare;
-    return judge(step, allowed, "h");
+    const Number3 direction = rounded(det::directionOf(random_.between(0, 6.28), 0.7));
+    return note(searchTime(file_.sky, baked_->sky, middle - random_.magnitude(1e-7, 0.1), middle + 0.03, direction));
   }
 
-  static double moveOf(const sky::LightPath& path, const test::Step& step) {
-    return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
-  }
-
-  /// What the artist's curves change by over a step, relative: that much a sky may change too.
-  double changeOfCurves(const test::Step& step) const {
-    const sky::Sky& s = file_.sky;
-    const auto change = [](const Number3& a, const Number3& b) {
-      return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
-    };
-    double sum = change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
-                 change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
-                 20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high)) +
-                 change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
-    if (s.moon) sum += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
-    // Table keys, too, may be a second apart.
-    return sum + 4.0 * 3600.0 * (step.high - step.low);
-  }
-
-  /// Curves themselves change by no more than their largest key in the second that keys are apart.
-  Fault steepCurve(const test::Step& step) const {
-    for (const sky::Curve* curve : {&file_.sky.intensity, &file_.sky.ambient_saturation, &file_.sky.sun.illuminance}) {
-      const double largest = *std::max_element(curve->value.begin(), curve->value.end());
-      const double change = std::abs(curve->at(step.high) - curve->at(step.low));
-      if (change > largest * (3600.01 * (step.high - step.low) + 1e-9))
-        return fmt::format("a curve up to {} changes by {} between {} and {} h", largest, change, step.low, step.high);
-    }
-    return {};
-  }
-
+  /// Through the sun's vertical plane, or any other.
   Fault stepInDirection() {
-    constexpr double kResolution_rad = 1e-6;
     const double time_h = drawTime();
-    const SkyInstant instant(file_.sky, time_h);
-    WelkinSkySample sample{};
-    baked_->sky.sample(time_h, sample);
-    // A great circle over the upper hemisphere, through the sun's vertical plane or any other.
-    const Number3 sun = instant.sunDirection();
+    const Number3 sun = SkyInstant(file_.sky, time_h).sunDirection();
     const double azimuth = random_.once(2) ? std::atan2(sun.x, -sun.z) : random_.between(0.0, 6.28);
-    const auto towards = [&](double e) { return det::directionOf(azimuth, e); };
-    const test::Step step = test::largestStep(
-        [&](double e) {
-          auto values = test::seen(baked_->sky, sample, towards(e));
-          values.push_back(test::domeOf(instant, towards(e)));
-          return values;
-        },
-        random_.magnitude(1e-6, 1.0), det::kPi - 1e-6, kResolution_rad);
-    const double slope =
-        std::max(sensitivityAt(instant, towards(step.low)), sensitivityAt(instant, towards(step.high)));
-    return judge(step, 1e-5 + (step.high - step.low + kFloatDirection) * slope, "rad at " + at(time_h));
+    return note(searchArc(file_.sky, baked_->sky, time_h, azimuth, random_.magnitude(1e-6, 1.0)));
   }
 
-  Fault judge(const test::Step& step, double allowed, const std::string& unit) {
-    if (allowed > 0.1) return {};
-    outcome_.step_measured = true;
-    if (step.height <= allowed) return {};
-    return fmt::format("a step of {} where {} is allowed, between {} and {} {}", step.height, allowed, step.low,
-                       step.high, unit);
+  Fault note(const Searched& searched) {
+    outcome_.step_measured = outcome_.step_measured || searched.measured;
+    return searched.fault;
   }
 
   Fault cubemap() {
@@ -245,7 +146,8 @@ class Look {
     const auto exact = sky::SkyProjector(file_.sky.luminance, file_.bake.bands, 1e-12).project(instant);
     const Number3 c0 = exact.radiance_sh[0] * instant.intensity();
     if (std::max({c0.x, c0.y, c0.z}) > 1e37) return {};
-    const Number3 ground = groundRadianceOf(sample);
+    const float* g = sample.ground_radiance;
+    const Number3 ground(double{g[0]}, double{g[1]}, double{g[2]});
     const auto up = det::shBasis({0, 1, 0});
     for (std::size_t i = 0; i < exact.radiance_sh.size(); ++i) {
       const int band = i < 1 ? 0 : i < 4 ? 1 : i < 9 ? 2 : i < 16 ? 3 : 4;

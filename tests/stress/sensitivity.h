@@ -6,6 +6,9 @@
 
 namespace welkin::stress {
 
+/// What a float leaves of a direction, radians.
+inline constexpr double kFloatDirection = 2e-7;
+
 /// Bound of the relative change of the dome's radiance in unit `direction`, y >= 0, a radian that the sun or the
 /// direction moves; for moves that are small beside the lobe's width and the layer's height.
 double sensitivityAt(const sky::SkyInstant& instant, const sky::Number3& direction);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sensitivity.h"
+
+namespace welkin::stress {
+namespace {
+
+using sky::Number3;
+using sky::SkyInstant;
+using test::Shown;
+using test::Step;
+
+constexpr double kSlack = 1e-5;  // rounding of float results
+/// Part of what the lights give the ground that counts as its radiance at least: it starts from 0 as they rise.
+constexpr double kShare = 0.01;
+
+double largestOf(const Number3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+Shown groundOf(const sky::Sky& model, const WelkinSkySample& sample) {
+  double lights = largestOf(model.sun.normalIrradianceAt(sample.time_h));
+  if (model.moon) lights += largestOf(model.moon->normalIrradianceAt(sample.time_h));
+  const float* g = sample.ground_radiance;
+  return {{double{g[0]}, double{g[1]}, double{g[2]}}, kShare * largestOf(model.ground_albedo) * lights};
+}
+
+double moveOf(const sky::LightPath& path, const Step& step) {
+  return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
+}
+
+/// What the artist's curves change by over a step, relative: that much a sky may change too.
+double changeOfCurves(const sky::Sky& s, const Step& step) {
+  const auto change = [](const Number3& a, const Number3& b) {
+    return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
+  };
+  double sum = change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
+               change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
+               20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high)) +
+               change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
+  if (s.moon) sum += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
+  return sum + 4.0 * 3600.0 * (step.high - step.low);  // table keys, too, may be a second apart
+}
+
+/// Curves themselves change by no more than their largest key in the second that keys are apart.
+test::Fault steepCurve(const sky::Sky& s, const Step& step) {
+  for (const sky::Curve* curve : {&s.intensity, &s.ambient_saturation, &s.sun.illuminance}) {
+    const double largest = *std::max_element(curve->value.begin(), curve->value.end());
+    const double change = std::abs(curve->at(step.high) - curve->at(step.low));
+    if (change > largest * (3600.01 * (step.high - step.low) + 1e-9))
+      return fmt::format("a curve up to {} changes by {} between {} and {} h", largest, change, step.low, step.high);
+  }
+  return {};
+}
+
+Searched judge(const Step& step, double allowed, const std::string& unit) {
+  constexpr double kTooSteep = 0.1;
+  if (allowed > kTooSteep) return {};
+  if (step.height <= allowed) return {{}, true};
+  return {fmt::format("a step of {} where {} is allowed, between {} and {} {}", step.height, allowed, step.low,
+                      step.high, unit),
+          true};
+}
+
+}  // namespace
+
+Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from_h, double to_h,
+                    const Number3& direction) {
+  constexpr double kResolution_h = 1e-9;
+  constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / sky::kGradientDelta;  // of chromaticities, an hour
+  const Number3 directions[] = {{0, 1, 0}, {0.6, 0.0, -0.8}, direction};
+  const auto shown = [&](double time_h) {
+    const SkyInstant instant(model, time_h);
+    WelkinSkySample sample{};
+    baked.sample(time_h, sample);
+    const Shown ground = groundOf(model, sample);
+    std::vector<Shown> values = {ground};
+    for (const Number3& d : directions) {
+      values.push_back(test::domeOf(instant, d));
+      auto seen = test::seen(baked, sample, d);
+      seen[1].size += det::kPi * ground.size;
+      values.insert(values.end(), seen.begin(), seen.end());
+    }
+    return values;
+  };
+  const Step step = test::largestStep(shown, from_h, to_h, kResolution_h);
+  if (const test::Fault fault = steepCurve(model, step); !fault.empty()) return {fault, true};
+  const SkyInstant before(model, step.low);
+  const SkyInstant after(model, step.high);
+  double slope = 0.0;
+  for (const Number3& d : directions) slope = std::max({slope, sensitivityAt(before, d), sensitivityAt(after, d)});
+  const double sun = moveOf(model.sun.path, step);
+  const double moon = model.moon ? moveOf(model.moon->path, step) : 0.0;
+  return judge(step,
+               kSlack + (step.high - step.low) * kColumns + changeOfCurves(model, step) +
+                   (sun + kFloatDirection) * slope + (sun + moon) / kShare,
+               "h");
+}
+
+Searched searchArc(const sky::Sky& model, const welkin::Sky& baked, double time_h, double azimuth_rad,
+                   double from_rad) {
+  constexpr double kResolution_rad = 1e-6;
+  const SkyInstant instant(model, time_h);
+  WelkinSkySample sample{};
+  baked.sample(time_h, sample);
+  const auto towards = [&](double e) { return det::directionOf(azimuth_rad, e); };
+  const Step step = test::largestStep(
+      [&](double e) {
+        auto values = test::seen(baked, sample, towards(e));
+        values.push_back(test::domeOf(instant, towards(e)));
+        return values;
+      },
+      from_rad, det::kPi - 1e-6, kResolution_rad);
+  const double slope = std::max(sensitivityAt(instant, towards(step.low)), sensitivityAt(instant, towards(step.high)));
+  return judge(step, kSlack + (step.high - step.low + kFloatDirection) * slope, fmt::format("rad at {} h", time_h));
+}
+
+}  // namespace welkin::stress
