@@ -67,10 +67,27 @@ void checkBorrowed(const WelkinSky* sky, const WelkinSkyInfo& info, std::size_t 
   WelkinStars stars;
   requireOk(welkin_sky_stars(sky, &stars), "stars");
   touch(stars.rgba8, std::size_t{4} * stars.width * stars.height);
+  WelkinModes modes;
+  requireOk(welkin_sky_modes(sky, &modes), "modes");
+  require(modes.count == info.mode_count && modes.count <= WELKIN_MAX_MODES, "the modes are as many as info says");
+  require(modes.count == 0 || (modes.columns > 0 && modes.rows > 0), "the map of the modes has texels");
+  touch(modes.texels, sizeof(std::uint16_t) * modes.count * modes.columns * modes.rows);
   const char* settings = nullptr;
   requireOk(welkin_sky_settings(sky, &settings), "settings");
   touch(settings, std::strlen(settings));
   [[maybe_unused]] const volatile std::size_t kept = sum;
+}
+
+void checkCertificate(const WelkinSky* sky) {
+  WelkinCertificate c;
+  requireOk(welkin_sky_certificate(sky, &c), "certificate");
+  require(c.method <= WELKIN_CERTIFICATE_FULL && c.channel < 3, "a certificate has a method and a channel");
+  require(c.time_h >= 0.0 && c.time_h < 24.0 && c.cubemap_time_h >= 0.0 && c.cubemap_time_h < 24.0,
+          "a certificate's times are in the day");
+  for (const double error : {c.max_error, c.mean_error, c.quadrature, c.truncation, c.time, c.encoding, c.cubemap_error,
+                             c.cubemap_resolution, c.cubemap_blend, c.cubemap_encoding, c.dome_error})
+    require(error >= 0.0 && std::isfinite(error), "a certified error is not negative");
+  for (const double component : c.normal) require(std::abs(component) <= 1.0, "a certificate's normal is one");
 }
 
 void checkSample(const WelkinSky* sky, const WelkinSkyInfo& info, const WelkinSkySample& s) {
@@ -82,6 +99,10 @@ void checkSample(const WelkinSky* sky, const WelkinSkyInfo& info, const WelkinSk
   requireFinite(&s.ambient_sh[0][0], 3 * WELKIN_MAX_COEFFICIENTS, "the ambient light");
   requireFinite(s.polarising_tint, 3, "the tint");
   requireFinite(s.ground_radiance, 3, "the ground");
+  requireFinite(s.ambient_ground, 3, "the ground of the ambient light");
+  require(s.mode_count == info.mode_count, "a sample has every mode");
+  requireFinite(&s.mode_weight[0][0], 3 * WELKIN_MAX_MODES, "the modes' weights");
+  require(std::abs(std::hypot(s.mode_azimuth[0], s.mode_azimuth[1]) - 1.0F) < 1e-5F, "the modes' azimuth is a unit");
   require(std::isfinite(s.luminance_norm) && s.luminance_norm > 0.0F, "the normalising luminance is positive");
   require(std::isfinite(s.intensity) && s.intensity >= 0.0F, "the intensity is not negative");
   require(s.ambient_saturation >= 0.0F && s.ambient_saturation <= 1.0F, "the saturation is 0 to 1");
@@ -91,6 +112,9 @@ void checkSample(const WelkinSky* sky, const WelkinSkyInfo& info, const WelkinSk
     float rgb[3];
     requireOk(welkin_sample_irradiance(&s, direction, rgb), "irradiance");
     requireFinite(rgb, 3, "the irradiance");
+    requireOk(welkin_sky_irradiance(sky, &s, direction, rgb), "sky_irradiance");
+    requireFinite(rgb, 3, "the best irradiance");
+    require(*std::min_element(rgb, rgb + 3) >= 0.0F, "the best irradiance is not negative");
     requireOk(welkin_dome_radiance(sky, &s, direction, rgb), "dome_radiance");
     requireFinite(rgb, 3, "the dome");
     requireOk(welkin_disc_radiance(&s, direction, 0.001F, rgb), "disc_radiance");
@@ -118,6 +142,7 @@ void use(const WelkinSky* sky, std::size_t size) {
   requireFinite(&info.luminance_unit, 1, "the luminance unit");
   requireFinite(info.ground_albedo, 3, "the albedo");
   checkBorrowed(sky, info, size);
+  checkCertificate(sky);
   WelkinCubemap none;
   require(welkin_sky_cubemap(sky, info.cubemap_count, &none) == WELKIN_ERROR_ARGUMENT, "no cubemap after the last");
 
@@ -132,6 +157,9 @@ void use(const WelkinSky* sky, std::size_t size) {
     checkLight(blended.sun);
     checkLight(blended.moon);
     requireFinite(&blended.ambient_sh[0][0], 3 * WELKIN_MAX_COEFFICIENTS, "the blended light");
+    float rgb[3];
+    requireOk(welkin_sky_irradiance(sky, &blended, kDirections[0], rgb), "sky_irradiance");
+    requireFinite(rgb, 3, "the blended irradiance");
     before = sample;
   };
   for (const double time_h : {0.0, 3.217, 6.0, 12.0, 18.0083, 23.9999, -0.5, 1e300}) sampleAt(time_h);

@@ -166,7 +166,10 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"the day's table", [](Parts& p) { p.day.channels = 2; }},
                   {"the day's table", [](Parts& p) { p.day.encoding = 1; }},
                   {"the day's table", [](Parts& p) { p.day.encoding = 4; }},
-                  {"the day's table", [](Parts& p) { p.day.key_scale = {1.0F, 1.0F}; }},
+                  {"the day's table",
+                   [](Parts& p) {
+                     p.day.key_scale = {1.0F, 1.0F};
+                   }},
                   {"the day's table", [](Parts& p) { p.day.row_scale = {1.0F}; }},
                   {"the modes", [](Parts& p) { p.day = withModes(13); }},
                   {"the day's table", [](Parts& p) { p.day = withModes(3); }},
@@ -175,6 +178,12 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                   {"the modes", [](Parts& p) { p.day = withModes(4), p.day.mode_columns = 1; }},
                   {"a cubemap", [](Parts& p) { p.cubemap_size = 2; }},
                   {"a cubemap", [](Parts& p) { p.cubemap_format = 1; }},
+                  {"a cubemap",
+                   [](Parts& p) {
+                     p.cubemap_time_h.clear();
+                     for (int i = 0; i < 240; ++i) p.cubemap_time_h.push_back(0.1 * i);
+                     p.shares_texels = true;
+                   }},
                   {"cubemap_format", [](Parts& p) { p.cubemap_format = 3; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0xffffffff; }}});

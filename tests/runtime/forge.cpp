@@ -50,11 +50,13 @@ DayParts withModes(std::uint8_t count) {
 std::vector<std::uint8_t> payloadOf(const Parts& p) {
   FlatBufferBuilder b;
   std::vector<Offset<format::Cubemap>> cubemaps;
+  Offset<flatbuffers::Vector<std::uint8_t>> texels;
   for (const double time : p.cubemap_time_h) {
-    b.ForceVectorAlignment(p.cubemap.size() * 2, 1, 16);
-    const auto texels = b.CreateVector(reinterpret_cast<const std::uint8_t*>(p.cubemap.data()), p.cubemap.size() * 2);
-    cubemaps.push_back(
-        format::CreateCubemap(b, time, p.has_texels ? texels : Offset<flatbuffers::Vector<std::uint8_t>>()));
+    if (p.has_texels && (texels.IsNull() || !p.shares_texels)) {
+      b.ForceVectorAlignment(p.cubemap.size() * 2, 1, 16);
+      texels = b.CreateVector(reinterpret_cast<const std::uint8_t*>(p.cubemap.data()), p.cubemap.size() * 2);
+    }
+    cubemaps.push_back(format::CreateCubemap(b, time, texels));
   }
   const auto intensity = build(b, p.intensity);
   const auto saturation = build(b, p.saturation);
@@ -73,10 +75,9 @@ std::vector<std::uint8_t> payloadOf(const Parts& p) {
                            : Offset<format::Day>();
   const double* m = p.model;
   const format::Luminance luminance(m[0], m[1], m[2], m[3], m[4], m[5], p.normalise);
-  const auto sky =
-      format::CreateSkyDirect(b, p.has_luminance ? &luminance : nullptr, p.unit, p.has_albedo ? &p.albedo : nullptr,
-                              intensity, saturation, tint, sun, moon, gradient_sun, gradient_anti, p.delta, day,
-                              p.cubemap_size, &cubemaps, 0, p.cubemap_format);
+  const auto sky = format::CreateSkyDirect(
+      b, p.has_luminance ? &luminance : nullptr, p.unit, p.has_albedo ? &p.albedo : nullptr, intensity, saturation,
+      tint, sun, moon, gradient_sun, gradient_anti, p.delta, day, p.cubemap_size, &cubemaps, 0, p.cubemap_format);
   format::FinishFileBuffer(b, format::CreateFileDirect(b, p.has_settings ? "{}" : nullptr, nullptr,
                                                        p.has_sky ? sky : Offset<format::Sky>()));
   return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};

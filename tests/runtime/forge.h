@@ -66,6 +66,7 @@ struct Parts {
   std::vector<std::uint16_t> cubemap = std::vector<std::uint16_t>(24, 0x3c00);
   std::uint8_t cubemap_format = 0;
   bool has_texels = true;
+  bool shares_texels = false;  ///< one picture for every cubemap
 };
 
 /// The valid file's table in another encoding: 1 float16, 2 fixed16, 3 fixed8.
