@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/section.h"
 
-#include <algorithm>
-
 namespace welkin::sky {
 
 std::optional<double> Section::numberWithout(std::string_view key) const {
@@ -20,9 +18,7 @@ int Section::wholeNumber(const std::string& key) {
 bool Section::isFixed(const std::string& key) {
   const toml::node* node = table_.node(key);
   if (node == nullptr) return false;
-  const auto& words = parameterOf(name_, key).words;
-  const auto text = node->value<std::string>();
-  return !text || std::find(words.begin(), words.end(), *text) == words.end();
+  return node->value<std::string>() != "auto";
 }
 
 std::optional<int> Section::wholeNumberIfAny(const std::string& key) {

@@ -33,7 +33,7 @@ class Section {
   std::vector<std::vector<double>> rows(const std::string& key, std::initializer_list<std::string_view> parts);
   /// Hours, of which there are `otherwise` when the key is absent or the row's word.
   std::vector<double> hours(const std::string& key, int otherwise);
-  /// Whether the key is there and is not a word of the row's list.
+  /// Whether the key is there and is not "auto".
   bool isFixed(const std::string& key);
 
   /// Refuses the keys that cannot stand beside a path.
