@@ -4,10 +4,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "welkin/sky_plan.h"
 
 namespace welkin::tools {
+namespace {
+
+/// CLI::Range takes a NaN for a number within it.
+std::string notNan(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "must be a number" : "";
+}
+
+}  // namespace
 
 void BudgetOption::addTo(CLI::App& command) {
   const sky::Range& range = sky::parameterOf("bake", "max_error").range;
@@ -20,7 +31,7 @@ void BudgetOption::addTo(CLI::App& command) {
   auto* error = command
                     .add_option("--max-error", max_error,
                                 "The largest error that the bake may make, a fraction of the mean irradiance")
-                    ->check(CLI::Range(range.low, range.high));
+                    ->check(CLI::Range(range.low, range.high) & CLI::Validator(notNan, ""));
   command.add_option("--quality", quality, meaning)->check(CLI::IsMember(names))->excludes(error);
 }
 
