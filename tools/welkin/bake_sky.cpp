@@ -114,21 +114,38 @@ std::vector<std::string> cubemapNames(const std::vector<double>& time_h) {
   return names;
 }
 
-/// Renders the cubemaps and writes their EXR files.
-std::vector<sky::Cubemap> bakeCubemaps(const sky::SkyFile& file, const SkyPlan& plan, Outputs& outputs,
-                                       ProgressReport::Style style, std::size_t& saturated) {
+sky::Number3 groundAt(const sky::SkyProjector& projector, const sky::SkyInstant& instant) {
+  return instant.groundRadiance(projector.project(instant).horizontal_irradiance);
+}
+
+std::vector<sky::Cubemap> renderCubemaps(const sky::SkyFile& file, const SkyPlan& plan, ProgressReport::Style style,
+                                         std::size_t& saturated) {
   std::vector<sky::Cubemap> cubemaps;
+  if (plan.cubemap_time_h.empty()) return cubemaps;
+  ProgressReport progress(style, "cubemaps", plan.cubemap_time_h.size());
+  const sky::SkyProjector projector(file.sky.luminance, 1);
+  for (const double time_h : plan.cubemap_time_h) {
+    const sky::SkyInstant instant(file.sky, time_h);
+    cubemaps.push_back(sky::renderCubemap(instant, groundAt(projector, instant), plan.cubemap_size, plan.cubemap_format,
+                                          [] { return !interrupted(); }));
+    saturated += cubemaps.back().saturated;
+    if (!progress.step()) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+  }
+  return cubemaps;
+}
+
+/// The same pictures as EXR cubes and latlongs.
+void writeImages(const sky::SkyFile& file, const SkyPlan& plan, Outputs& outputs, ProgressReport::Style style,
+                 std::size_t& saturated) {
   const auto names = cubemapNames(plan.cubemap_time_h);
-  if (names.empty()) return cubemaps;
+  if (names.empty()) return;
   makeFolder(outputs.folder / "cubemaps");
-  ProgressReport progress(style, "cubemaps", names.size());
+  ProgressReport progress(style, "images", names.size());
   const sky::SkyProjector projector(file.sky.luminance, 1);
   const sky::Progress keep_going = [] { return !interrupted(); };
   for (std::size_t i = 0; i < names.size(); ++i) {
     const sky::SkyInstant instant(file.sky, plan.cubemap_time_h[i]);
-    const auto ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
-    cubemaps.push_back(sky::renderCubemap(instant, ground, plan.cubemap_size, plan.cubemap_format, keep_going));
-    saturated += cubemaps.back().saturated;
+    const auto ground = groundAt(projector, instant);
     for (const auto& [layout, suffix] :
          {std::pair(sky::Layout::exr_cube, ".exr"), {sky::Layout::exr_latlong, "_latlong.exr"}}) {
       const auto image = sky::renderDome(instant, ground, layout, plan.cubemap_size, keep_going);
@@ -138,7 +155,6 @@ std::vector<sky::Cubemap> bakeCubemaps(const sky::SkyFile& file, const SkyPlan& 
     }
     if (!progress.step()) throw Error(ExitStatus::interrupted, "interrupted; finished files are kept");
   }
-  return cubemaps;
 }
 
 /// The error of the cubemaps as they are in the file.
@@ -215,6 +231,8 @@ std::string certificateText(const Json& c) {
 
 Json bakeSky(const sky::SkyFile& given, const std::filesystem::path& folder, Certify how, ProgressReport::Style style,
              Json& timing) {
+  makeFolder(
+      folder);  // a wrong path shows before the work, but no file is written before the budget is known to be kept
   Stopwatch watch;
   Certified certified = planAndMeasure(given, how, style, watch, timing);
   const SkyPlan& plan = certified.plan;
@@ -222,12 +240,10 @@ Json bakeSky(const sky::SkyFile& given, const std::filesystem::path& folder, Cer
   file.bake.gradient_format = plan.gradient_format;
   file.bake.cubemap_time_h = plan.cubemap_time_h;
   file.bake.cubemap_size = plan.cubemap_size;
-  makeFolder(folder);
-  Outputs outputs{folder};
 
   std::size_t saturated = 0;
-  const auto cubemaps = bakeCubemaps(file, plan, outputs, style, saturated);
-  timing["cubemaps_s"] = watch.lap();
+  const auto cubemaps = renderCubemaps(file, plan, style, saturated);
+  double cubemaps_s = watch.lap();
   std::optional<sky::CubemapError> cubemap_error;
   if (how != Certify::none && !cubemaps.empty()) {
     cubemap_error = measureCubemaps(file, plan, cubemaps, how, style);
@@ -242,6 +258,10 @@ Json bakeSky(const sky::SkyFile& given, const std::filesystem::path& folder, Cer
                                        cubemap_error->parts.time, cubemap_error->parts.encoding};
     timing["certify_s"] = timing["certify_s"].get<double>() + watch.lap();
   }
+  Outputs outputs{folder};
+  writeImages(file, plan, outputs, style, saturated);
+  cubemaps_s += watch.lap();
+  timing["cubemaps_s"] = cubemaps_s;
   if (certified.certificate) certified.certificate->dome_error = plan.dome_error;
   const sky::Certificate* certificate = certified.certificate ? &*certified.certificate : nullptr;
   outputs.write("sky.welkin", sky::encodeSky(file, plan.table, cubemaps, plan.encoding, certificate));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 
@@ -70,21 +71,22 @@ bool ProgressReport::step() {
 
 void ProgressReport::print(std::size_t done, bool last) {
   const double elapsed = seconds(Clock::now() - start_);
-  const double left = done > 0 ? elapsed * static_cast<double>(total_ - done) / static_cast<double>(done) : 0.0;
+  const std::size_t total = std::max(total_, done);  // work whose extent shows as it goes has 0
+  const double left = done > 0 ? elapsed * static_cast<double>(total - done) / static_cast<double>(done) : 0.0;
   switch (style_) {
     case Style::bar: {
-      const std::size_t filled = total_ > 0 ? done * 30 / total_ : 30;
+      const std::size_t filled = total > 0 ? done * 30 / total : 30;
       show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left   {}", what_, "", filled, "", 30 - filled, done,
-                       total_, left, last ? "\n" : ""));
+                       total, left, last ? "\n" : ""));
       break;
     }
     case Style::plain:
-      show(fmt::format("{}: {}/{}, {:.1f} s\n", what_, done, total_, elapsed));
+      show(fmt::format("{}: {}/{}, {:.1f} s\n", what_, done, total, elapsed));
       break;
     case Style::json:
       show(fmt::format(
           "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}}}\n", what_,
-          done, total_, elapsed, left));
+          done, total, elapsed, left));
       break;
     case Style::none:
       break;

@@ -20,6 +20,7 @@ class ProgressReport {
   /// "bar", "plain", "json", "none", or "auto": a bar on a terminal, plain lines elsewhere.
   static Style styleOf(const std::string& name);
 
+  /// `total`: pieces; 0 when nobody knows.
   ProgressReport(Style style, std::string what, std::size_t total);
   ~ProgressReport();
 
