@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "run_tool.h"
 #include "sky_text.h"
@@ -33,7 +34,7 @@ TEST_CASE("Interrupt, EndsInTheMiddleOfALargeCubemap") {
   const int signal = GENERATE(SIGINT, SIGTERM);
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText("", kStillSun, bakeSection(2048, "7")));
-  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none"});
+  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none", "--certify", "none"});
   while (!fs::exists(folder / "out/cubemaps")) REQUIRE_FALSE(tool.endsWithin(0.01));
   REQUIRE_FALSE(tool.endsWithin(1.0));  // one cubemap of this size takes many seconds
   tool.send(signal);
@@ -48,10 +49,10 @@ TEST_CASE("Interrupt, EndsInTheMiddleOfALargeCubemap") {
 TEST_CASE("Interrupt, KeepsWholeFilesAndTheOldSky") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, bakeSection(256, "[0, 3]")));
-  REQUIRE(runTool({"bake", sky, "-o", folder / "out", "--progress", "none"}).status == 0);
-  REQUIRE(runTool({"bake", sky, "-o", folder / "same", "--progress", "none"}).status == 0);
+  REQUIRE(runTool({"bake", sky, "-o", folder / "out", "--progress", "none", "--certify", "none"}).status == 0);
+  REQUIRE(runTool({"bake", sky, "-o", folder / "same", "--progress", "none", "--certify", "none"}).status == 0);
   folder.write("sky.toml", skyText(kUniform, kStillSun, bakeSection(256, "200")));
-  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none"});
+  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "none", "--certify", "none"});
   while (!fs::exists(folder / "out/cubemaps/sky_001424000.exr")) REQUIRE_FALSE(tool.endsWithin(0.01));
   tool.send(SIGINT);
   REQUIRE(tool.endsWithin(kSoon_s));
@@ -64,4 +65,21 @@ TEST_CASE("Interrupt, KeepsWholeFilesAndTheOldSky") {
   REQUIRE(readBytes(folder / "out/cubemaps/sky_000712000.exr") ==
           readBytes(folder / "same/cubemaps/sky_000000000.exr"));
   REQUIRE(runTool({"validate", folder / "out"}).status == 0);
+}
+
+TEST_CASE("Interrupt, EndsInThePlanAndInTheCertificate") {
+  const auto& [work, budget] = GENERATE(std::pair<std::string, std::string>{"plan", "0.003"},
+                                        std::pair<std::string, std::string>{"certificate", "0.5"});
+  const Folder folder;
+  const std::string sky = folder.write(
+      "sky.toml", skyText("", "latitude_deg = 40\nday_of_year = 100", "cubemap_size = 0\nmax_error = " + budget));
+  Setting setting;
+  setting.err_path = folder / "err";
+  Tool tool({"bake", sky, "-o", folder / "out", "--progress", "bar", "--certify", "full"}, setting);
+  while (readBytes(folder / "err").find(work) == std::string::npos) REQUIRE_FALSE(tool.endsWithin(0.01));
+  tool.send(SIGINT);
+  REQUIRE(tool.endsWithin(kSoon_s));
+  REQUIRE(tool.wait().status == 130);
+  REQUIRE(readBytes(folder / "err").find("interrupted") != std::string::npos);
+  REQUIRE(filesUnder(folder / "out").empty());
 }

@@ -107,17 +107,31 @@ TEST_CASE("SkyErrors, SunAndMoon") {
 
 TEST_CASE("SkyErrors, Bake") {
   requireInvalid(
-      {bake("bands = 6", {"bake.bands = 6", "2 to 5"}), bake("bands = 2.0", {"bake.bands = 2.0", "whole number"}),
-       bake("bands = \"auto\"", {"bake.bands = 'auto'", "2 to 5"}), bake("keys = 0", {"bake.keys = 0", "1 to 86400"}),
-       bake("keys = 1.5", {"bake.keys = 1.5"}), bake("keys = [1, 1]", {"bake.keys", "ascending"}),
-       bake("keys = [23, 24]", {"bake.keys", "[0, 24)"}), bake("keys = [nan]", {"bake.keys"}),
-       bake("keys = [\"a\"]", {"bake.keys"}), bake("cubemap_size = 1", {"bake.cubemap_size = 1", "2 to 4096"}),
+      {bake("bands = 6", {"bake.bands = 6", "2 to 5"}),
+       bake("bands = 2.0", {"bake.bands = 2.0", "whole number"}),
+       bake("bands = \"many\"", {"bake.bands = 'many'", "2 to 5"}),
+       bake("keys = 0", {"bake.keys = 0", "1 to 86400"}),
+       bake("keys = 1.5", {"bake.keys = 1.5"}),
+       bake("keys = [1, 1]", {"bake.keys", "ascending"}),
+       bake("keys = [23, 24]", {"bake.keys", "[0, 24)"}),
+       bake("keys = [nan]", {"bake.keys"}),
+       bake("keys = [\"a\"]", {"bake.keys"}),
+       bake("cubemap_size = 1", {"bake.cubemap_size = 1", "2 to 4096"}),
        bake("cubemap_size = 4097", {"bake.cubemap_size = 4097", "4096"}),
        bake("cubemap_size = 4096\ncubemap_times = 1440", {"bake.cubemap_size = 4096", "1440", "1.5e9"}),
        bake("cubemap_format = \"rgb9e4\"", {"bake.cubemap_format = 'rgb9e4'", "rgba16f", "rgb9e5", "b10g11r11"}),
        bake("gradient_format = \"half\"", {"bake.gradient_format = 'half'", "rgb32f", "rgb9e5"}),
-       bake("cubemap_format = 1", {"bake.cubemap_format"}), bake("cubemap_times = \"auto\"", {"bake.cubemap_times"}),
-       bake("cubemap_times = [1, 1.0000000001]", {"bake.cubemap_times", "millisecond"})});
+       bake("cubemap_format = 1", {"bake.cubemap_format"}),
+       bake("cubemap_times = \"all\"", {"bake.cubemap_times"}),
+       bake("cubemap_times = [1, 1.0000000001]", {"bake.cubemap_times", "millisecond"}),
+       bake("max_error = 0", {"bake.max_error = 0", "1e-05 to 1"}),
+       bake("max_error = 2", {"bake.max_error = 2", "to 1"}),
+       bake("max_error = nan", {"bake.max_error"}),
+       bake("max_error = \"draft\"", {"bake.max_error = 'draft'"}),
+       bake("reconstruction = \"best\"", {"bake.reconstruction = 'best'", "projected", "fitted", "modes"}),
+       bake("encoding = \"half\"", {"bake.encoding = 'half'", "float16", "fixed8"}),
+       bake("window = \"soft\"", {"bake.window = 'soft'", "mildest"}),
+       bake("window = \"mildest\"\nreconstruction = \"modes\"", {"bake.window", "off", "modes"})});
 }
 
 TEST_CASE("SkyErrors, FreeCoefficientsMustKeepTheSkyBright") {

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Error budgets on the command line and in the file: kept, refused when they cannot be, and what the file fixes stays.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "baked.h"
+
+using namespace welkin::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kNoCubemaps = "cubemap_size = 0";
+
+json planOf(const std::string& sky, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"plan", sky, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return printedJson(arguments);
+}
+
+/// A bake that ends with status 3 and these words, and leaves a folder as it was.
+void requireCannot(const Folder& folder, const std::string& sky, const std::vector<std::string>& more,
+                   const std::vector<std::string>& said) {
+  const auto before = filesUnder(folder / "out");
+  std::vector<std::string> bytes;
+  for (const auto& name : before) bytes.push_back(readBytes(folder.path() / "out" / name));
+  const Run run = runBake(sky, folder / "out", more);
+  INFO(run.err);
+  REQUIRE(run.status == 3);
+  REQUIRE(run.said(sky + ": "));
+  for (const auto& part : said) {
+    INFO(part);
+    REQUIRE(run.said(part));
+  }
+  REQUIRE(filesUnder(folder / "out") == before);
+  for (std::size_t i = 0; i < before.size(); ++i) REQUIRE(readBytes(folder.path() / "out" / before[i]) == bytes[i]);
+}
+
+}  // namespace
+
+TEST_CASE("Budget, IsKeptByWhatABakeMeasures") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps));
+  double before = 1e9;
+  for (const double budget : {0.1, 0.03}) {
+    const json report = bakeReport(sky, folder / "out", {"--max-error", std::to_string(budget)});
+    INFO(report.dump());
+    REQUIRE(report["table"]["max_error"] == budget);
+    REQUIRE(report["table"]["predicted_error"] <= budget);
+    REQUIRE(report["certificate"]["max_error"] <= budget);
+    REQUIRE(report["certificate"]["max_error"] < before);
+    REQUIRE(report["certificate"]["max_error"] > 0.2 * budget);  // and no more is spent than it takes
+    before = report["certificate"]["max_error"];
+    REQUIRE(report["settings"]["bake"].contains("max_error") == false);  // the file's own settings
+    REQUIRE(runTool({"validate", folder / "out"}).status == 0);
+  }
+}
+
+TEST_CASE("Budget, ChoosesCubemapsToo") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, ""));
+  const json report = bakeReport(sky, folder / "out", {"--quality", "draft"});
+  INFO(report.dump());
+  REQUIRE(report["cubemaps"]["time_h"].size() > 1);
+  REQUIRE(report["cubemaps"]["format"] != "rgba16f");
+  REQUIRE(report["certificate"]["cubemaps"]["max_error"] <= 0.1);
+  REQUIRE(report["certificate"]["max_error"] <= 0.1);
+}
+
+TEST_CASE("Budget, QualitiesHaveNames") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, kNoCubemaps));
+  for (const auto& [name, budget] : {std::pair("draft", 0.1), {"preview", 0.03}, {"final", 0.01}})
+    REQUIRE(planOf(sky, {"--quality", name})["table"]["max_error"] == budget);
+  const Run help = runTool({"bake", "--help"});
+  REQUIRE(help.out.find("draft 10 %, preview 3 %, final 1 %") != std::string::npos);
+}
+
+TEST_CASE("Budget, TheOptionWinsOverTheFile") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, kNoCubemaps + "\nmax_error = 0.5"));
+  REQUIRE(planOf(sky)["table"]["max_error"] == 0.5);
+  REQUIRE(planOf(sky, {"--max-error", "0.25"})["table"]["max_error"] == 0.25);
+  REQUIRE(planOf(sky, {"--quality", "final"})["table"]["max_error"] == 0.01);
+}
+
+TEST_CASE("Budget, WrongOptionsAreUsage") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform));
+  for (const char* command : {"bake", "plan"})
+    for (const std::vector<std::string>& options : {std::vector<std::string>{"--max-error", "0"},
+                                                    {"--max-error", "2"},
+                                                    {"--max-error", "nan"},
+                                                    {"--max-error", "-0.1"},
+                                                    {"--max-error", "1 %"},
+                                                    {"--max-error", "9e-6"},
+                                                    {"--quality", "best"},
+                                                    {"--max-error", "0.1", "--quality", "draft"}}) {
+      std::vector<std::string> arguments = {command, sky};
+      if (command == std::string("bake")) arguments.insert(arguments.end(), {"-o", folder / "out"});
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Run run = runTool(arguments);
+      INFO(command << " " << options[0] << " " << options[1] << "\n" << run.err);
+      REQUIRE(run.status == 1);
+      REQUIRE(run.said(options[0]));
+      REQUIRE(run.out.empty());
+      REQUIRE_FALSE(fs::exists(folder / "out"));
+    }
+}
+
+TEST_CASE("Budget, WhatCannotBeMetSaysTheBestAndWritesNothing") {
+  const Folder folder;
+  fs::create_directory(folder / "out");
+  const std::string sky =
+      folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 2\nreconstruction = \"projected\""));
+  const std::vector<std::string> said = {"max_error = 0.001", "cannot be met", "least error", "2 bands", "bytes"};
+  requireCannot(folder, sky, {"--max-error", "0.001"}, said);
+  bakeReport(sky, folder / "out");
+  requireCannot(folder, sky, {"--max-error", "0.001"}, said);
+}
+
+TEST_CASE("Budget, FixedCubemapsThatAreTooCoarseWriteNothing") {
+  const Folder folder;
+  fs::create_directory(folder / "out");
+  const std::string sky =
+      folder.write("sky.toml", skyText(kDay, kDaySun, "cubemap_size = 2\ncubemap_times = 2\nmax_error = 0.1"));
+  requireCannot(folder, sky, {}, {"max_error = 0.1", "2 cubemaps of 2", "rgba16f", "cubemap_size"});
+}
+
+TEST_CASE("Budget, KeepsWhatTheFileFixes") {
+  const Folder folder;
+  const std::string sky =
+      folder.write("sky.toml", skyText(kDay, kDaySun,
+                                       "max_error = 1\nbands = 3\nkeys = [0, 2, 4, 5.5, 6, 6.5, 7, 8, 9, 10, 11, 12, "
+                                       "13, 14, 15, 16, 17, 18, 20, 22.25]\nencoding = \"float16\"\n"
+                                       "reconstruction = \"fitted\"\ncubemap_size = 16\ncubemap_times = 24\n"
+                                       "cubemap_format = \"rgba16f\"\ngradient_format = \"rgb32f\""));
+  const json report = bakeReport(sky, folder / "out");
+  INFO(report.dump());
+  REQUIRE(report["table"]["bands"] == 3);
+  REQUIRE(report["table"]["keys"] == 20);
+  REQUIRE(report["table"]["encoding"] == "float16");
+  REQUIRE(report["table"]["reconstruction"] == "fitted");
+  REQUIRE(report["cubemaps"]["time_h"].size() == 24);
+  REQUIRE(report["cubemaps"]["size"] == 16);
+  REQUIRE(report["cubemaps"]["format"] == "rgba16f");
+  REQUIRE(report["gradients"]["format"] == "rgb32f");
+  const json keys = printedJson({"inspect", folder / "out", "--json"})["sky"]["keys"];
+  REQUIRE(keys.size() == 20);
+  REQUIRE(keys[19]["time_h"] == 22.25);
+}
+
+TEST_CASE("Budget, AutoIsAsIfTheKeyWereNotThere") {
+  const Folder folder;
+  const std::string absent = folder.write("absent.toml", skyText(kUniform, kStillSun, ""));
+  const std::string automatic = folder.write(
+      "auto.toml", skyText(kUniform, kStillSun,
+                           "bands = \"auto\"\nkeys = \"auto\"\ncubemap_size = \"auto\"\ncubemap_times = \"auto\"\n"
+                           "cubemap_format = \"auto\"\ngradient_format = \"auto\"\nreconstruction = \"auto\"\n"
+                           "encoding = \"auto\""));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--max-error", "0.1"}}) {
+    json one = planOf(absent, more);
+    json other = planOf(automatic, more);
+    one.erase("inputs");
+    other.erase("inputs");
+    REQUIRE(one == other);
+  }
+}
+
+TEST_CASE("Budget, PlanSaysWhatABakeMakes") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--max-error", "0.1"}}) {
+    const json plan = planOf(sky, more);
+    const json report = bakeReport(sky, folder / "out", more);
+    REQUIRE(plan["table"] == report["table"]);
+    REQUIRE(plan["left_out"] == report["left_out"]);
+    REQUIRE(plan["cubemaps"]["bytes"] == report["cubemaps"]["bytes"]);
+    REQUIRE(plan["gradients"]["format"] == report["gradients"]["format"]);
+    std::vector<std::string> arguments = {"plan", sky, "--progress", "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const std::string text = runTool(arguments).out;
+    INFO(text);
+    REQUIRE(text.find(std::to_string(report["table"]["keys"].get<int>()) + " keys x ") != std::string::npos);
+    REQUIRE(text.find(report["table"]["encoding"].get<std::string>() + ": " +
+                      std::to_string(report["table"]["bytes"].get<int>()) + " bytes") != std::string::npos);
+  }
+}
+
+TEST_CASE("Budget, AStillSkyTakesOneKeyAndOneCubemap") {
+  const Folder folder;
+  const json report =
+      bakeReport(folder.write("sky.toml", skyText(kDay, kStillSun, "")), folder / "out", {"--max-error", "0.1"});
+  INFO(report.dump());
+  REQUIRE(report["table"]["keys"] == 1);
+  REQUIRE(report["cubemaps"]["time_h"].size() == 1);
+  REQUIRE(report["certificate"]["parts"]["time"] <= 1e-6);
+}
+
+TEST_CASE("Budget, ModesNeedOne") {
+  const Folder folder;
+  fs::create_directory(folder / "out");
+  const std::string sky =
+      folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nreconstruction = \"modes\""));
+  requireCannot(folder, sky, {}, {"bake.reconstruction = \"modes\"", "max_error", "--quality"});
+  const json report = bakeReport(sky, folder / "out", {"--max-error", "0.05"});
+  REQUIRE(report["table"]["modes"]["count"] >= 1);
+  REQUIRE(report["certificate"]["max_error"] <= 0.05);
+}
+
+TEST_CASE("Budget, SameBytesForAnyThreads") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, ""));
+  bakeReport(sky, folder / "one", {"--max-error", "0.1", "--threads", "1"});
+  bakeReport(sky, folder / "two", {"--max-error", "0.1", "--threads", "2"});
+  const auto names = filesUnder(folder / "one");
+  REQUIRE(filesUnder(folder / "two") == names);
+  for (const auto& name : names) {
+    INFO(name);
+    if (name != "timing.json")
+      REQUIRE(readBytes(folder.path() / "one" / name) == readBytes(folder.path() / "two" / name));
+  }
+}
+
+TEST_CASE("Budget, TheMildestWindowIsOneOfProjectedCoefficients") {
+  const Folder folder;
+  const auto of = [&](const std::string& window, const std::vector<std::string>& more) {
+    const std::string sky = folder.write(
+        "sky.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 2\nkeys = 24\nwindow = \"" + window + "\""));
+    return bakeReport(sky, folder / window, more);
+  };
+  const json mild = of("mildest", {});
+  INFO(mild.dump());
+  REQUIRE(mild["table"]["window_strength"] > 0.0);
+  REQUIRE_FALSE(of("off", {})["table"].contains("window_strength"));
+  REQUIRE(of("mildest", {"--max-error", "0.9"})["table"]["reconstruction"] == "projected");
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sky does not need: named by plan and report, with its saving, and without a trace in the certified error.
+#include <catch2/catch.hpp>
+#include <map>
+#include <string>
+
+#include "baked.h"
+
+using namespace welkin::test;
+using nlohmann::json;
+
+namespace {
+
+const std::string kSmall = "bands = 3\nkeys = 6\ncubemap_size = 0\nencoding = \"float32\"";
+constexpr double kQuadrature = 2e-5;  // of the mean: two bakes whose moments are kept to 1e-5
+
+struct Baked {
+  std::map<std::string, json> left_out;
+  json report;
+  double error() const { return report["certificate"]["max_error"]; }
+  bool leavesOut(const std::string& what) const { return left_out.contains(what); }
+};
+
+/// A bake whose plan says the same as its report.
+Baked bake(const std::string& text, const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", text);
+  Baked baked{{}, bakeReport(sky, folder / "out", more)};
+  std::vector<std::string> arguments = {"plan", sky, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  REQUIRE(printedJson(arguments)["left_out"] == baked.report["left_out"]);
+  arguments[2] = "--progress=none";
+  const std::string shown = runTool(arguments).out;
+  for (const json& l : baked.report["left_out"]) {
+    INFO(l.dump());
+    REQUIRE_FALSE(l["why"].get<std::string>().empty());
+    REQUIRE(l["bytes"] >= 0);
+    REQUIRE(l["evaluations"] >= 0.0);
+    REQUIRE(shown.find("left out   " + l["what"].get<std::string>() + ": ") != std::string::npos);
+    baked.left_out[l["what"]] = l;
+  }
+  return baked;
+}
+
+}  // namespace
+
+TEST_CASE("LeftOut, TwoChannelsOfAGreySky") {
+  const Baked grey = bake(skyText(kDay, kDaySun, kSmall));
+  REQUIRE(grey.report["table"]["channels"] == 1);
+  REQUIRE(grey.left_out.at("two of three channels")["bytes"] == 2 * 6 * 6 * 4);  // numbers of a key, keys, floats
+  // One colour at every hour and height: each channel is a multiple of the grey sky, and red, the brightest, has its
+  // error.
+  const Baked orange =
+      bake(skyText(kDay + "\ngradient_sun = [1.0, 0.5, 0.25]\ngradient_anti = [1.0, 0.5, 0.25]", kDaySun, kSmall));
+  REQUIRE(orange.report["table"]["channels"] == 3);
+  REQUIRE_FALSE(orange.leavesOut("two of three channels"));
+  REQUIRE(orange.error() == Approx(grey.error()).margin(kQuadrature));
+}
+
+TEST_CASE("LeftOut, CoefficientsOfASymmetricSky") {
+  const Baked sky = bake(skyText(kDay, kDaySun, kSmall));
+  REQUIRE(sky.left_out.at("3 of 9 coefficients")["bytes"] == 3 * 6 * 4);
+  REQUIRE(sky.report["table"]["numbers_of_key"] == 6);
+}
+
+TEST_CASE("LeftOut, HorizontalIrradianceOfABlackGround") {
+  const Baked black = bake(skyText(kDay, kDaySun, kSmall));
+  REQUIRE(black.left_out.at("horizontal irradiance")["bytes"] == 6 * 4);
+  const Baked nearly = bake(skyText(kDay + "\nground_albedo = [1e-7, 1e-7, 1e-7]", kDaySun, kSmall));
+  REQUIRE_FALSE(nearly.leavesOut("horizontal irradiance"));
+  REQUIRE(nearly.report["table"]["bytes"] == black.report["table"]["bytes"].get<int>() + 6 * 4);
+  REQUIRE(nearly.error() == Approx(black.error()).margin(kQuadrature));
+}
+
+TEST_CASE("LeftOut, MoonAndStars") {
+  const Baked dark = bake(skyText(kDay, kDaySun, kSmall));
+  REQUIRE(dark.leavesOut("moon"));
+  REQUIRE(dark.leavesOut("stars"));
+  const Baked moonlit = bake(skyText(kDay, kDaySun, kSmall) + "[moon]\npath = [[0, 180, 50], [12, 0, -50]]\n");
+  REQUIRE_FALSE(moonlit.leavesOut("moon"));
+  REQUIRE(moonlit.error() == dark.error());
+}
+
+TEST_CASE("LeftOut, CubemapsOfASkyThatNothingReflects") {
+  const Baked none = bake(skyText(kDay, kDaySun, kSmall));
+  REQUIRE(none.left_out.at("cubemaps")["bytes"] > 0);
+  REQUIRE(none.left_out.at("cubemaps")["evaluations"] > 0.0);
+  const Baked some = bake(skyText(kDay, kDaySun, "bands = 3\nkeys = 6\nencoding = \"float32\"\ncubemap_size = 4"));
+  REQUIRE_FALSE(some.leavesOut("cubemaps"));
+  REQUIRE(some.error() == none.error());
+}
+
+TEST_CASE("LeftOut, KeysOfASkyThatStandsStill") {
+  const std::string fixed = "cubemap_size = 0\nbands = 2\nreconstruction = \"projected\"\nencoding = \"float32\"";
+  const std::vector<std::string> budget = {"--max-error", "0.9"};
+  const Baked still = bake(skyText(kDay, kStillSun, fixed), budget);
+  REQUIRE(still.report["table"]["keys"] == 1);
+  REQUIRE(still.left_out.at("287 keys")["bytes"] == 287 * (3 * 4 + 8));  // the numbers of a key and its time
+  const Baked all = bake(skyText(kDay, kStillSun, fixed + "\nkeys = 288"), budget);
+  REQUIRE(all.report["table"]["keys"] == 288);
+  REQUIRE_FALSE(all.leavesOut("287 keys"));
+  REQUIRE(still.error() == Approx(all.error()).margin(kQuadrature));
+  const Baked moving = bake(skyText(kDay, kDaySun, fixed), budget);
+  REQUIRE_FALSE(moving.leavesOut("287 keys"));
+}
+
+TEST_CASE("LeftOut, AnOvercastSkyTakesFewNumbers") {
+  const std::string budget = "cubemap_size = 0\nmax_error = 0.03";
+  const Baked overcast = bake(skyText("luminance = \"cie-overcast\"\nnormalise = \"zenith\"", kDaySun, budget));
+  const Baked clear = bake(skyText(kDay, kDaySun, budget));
+  REQUIRE(overcast.report["table"]["keys"] == 1);
+  REQUIRE(overcast.report["table"]["bytes"] < clear.report["table"]["bytes"]);
+  REQUIRE(overcast.error() <= 0.03);
+}
