@@ -64,8 +64,7 @@ void checkBaked(const sky::SkyFile& file) {
   constexpr int kBands = 2;
   const auto table = sky::bakeDayTable(file.sky, kBands, {kHours[2]}, [] { return true; });
   const auto finite = [](auto v) { return std::isfinite(v); };
-  require(std::all_of(table.number.begin(), table.number.end(), finite),
-          "the table's numbers are finite");
+  require(std::all_of(table.number.begin(), table.number.end(), finite), "the table's numbers are finite");
   const auto bytes = sky::encodeSky(file, table, {});
   WelkinSky* opened = nullptr;
   WelkinMessage message{};
