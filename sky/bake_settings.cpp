@@ -64,8 +64,6 @@ BakeSettings readBake(Section section) {
   bake.encoding = valueOfWord(
       section, "encoding", {Encoding::float32, Encoding::float16, Encoding::fixed16, Encoding::fixed8}, bake.encoding);
   bake.mildest_window = section.word("window") == "mildest";
-  if (bake.mildest_window && bake.reconstruction == Reconstruction::modes)
-    table.refuse("window", table.node("window"), "must be \"off\" with modes: it is one of coefficients");
   const double bytes = 6.0 * static_cast<double>(format::texelBytes(bake.cubemap_format)) * bake.cubemap_size *
                            bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
                        12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sky/error.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -41,7 +43,10 @@ std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<doubl
 
 class Search {
  public:
-  Search(const DayValues& day, const PlanRequest& request) : day_(day), request_(request) { plan_.bytes = SIZE_MAX; }
+  Search(const DayValues& day, const PlanRequest& request, const Progress& progress)
+      : day_(day), request_(request), progress_(progress) {
+    plan_.bytes = SIZE_MAX;
+  }
 
   DayPlan run() {
     collect();
@@ -53,6 +58,7 @@ class Search {
     for (Way& way : ways_)
       if (mayFit(way) && way.choice.error > close_enough && way.choice.error < kWorthFitting * close_enough &&
           leastBytes(way.representation, kEncodings[0]) < plan_.bytes) {
+        step();
         fitWeights(day_, way.representation);
         way.choice.name = way.representation.name();
         way.choice.error = errorAtKeys(day_, way.representation);
@@ -76,7 +82,11 @@ class Search {
     return way.representation.modes || request_.reconstruction != Reconstruction::projected;
   }
 
+  void step() const {
+    if (progress_ && !progress_()) throw Error(ExitStatus::interrupted, "interrupted");
+  }
   void add(Representation r) {
+    step();
     const double error = errorAtKeys(day_, r);
     std::string name = r.name();
     ways_.push_back({std::move(r), {std::move(name), error}});
@@ -139,6 +149,7 @@ class Search {
     const Representation& r = way.representation;
     double aim = request_.max_error;
     for (int attempt = 0; attempt < 5 && aim >= way.choice.error; ++attempt) {
+      step();
       const std::size_t most_keys = (plan_.bytes - r.fixedBytes()) / bytesOfKey(r, encoding);
       const auto keys =
           request_.key_time_h.empty() ? placeKeys(day_, r, aim, most_keys) : fixedKeys(day_, request_.key_time_h);
@@ -176,6 +187,7 @@ class Search {
 
   const DayValues& day_;
   const PlanRequest& request_;
+  const Progress& progress_;
   std::vector<Way> ways_;
   std::size_t least_keys_ = 1;
   DayPlan plan_;
@@ -190,8 +202,8 @@ std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding enc
   return r.fixedBytes() + table.key_time_h.size() * of_key + row_scales;
 }
 
-DayPlan planDay(const DayValues& day, const PlanRequest& request) {
-  return Search(day, request).run();
+DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress) {
+  return Search(day, request, progress).run();
 }
 
 }  // namespace welkin::sky

@@ -40,7 +40,7 @@ struct DayPlan {
 /// Bytes of a table as it is stored, with its modes.
 std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding encoding);
 
-/// The same plan for any number of threads.
-DayPlan planDay(const DayValues& day, const PlanRequest& request);
+/// The same plan for any number of threads. `progress` is asked now and then, and may stop it, as in bakeDayTable.
+DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress = {});
 
 }  // namespace welkin::sky

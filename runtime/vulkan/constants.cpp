@@ -55,7 +55,7 @@ void packModes(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
   for (int c = 0; c < 3; ++c) {
     const double rest = has_modes ? double{sample.ambient_ground[c]} * f64::groundIrradiance(0.0) : constant * sh(0)[c];
     constants.mode_rest[c] = {toFloat(axis[0][c]), toFloat(axis[1][c]), toFloat(axis[2][c]), toFloat(rest)};
-    for (int set = 0; set < 2; ++set) {
+    for (int set = 0; set < WELKIN_MAX_MODES / 4; ++set) {
       const auto weight = [&](int k) { return sample.mode_weight[4 * set + k][c]; };
       constants.mode_weight[3 * set + c] = {weight(0), weight(1), weight(2), weight(3)};
     }

@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kModesOfLayer = 4;
 
 uint32_t layersOf(const WelkinModes& modes) {
-  return modes.count > kModesOfLayer ? 2 : 1;
+  return std::max((modes.count + kModesOfLayer - 1) / kModesOfLayer, 1U);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 #error WELKIN_BINDING_MODES is not defined: include welkin/sky_bindings.h, or give the binding of the modes' map
 #endif
 
-// Modes to evaluate, 4 or 8: one or two texture reads. The default fits every bake; a game that knows that its bake has at
-// most 4 modes defines 4 before it includes this file.
+// Modes to evaluate, 4, 8 or 12: one texture read for every four. The default fits every bake; a game that knows that its
+// bake has no more than 4 or 8 modes, as all of 1 % have, defines that before it includes this file.
 #ifndef WELKIN_MODES
-#define WELKIN_MODES 8
+#define WELKIN_MODES 12
 #endif
 
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES) uniform sampler2DArray welkinModesMap;
@@ -43,6 +43,9 @@ vec3 welkinModesIrradiance(vec3 normal) {
   sum += welkinModesOfLayer(at, 0.0, 0);
 #if WELKIN_MODES > 4
   sum += welkinModesOfLayer(at, 1.0, 3);
+#endif
+#if WELKIN_MODES > 8
+  sum += welkinModesOfLayer(at, 2.0, 6);
 #endif
   return max(sum, vec3(0.0));
 }

@@ -99,6 +99,10 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
         ExitStatus::content,
         fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
                     file_.inputs.front().path.string()));
+  if (bake.mildest_window && bake.reconstruction == sky::Reconstruction::modes)
+    throw Error(ExitStatus::content, fmt::format("{}: bake.window = \"mildest\" cannot stand beside reconstruction = "
+                                                 "\"modes\": it is one of coefficients",
+                                                 file_.inputs.front().path.string()));
   if ((bake.max_error || fits) && !day_) {
     const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
     ProgressReport progress(style_, "plan", instantsFor(file_, step_h).size());
@@ -112,7 +116,7 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
     if (bake.mildest_window) request.reconstruction = sky::Reconstruction::projected;
     if (bake.fixed.encoding) request.encoding = bake.encoding;
     if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
-    sky::DayPlan day = sky::planDay(day_->values, request);
+    sky::DayPlan day = sky::planDay(day_->values, request, [] { return !interrupted(); });
     if (!day.met)
       throw cannotMeet(file_, fmt::format("the least error of the irradiance is {:.3g}, by {}, {} keys and {} numbers: "
                                           "{} bytes",
