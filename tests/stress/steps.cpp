@@ -40,11 +40,12 @@ double changeOfCurves(const sky::Sky& s, const Step& step) {
   const auto change = [](const Number3& a, const Number3& b) {
     return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
   };
-  double sum = change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
-               change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
-               20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high)) +
-               change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
-  if (s.moon) sum += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
+  // An albedo may leave of a light the channel alone that changes most.
+  double lights = change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
+  if (s.moon) lights += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
+  const double sum = lights / kShare + change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
+                     change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
+                     20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high));
   return sum + 4.0 * 3600.0 * (step.high - step.low);  // table keys, too, may be a second apart
 }
 
