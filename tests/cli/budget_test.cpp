@@ -207,6 +207,9 @@ TEST_CASE("Budget, ModesNeedOne") {
   const json report = bakeReport(sky, folder / "out", {"--max-error", "0.05"});
   REQUIRE(report["table"]["modes"]["count"] >= 1);
   REQUIRE(report["certificate"]["max_error"] <= 0.05);
+  const std::string with_window = folder.write(
+      "window.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nreconstruction = \"modes\"\nwindow = \"mildest\""));
+  requireCannot(folder, with_window, {"--max-error", "0.05"}, {"bake.window = 'mildest'", "off", "modes"});
 }
 
 TEST_CASE("Budget, SameBytesForAnyThreads") {

@@ -94,15 +94,15 @@ SkyPlan SkyPlanner::plan(double aim) {
 void SkyPlanner::planTable(double aim, SkyPlan& plan) {
   const BakeSettings& bake = file_.bake;
   const bool fits = bake.reconstruction != sky::Reconstruction::projected;
+  if (bake.mildest_window && bake.reconstruction == sky::Reconstruction::modes)
+    throw Error(ExitStatus::content,
+                fmt::format("{}: bake.window = 'mildest': must be \"off\" with modes: it is one of coefficients",
+                            file_.inputs.front().path.string()));
   if (!bake.max_error && bake.reconstruction == sky::Reconstruction::modes)
     throw Error(
         ExitStatus::content,
         fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
                     file_.inputs.front().path.string()));
-  if (bake.mildest_window && bake.reconstruction == sky::Reconstruction::modes)
-    throw Error(ExitStatus::content, fmt::format("{}: bake.window = \"mildest\" cannot stand beside reconstruction = "
-                                                 "\"modes\": it is one of coefficients",
-                                                 file_.inputs.front().path.string()));
   if ((bake.max_error || fits) && !day_) {
     const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
     ProgressReport progress(style_, "plan", instantsFor(file_, step_h).size());
