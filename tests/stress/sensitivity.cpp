@@ -13,7 +13,7 @@ using sky::Number3;
 /// |f'| / f: a |b| exp(b / y) / y^2, which is largest, 4 exp(-2) |a / b|, at y = |b| / 2.
 double ofGradation(const LuminanceModel& m, double y) {
   const double steepest = std::abs(m.a) * 4.0 * std::exp(-2.0) / -m.b;
-  const double here = y > 2.0 * -m.b ? std::abs(m.a) * -m.b * std::exp(m.b / y) / (y * y) : steepest;
+  const double here = y > 2.0 * -m.b ? std::abs(m.a) * (-m.b / y) * std::exp(m.b / y) / y : steepest;
   return m.a == 0.0 ? std::abs(m.k) : (1.1 * here + std::abs(m.k)) / det::gradation(m, y);
 }
 
