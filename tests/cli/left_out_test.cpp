@@ -5,6 +5,7 @@
 #include <string>
 
 #include "baked.h"
+#include "tests/gltf_text.h"
 
 using namespace welkin::test;
 using nlohmann::json;
@@ -88,6 +89,39 @@ TEST_CASE("LeftOut, CubemapsOfASkyThatNothingReflects") {
   const Baked some = bake(skyText(kDay, kDaySun, "bands = 3\nkeys = 6\nencoding = \"float32\"\ncubemap_size = 4"));
   REQUIRE_FALSE(some.leavesOut("cubemaps"));
   REQUIRE(some.error() == none.error());
+}
+
+TEST_CASE("LeftOut, CubemapsOfALevelThatReflectsNothing") {
+  const std::string sky = skyText(kDay, kDaySun, "bands = 2\nkeys = 4");
+  const auto levelOf = [&](const Folder& folder, double roughness, const std::string& sky_text) {
+    GltfText model;
+    const int material = model.addMaterial({0.5, 0.5, 0.5});
+    model.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = roughness;
+    model.addNode(model.addMesh(squareMesh(), material));
+    folder.write("ground.gltf", model.text());
+    folder.write("sky.toml", sky_text);
+    return folder.write("level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"ground.gltf\"\n");
+  };
+  const auto cubemapsOf = [&](double roughness, const std::string& sky_text) {
+    const Folder folder;
+    const json plan = printedJson({"plan", levelOf(folder, roughness, sky_text), "--json"});
+    std::string why;
+    for (const auto& left_out : plan["left_out"])
+      if (left_out["what"] == "cubemaps") why = left_out["why"];
+    return std::pair(plan["cubemaps"]["count"].get<int>(), why);
+  };
+  REQUIRE(cubemapsOf(0.1, sky) == std::pair(8, std::string()));
+  const auto [count, why] = cubemapsOf(0.9, sky);
+  REQUIRE(count == 0);
+  REQUIRE(why.find("level") != std::string::npos);
+  REQUIRE(cubemapsOf(0.9, sky + "cubemap_size = 4\n").first == 8);  // asked for
+  const Folder folder;
+  const std::string level = levelOf(folder, 0.9, sky);
+  const json report = bakeReport(level, folder / "out", {"--certify", "none"});
+  REQUIRE(report["cubemaps"]["size"] == 0);
+  std::vector<std::string> names;
+  for (const auto& input : report["inputs"]) names.push_back(input["name"]);
+  REQUIRE(names == std::vector<std::string>{"sky.toml", "level.toml", "ground.gltf"});
 }
 
 TEST_CASE("LeftOut, KeysOfASkyThatStandsStill") {

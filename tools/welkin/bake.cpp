@@ -11,6 +11,7 @@
 #include "sky/error.h"
 #include "welkin/bake_sky.h"
 #include "welkin/budget_option.h"
+#include "welkin/certificate_text.h"
 #include "welkin/commands.h"
 #include "welkin/subject.h"
 #include "welkin/warnings.h"

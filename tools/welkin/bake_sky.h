@@ -20,7 +20,4 @@ std::string cubemapName(double time_h);
 nlohmann::ordered_json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Certify certify,
                                ProgressReport::Style style, nlohmann::ordered_json& timing);
 
-/// The line that a bake says about its error, for people.
-std::string certificateText(const nlohmann::ordered_json& certificate);
-
 }  // namespace welkin::tools
