@@ -165,7 +165,7 @@ TEST_CASE("CubemapError, OfTexelsNotRenderedIsThatOfTheFilesBytes") {
   }
 }
 
-TEST_CASE("CubemapError, FastIsWithinFivePercentOfFull") {
+TEST_CASE("CubemapError, FastIsWithinFivePercentOfFull", "[slow]") {
   constexpr double kFast = 0.05;  // what Effort::fast promises
   double worst = 0.0;
   int size = 16;
@@ -181,7 +181,7 @@ TEST_CASE("CubemapError, FastIsWithinFivePercentOfFull") {
   WARN("fast against full: " << worst);
 }
 
-TEST_CASE("CubemapError, FullIsADenseGridThroughTheRuntime") {
+TEST_CASE("CubemapError, FullIsADenseGridThroughTheRuntime", "[slow]") {
   constexpr double kGrid = 0.05;
   constexpr int kSize = 20;  // texels of 5 degrees: the grid has several in each
   for (const NamedSky& named : someSkies()) {

@@ -60,7 +60,7 @@ TEST_CASE("CubemapPlan, TimesAreTheKeysOfABrokenLine") {
   for (std::size_t i = 0; i < keys.size(); ++i) CHECK(plan.time_h[i] == Approx(keys[i]).margin(1e-3));
 }
 
-TEST_CASE("CubemapPlan, BudgetsHoldMeasuredFullyFromWhatIsRendered") {
+TEST_CASE("CubemapPlan, BudgetsHoldMeasuredFullyFromWhatIsRendered", "[slow]") {
   constexpr double kFast = 0.05;     // of Effort::fast
   constexpr double kWasteful = 0.8;  // a plan spends its budget; a size is a power of two
   double budget = 0.2;
@@ -87,7 +87,7 @@ TEST_CASE("CubemapPlan, BudgetsHoldMeasuredFullyFromWhatIsRendered") {
   }
 }
 
-TEST_CASE("CubemapPlan, ATighterBudgetCostsMore") {
+TEST_CASE("CubemapPlan, ATighterBudgetCostsMore", "[slow]") {
   const Sky sky = someSkies()[3].sky;
   double bytes = 0.0;
   for (const double budget : {0.2, 0.05, 0.01}) {
@@ -98,7 +98,7 @@ TEST_CASE("CubemapPlan, ATighterBudgetCostsMore") {
   }
 }
 
-TEST_CASE("CubemapPlan, FewerTimesThanEvenlySpacedOnes") {
+TEST_CASE("CubemapPlan, FewerTimesThanEvenlySpacedOnes", "[slow]") {
   const NamedSky named = someSkies()[0];
   const auto plan = planCubemaps(named.sky, 0.1);
   CubemapSet even{plan.size, plan.format, {}, {}};
@@ -107,7 +107,7 @@ TEST_CASE("CubemapPlan, FewerTimesThanEvenlySpacedOnes") {
   CHECK(measureCubemaps(named.sky, even, Effort::fast).error > 1.2 * plan.measured.error);
 }
 
-TEST_CASE("CubemapPlan, LimitsGiveTheBestAndWhy") {
+TEST_CASE("CubemapPlan, LimitsGiveTheBestAndWhy", "[slow]") {
   const Sky sky = someSkies()[0].sky;
   const CubemapLimits limits{16, 12, 1e5};
   const auto plan = planCubemaps(sky, 0.001, limits);
@@ -121,7 +121,7 @@ TEST_CASE("CubemapPlan, LimitsGiveTheBestAndWhy") {
   CHECK(possible.met);
 }
 
-TEST_CASE("CubemapPlan, TheSameForAnyNumberOfThreads") {
+TEST_CASE("CubemapPlan, TheSameForAnyNumberOfThreads", "[slow]") {
   const Sky sky = someSkies()[2].sky;
   const auto many = planCubemaps(sky, 0.2);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

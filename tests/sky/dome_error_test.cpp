@@ -87,7 +87,7 @@ TEST_CASE("DomeError, OfOneColourIsItsRounding") {
   CHECK(measureGradients(sky, GradientFormat::rgb32f, Effort::fast).error == 0.0);
 }
 
-TEST_CASE("DomeError, FastIsFullAndAGridThroughTheRuntime") {
+TEST_CASE("DomeError, FastIsFullAndAGridThroughTheRuntime", "[slow]") {
   constexpr double kAgree = 0.05;
   for (const NamedSky& named : someSkies()) {
     const double fast = measureGradients(named.sky, GradientFormat::rgb9e5, Effort::fast).error;
