@@ -59,8 +59,8 @@ struct SunFrame {
 
 class HemisphereQuadrature {
  public:
-  /// `orders`: how many cosines of multiples of the azimuth the caller integrates against; `d` of the luminance model: a
-  /// steeper cusp takes narrower panels.
+  /// `orders`: how many cosines of multiples of the azimuth the caller integrates against; `d` of the luminance model:
+  /// a steeper cusp takes narrower panels.
   HemisphereQuadrature(double tolerance, int orders, double d);
 
   /// Elevations in [0, pi/2] between which the sky is smooth, ascending; `extra` adds the caller's own.

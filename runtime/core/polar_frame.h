@@ -20,8 +20,8 @@ struct Azimuth {
   explicit Azimuth(const f64::Number3& direction);
 };
 
-/// Turns coefficients of m >= 0 about the pole +y into all coefficients about the pole +z of the basis. Holds the blocks
-/// of every band.
+/// Turns coefficients of m >= 0 about the pole +y into all coefficients about the pole +z of the basis. Holds the
+/// blocks of every band.
 class PolarFrame {
  public:
   PolarFrame();

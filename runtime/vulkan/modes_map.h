@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The image of the irradiance's modes: RGBA half floats, modes 1 to 4 in the first layer, 5 to 8 in the second, 9 to 12 in
-// the third. Layers and not rows below each other: clamping keeps a filter inside its layer.
+// The image of the irradiance's modes: RGBA half floats, modes 1 to 4 in the first layer, 5 to 8 in the second, 9 to 12
+// in the third. Layers and not rows below each other: clamping keeps a filter inside its layer.
 #pragma once
 
 #include <welkin/welkin.h>

@@ -24,7 +24,8 @@ double errorOfABake(const Sky& model, int bands) {
   const PolarMoments finest = SkyProjector(model.luminance, bands, 1e-12).projectPolar(instant);
   double largest = 0.0;
   for (std::size_t i = 0; i < finest.radiance_sh.size(); ++i)
-    largest = std::max(largest, std::abs(table.number[i * static_cast<std::size_t>(table.channels)] - finest.radiance_sh[i].x));
+    largest = std::max(largest,
+                       std::abs(table.number[i * static_cast<std::size_t>(table.channels)] - finest.radiance_sh[i].x));
   return largest / finest.radiance_sh[0].x;
 }
 

@@ -104,12 +104,12 @@ typedef struct WelkinSkySample {
   float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: what lights the scene */
   float ambient_ground[3];                       /* ground_radiance after desaturation */
   uint32_t mode_count;                           /* the file's modes; 0: none, or a blend of two skies */
-  float mode_weight[WELKIN_MAX_MODES][3];        /* of each mode: irradiance of the sky (pi included) without ground, after
-                                                    desaturation, RGB */
-  float mode_azimuth[2];                         /* x and z of the unit horizontal direction towards the sun's azimuth */
-  uint32_t cubemap[2];                           /* the two cubemaps to blend; equal when there is one, 0 when none */
-  float cubemap_weight;                          /* of the second: sky = mix(first, second, weight), in [0, 1) */
-  uint32_t unchanged;                            /* 1: the call found here, bit for bit, what it was about to write */
+  float mode_weight[WELKIN_MAX_MODES][3]; /* of each mode: irradiance of the sky (pi included) without ground, after
+                                             desaturation, RGB */
+  float mode_azimuth[2];                  /* x and z of the unit horizontal direction towards the sun's azimuth */
+  uint32_t cubemap[2];                    /* the two cubemaps to blend; equal when there is one, 0 when none */
+  float cubemap_weight;                   /* of the second: sky = mix(first, second, weight), in [0, 1) */
+  uint32_t unchanged;                     /* 1: the call found here, bit for bit, what it was about to write */
 } WelkinSkySample;
 
 /* Irradiance over pi (what an albedo multiplies) as Filament's IndirectLight::Builder::irradiance takes it, pre-scaled:
@@ -239,9 +239,9 @@ WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, 
                                                  float irradiance[3]);
 
 /* Cross-blend of two skies (weather): lights, tint, ambient coefficients and ground, `weight` in [0, 1] of the second.
- * Directions are blended and normalised; modes are left out, and irradiance comes from the coefficients. What only makes sense with one sky's file (luminance_norm, intensity,
- * cubemaps) stays the first's: draw both domes, the second with the weight as opacity. Both must have the same
- * coefficient count. */
+ * Directions are blended and normalised; modes are left out, and irradiance comes from the coefficients. What only
+ * makes sense with one sky's file (luminance_norm, intensity, cubemaps) stays the first's: draw both domes, the second
+ * with the weight as opacity. Both must have the same coefficient count. */
 WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
                                             WelkinSkySample* blended);
 
