@@ -198,6 +198,21 @@ TEST_CASE("Budget, AStillSkyTakesOneKeyAndOneCubemap") {
   REQUIRE(report["certificate"]["parts"]["time"] <= 1e-6);
 }
 
+TEST_CASE("Budget, FittedCoefficientsNeedNone") {
+  const Folder folder;
+  const auto of = [&](const std::string& how) {
+    const std::string sky = folder.write(
+        how + ".toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 3\nreconstruction = \"" + how + "\""));
+    return bakeReport(sky, folder / how);
+  };
+  const json projected = of("projected");
+  const json fitted = of("fitted");
+  REQUIRE(projected["table"]["keys"] == 288);
+  REQUIRE(fitted["table"]["keys"] == 288);
+  const auto truncation = [](const json& report) { return report["certificate"]["parts"]["truncation"].get<double>(); };
+  REQUIRE(truncation(fitted) < 0.85 * truncation(projected));  // a minimax fit takes a third off a clear sky's 3 bands
+}
+
 TEST_CASE("Budget, ModesNeedOne") {
   const Folder folder;
   fs::create_directory(folder / "out");

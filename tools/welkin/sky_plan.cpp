@@ -23,7 +23,8 @@ double samplingStep_h(double max_error) {
 
 std::vector<double> instantsFor(const sky::SkyFile& file, double step_h) {
   std::vector<double> hours = sky::hoursOfInterest(file.sky, step_h);
-  if (file.bake.fixed.keys) hours.insert(hours.end(), file.bake.key_time_h.begin(), file.bake.key_time_h.end());
+  if (file.bake.fixed.keys || !file.bake.max_error)
+    hours.insert(hours.end(), file.bake.key_time_h.begin(), file.bake.key_time_h.end());
   std::sort(hours.begin(), hours.end());
   hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
   return hours;
