@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/polar_frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace welkin::core {
@@ -24,6 +25,7 @@ std::array<Node, 5> gaussNodes() {
 
 Azimuth::Azimuth(const Number3& direction) {
   const double length = f64::horizontalLength(direction);
+  share = std::min(length / kPoleFade, 1.0);
   if (!(length > 0.0)) return;
   cosine = direction.z / length;
   sine = direction.x / length;
@@ -56,7 +58,7 @@ void PolarFrame::toWorld(std::size_t bands, std::span<const Number3> polar, cons
   for (std::size_t l = 0; l < bands; ++l) {
     Number3 turned[9];  // by order, from -l
     for (std::size_t m = 0; m <= l; ++m) {
-      const Number3& moment = polar[l * (l + 1) / 2 + m];
+      const Number3 moment = polar[l * (l + 1) / 2 + m] * (m > 0 ? azimuth.share : 1.0);
       turned[l + m] = moment * cosine[m];
       if (m > 0) turned[l - m] = moment * sine[m];
     }

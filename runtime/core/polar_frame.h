@@ -10,13 +10,20 @@
 
 namespace welkin::core {
 
+/// Horizontal length of the sun's direction below which what depends on its azimuth fades. At the zenith and the nadir
+/// the azimuth turns at once, and the sky does not depend on it; what a table has left of that between its keys would
+/// step. It is so near (20 arc seconds) that the sky's own dependence, which grows with the length, is 1e-3 of its
+/// most.
+inline constexpr double kPoleFade = 1e-4;
+
 /// An azimuth by its unit horizontal direction: cosine is its z, sine its x.
 struct Azimuth {
   double cosine = 1.0;
   double sine = 0.0;
+  double share = 1.0;  ///< in [0, 1], of what depends on the azimuth: kPoleFade
 
   Azimuth() = default;
-  /// Of a direction's horizontal part; towards +z when it has none.
+  /// Of a direction's horizontal part; towards +z, with share 0, when it has none.
   explicit Azimuth(const f64::Number3& direction);
 };
 

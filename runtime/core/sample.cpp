@@ -113,8 +113,8 @@ void blendTable(const WelkinSky& opened, double time_h, double intensity, const 
   out.mode_count = static_cast<std::uint32_t>(opened.day.modes().count());
   for (std::uint32_t k = 0; k < out.mode_count; ++k)
     store(f64::desaturate(intensity * shape.weight[k], saturation), out.mode_weight[k]);
-  out.mode_azimuth[0] = toFloat(azimuth.sine);
-  out.mode_azimuth[1] = toFloat(azimuth.cosine);
+  out.mode_azimuth[0] = toFloat(azimuth.sine * azimuth.share);
+  out.mode_azimuth[1] = toFloat(azimuth.cosine * azimuth.share);
 }
 
 void chooseCubemaps(const format::Sky& sky, double time_h, WelkinSkySample& out) {
