@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/polar_frame.h"
 #include "sensitivity.h"
 
 namespace welkin::stress {
@@ -97,10 +98,15 @@ Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from
   double slope = 0.0;
   for (const Number3& d : directions) slope = std::max({slope, sensitivityAt(before, d), sensitivityAt(after, d)});
   const double sun = moveOf(model.sun.path, step);
+  // A table is in the frame of the sun's azimuth: what it has left of that between keys turns as the azimuth does, by
+  // the sun's move over its distance from the pole, and fades within kPoleFade of it.
+  const double from_pole =
+      std::min(det::horizontalLength(before.sunDirection()), det::horizontalLength(after.sunDirection()));
+  const double turn = 2.0 * sun / std::max(from_pole, core::kPoleFade);
   const double moon = model.moon ? moveOf(model.moon->path, step) : 0.0;
   return judge(step,
                kSlack + (step.high - step.low) * kColumns + changeOfCurves(model, step) +
-                   (sun + kFloatDirection) * slope + (sun + moon) / kShare,
+                   (sun + kFloatDirection) * slope + (sun + moon) / kShare + turn,
                "h");
 }
 
