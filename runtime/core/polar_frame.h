@@ -12,9 +12,9 @@ namespace welkin::core {
 
 /// Horizontal length of the sun's direction below which what depends on its azimuth fades. At the zenith and the nadir
 /// the azimuth turns at once, and the sky does not depend on it; what a table has left of that between its keys would
-/// step. It is so near (20 arc seconds) that the sky's own dependence, which grows with the length, is 1e-3 of its
-/// most.
-inline constexpr double kPoleFade = 1e-4;
+/// step. It is so near (2 arc seconds) that what a key there loses of the sky's own dependence, a quarter of the length
+/// times its slope, stays within the 1e-5 of a bake.
+inline constexpr double kPoleFade = 1e-5;
 
 /// An azimuth by its unit horizontal direction: cosine is its z, sine its x.
 struct Azimuth {

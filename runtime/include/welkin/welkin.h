@@ -107,7 +107,7 @@ typedef struct WelkinSkySample {
   float mode_weight[WELKIN_MAX_MODES][3]; /* of each mode: irradiance of the sky (pi included) without ground, after
                                              desaturation, RGB */
   float mode_azimuth[2]; /* x and z of the horizontal direction towards the sun's azimuth; unit, but within
-                          1e-4 rad of the zenith, where it fades to 0 */
+                          1e-5 rad of the zenith, where it fades to 0 */
   uint32_t cubemap[2];   /* the two cubemaps to blend; equal when there is one, 0 when none */
   float cubemap_weight;  /* of the second: sky = mix(first, second, weight), in [0, 1) */
   uint32_t unchanged;    /* 1: the call found here, bit for bit, what it was about to write */
