@@ -31,7 +31,7 @@ struct WelkinSkyConstants {
   WELKIN_FLOAT4 key_irradiance;   // rgb: irradiance of a surface that faces it, pi included; 0 below the horizon; w: 0
   WELKIN_FLOAT4 ambient_sh[25];   // rgb: radiance coefficients of the ambient light; w: 0
   WELKIN_FLOAT4
-      mode_weight[9];          // irradiance, pi included, of modes 1 to 4 for red, green, blue, then of 5 to 8, 9 to 12
+  mode_weight[9];              // irradiance, pi included, of modes 1 to 4 for red, green, blue, then of 5 to 8, 9 to 12
   WELKIN_FLOAT4 mode_rest[3];  // irradiance beside the modes, for red, green, blue: welkin/modes.glsl
   WELKIN_FLOAT4 mode_frame;    // xy: x and z of the unit horizontal direction to the sun's azimuth; z: share of the
                                // rest's xyz in upper normals; w: of |y| in the rest's w
