@@ -58,7 +58,7 @@ double visibleShare(const Number3& direction, double disc_radius_rad) {
   const double radius = disc_radius_rad > 0.0 ? disc_radius_rad : kQuarterDegree;
   if (std::abs(direction.y) > radius) return direction.y > 0.0 ? 1.0 : 0.0;  // an arc is longer than its sine
   const double x = std::clamp(f64::elevationOf(direction) / radius, -1.0, 1.0);
-  return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / f64::kPi;
+  return std::clamp(0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / f64::kPi, 0.0, 1.0);  // rounding
 }
 
 struct LightAt {
