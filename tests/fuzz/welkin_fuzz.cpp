@@ -102,7 +102,7 @@ void checkSample(const WelkinSky* sky, const WelkinSkyInfo& info, const WelkinSk
   requireFinite(s.ambient_ground, 3, "the ground of the ambient light");
   require(s.mode_count == info.mode_count, "a sample has every mode");
   requireFinite(&s.mode_weight[0][0], 3 * WELKIN_MAX_MODES, "the modes' weights");
-  require(std::abs(std::hypot(s.mode_azimuth[0], s.mode_azimuth[1]) - 1.0F) < 1e-5F, "the modes' azimuth is a unit");
+  require(std::hypot(s.mode_azimuth[0], s.mode_azimuth[1]) < 1.0F + 1e-5F, "the modes' azimuth is at most a unit");
   require(std::isfinite(s.luminance_norm) && s.luminance_norm > 0.0F, "the normalising luminance is positive");
   require(std::isfinite(s.intensity) && s.intensity >= 0.0F, "the intensity is not negative");
   require(s.ambient_saturation >= 0.0F && s.ambient_saturation <= 1.0F, "the saturation is 0 to 1");

@@ -32,6 +32,17 @@ Shown groundOf(const sky::Sky& model, const WelkinSkySample& sample) {
   return {{double{g[0]}, double{g[1]}, double{g[2]}}, kShare * largestOf(model.ground_albedo) * lights};
 }
 
+/// The model's dome, the runtime's and its irradiance. A tint of 0 may hide the channel whose rounding the runtime's
+/// dome has; the model, which has the same, knows how bright it is.
+std::vector<Shown> shownTowards(const SkyInstant& instant, const welkin::Sky& baked, const WelkinSkySample& sample,
+                                const Number3& direction) {
+  const Shown dome = test::domeOf(instant, direction);
+  std::vector<Shown> values = test::seen(baked, sample, direction);
+  values[0].size = std::max(values[0].size, dome.size);
+  values.push_back(dome);
+  return values;
+}
+
 double moveOf(const sky::LightPath& path, const Step& step) {
   return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
 }
@@ -84,10 +95,9 @@ Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from
     const Shown ground = groundOf(model, sample);
     std::vector<Shown> values = {ground};
     for (const Number3& d : directions) {
-      values.push_back(test::domeOf(instant, d));
-      auto seen = test::seen(baked, sample, d);
-      seen[1].size += det::kPi * ground.size;
-      values.insert(values.end(), seen.begin(), seen.end());
+      auto towards = shownTowards(instant, baked, sample, d);
+      towards[1].size += det::kPi * ground.size;
+      values.insert(values.end(), towards.begin(), towards.end());
     }
     return values;
   };
@@ -117,13 +127,8 @@ Searched searchArc(const sky::Sky& model, const welkin::Sky& baked, double time_
   WelkinSkySample sample{};
   baked.sample(time_h, sample);
   const auto towards = [&](double e) { return det::directionOf(azimuth_rad, e); };
-  const Step step = test::largestStep(
-      [&](double e) {
-        auto values = test::seen(baked, sample, towards(e));
-        values.push_back(test::domeOf(instant, towards(e)));
-        return values;
-      },
-      from_rad, det::kPi - 1e-6, kResolution_rad);
+  const Step step = test::largestStep([&](double e) { return shownTowards(instant, baked, sample, towards(e)); },
+                                      from_rad, det::kPi - 1e-6, kResolution_rad);
   const double slope = std::max(sensitivityAt(instant, towards(step.low)), sensitivityAt(instant, towards(step.high)));
   return judge(step, kSlack + (step.high - step.low + kFloatDirection) * slope, fmt::format("rad at {} h", time_h));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws skies from the whole domain, bakes and opens them, and checks what must always hold (tests/sky/always.h), until
 // it is told to stop or finds a fault, which it prints with the command that repeats it.
-//   stress [--count N] [--seconds S] [--seed K] [--index I]
+//   stress [--count N] [--seconds S] [--seed K] [--instants N] [--index I]
 //   --count     evaluations after which to stop, 1,000,000 unless told; --seconds: a time after which to stop
+//   --instants  of a sky, at each of which 100 directions are evaluated, 10 unless told
 //   --index     the sky of this index alone, with its text
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ struct Options {
   double seconds = std::numeric_limits<double>::infinity();
   std::uint64_t seed = 1;
   std::uint64_t first = 0;
+  Effort effort;
   bool one = false;
 };
 
@@ -40,6 +42,8 @@ std::optional<Options> read(int count, char** arguments) {
       options.count = std::numeric_limits<std::uint64_t>::max();
     } else if (name == "--seed") {
       options.seed = std::strtoull(value, nullptr, 10);
+    } else if (name == "--instants") {
+      options.effort.instants = std::atoi(value);
     } else if (name == "--index") {
       options.first = std::strtoull(value, nullptr, 10);
       options.one = true;
@@ -85,12 +89,12 @@ int run(const Options& options) {
   double reported = 0.0;
   Sum sum;
   for (std::uint64_t index = options.first;; ++index) {
-    const Outcome outcome = lookAt(options.seed, index, Effort{}, folder);
+    const Outcome outcome = lookAt(options.seed, index, options.effort, folder);
     sum.add(outcome, index);
     if (options.one) fmt::print("{}", outcome.gradients);
     if (!outcome.fault.empty()) {
-      fmt::print(stderr, "{}\nrepeat with: {} --seed {} --index {}\n", outcome.fault, options.program, options.seed,
-                 index);
+      fmt::print(stderr, "{}\nrepeat with: {} --seed {} --instants {} --index {}\n", outcome.fault, options.program,
+                 options.seed, options.effort.instants, index);
       return 1;
     }
     if (options.one || sum.evaluations >= options.count || elapsed() >= options.seconds) break;
@@ -108,7 +112,7 @@ int run(const Options& options) {
 int main(int count, char** arguments) {
   const auto options = welkin::stress::read(count, arguments);
   if (!options) {
-    fmt::print(stderr, "stress [--count N] [--seconds S] [--seed K] [--index I]\n");
+    fmt::print(stderr, "stress [--count N] [--seconds S] [--seed K] [--instants N] [--index I]\n");
     return 2;
   }
   return welkin::stress::run(*options);
