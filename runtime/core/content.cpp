@@ -211,11 +211,10 @@ void checkCertificate(Check& check, const format::Certificate& c) {
 
 /// `bytes`: the file's. Cubemaps that share texels, which no writer makes, could ask for any number of times as many.
 void checkCubemaps(Check& check, const format::Sky& sky, std::size_t bytes) {
+  if (!check.that(sky.cubemap_format() < format::kCubemapFormats, "cubemap_format", "must be 0 to 2")) return;
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;
   const std::uint64_t size = sky.cubemap_size();
-  if (!check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384") ||
-      !check.that(sky.cubemap_format() < format::kCubemapFormats, "cubemap_format", "must be 0 to 2"))
-    return;
+  if (!check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384")) return;
   const auto texel_format = static_cast<format::CubemapFormat>(sky.cubemap_format());
   const std::uint64_t texels = 6 * size * size;
   const std::uint64_t texel_bytes = texels * format::texelBytes(texel_format);

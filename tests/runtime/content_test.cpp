@@ -185,6 +185,7 @@ TEST_CASE("Content, VectorsOfTheWrongSizeAreRefused") {
                      p.shares_texels = true;
                    }},
                   {"cubemap_format", [](Parts& p) { p.cubemap_format = 3; }},
+                  {"cubemap_format", [](Parts& p) { p.cubemap_time_h.clear(), p.cubemap_format = 3; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0; }},
                   {"cubemap_size", [](Parts& p) { p.cubemap_size = 0xffffffff; }}});
 }
