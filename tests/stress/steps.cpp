@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/polar_frame.h"
 #include "sensitivity.h"
@@ -61,12 +62,13 @@ double changeOfCurves(const sky::Sky& s, const Step& step) {
   return sum + 4.0 * 3600.0 * (step.high - step.low);  // table keys, too, may be a second apart
 }
 
-/// Curves themselves change by no more than their largest key in the second that keys are apart.
+/// Curves themselves change by no more than their largest key in the second that keys are apart, or by one denormal.
 test::Fault steepCurve(const sky::Sky& s, const Step& step) {
   for (const sky::Curve* curve : {&s.intensity, &s.ambient_saturation, &s.sun.illuminance}) {
     const double largest = *std::max_element(curve->value.begin(), curve->value.end());
     const double change = std::abs(curve->at(step.high) - curve->at(step.low));
-    if (change > largest * (3600.01 * (step.high - step.low) + 1e-9))
+    constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+    if (change > largest * (3600.01 * (step.high - step.low) + 1e-9) + kSmallest)
       return fmt::format("a curve up to {} changes by {} between {} and {} h", largest, change, step.low, step.high);
   }
   return {};

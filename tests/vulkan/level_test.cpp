@@ -22,7 +22,7 @@ using test::GltfText;
 using tools::Camera;
 using tools::FloatImage;
 using tools::LevelOptions;
-using tools::Scene;
+using probes::Scene;
 
 /// Albedo and normal are kept as half floats, which a device may truncate: each loses up to 2^-10 = 9.8e-4 of itself.
 /// Positions, from a 32-bit depth, and the series of the sky are off by far less.
@@ -33,9 +33,9 @@ constexpr double kBoxHeight = 4.0;
 
 Scene sceneOf(const GltfText& gltf) {
   const test::Folder folder;
-  tools::LevelFile level;
-  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, tools::Role::fixed, {}});
-  return readScene(level);
+  probes::LevelFile level;
+  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, probes::Role::fixed, {}});
+  return probes::readScene(level);
 }
 
 std::vector<double> listOf(const Number3& v) {

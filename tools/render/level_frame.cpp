@@ -15,11 +15,11 @@ using f64::Number3;
 
 constexpr double kNear = 0.05;  // metres
 
-Number3 middle(const Bounds& bounds) {
+Number3 middle(const probes::Bounds& bounds) {
   return (bounds.low + bounds.high) * 0.5;
 }
 
-Number3 corner(const Bounds& b, int i) {
+Number3 corner(const probes::Bounds& b, int i) {
   return {(i & 1) != 0 ? b.high.x : b.low.x, (i & 2) != 0 ? b.high.y : b.low.y, (i & 4) != 0 ? b.high.z : b.low.z};
 }
 
@@ -50,7 +50,7 @@ void setViewProjection(LevelConstants& constants, const Number3& position) {
 }
 
 /// An orthographic map that holds the whole level, as seen from the light. Returns the edge of a texel in metres.
-double setShadow(LevelConstants& constants, const Bounds& bounds, const Number3& towards, uint32_t size) {
+double setShadow(LevelConstants& constants, const probes::Bounds& bounds, const Number3& towards, uint32_t size) {
   const Number3 side = std::abs(towards.y) > 0.9 ? Number3(1.0, 0.0, 0.0) : Number3(0.0, 1.0, 0.0);
   Number3 right = cross(side, towards);
   right = right / std::sqrt(dot(right, right));
@@ -83,7 +83,7 @@ const WelkinLight* lightOf(const WelkinSkySample& sample) {
   return nullptr;
 }
 
-LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample, const Camera& camera,
+LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample& sample, const Camera& camera,
                               const Number3& position, uint32_t width, uint32_t height, const LevelOptions& options,
                               bool mirrored) {
   LevelConstants constants{};
@@ -106,7 +106,7 @@ LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample,
     towards = {double{d[0]}, double{d[1]}, double{d[2]}};
     setVector(constants.light_irradiance, {double{e[0]}, double{e[1]}, double{e[2]}}, 0.0);
   }
-  const Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
+  const probes::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
   const double texel = setShadow(constants, bounds, towards, options.shadow_size);
   setVector(constants.light, light != nullptr ? towards : Number3(0.0, -1.0, 0.0), texel);
   constants.light_irradiance[3] = static_cast<float>(1.0 / options.shadow_size);
@@ -125,14 +125,14 @@ LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample,
   return constants;
 }
 
-void lookAtMiddle(const Scene& scene, const Number3& position, Camera& camera) {
+void lookAtMiddle(const probes::Scene& scene, const Number3& position, Camera& camera) {
   const Number3 to = middle(scene.bounds.empty() ? scene.water : scene.bounds) - position;
   camera.yaw_rad = std::atan2(to.x, -to.z);
   camera.pitch_rad = std::atan2(to.y, std::hypot(to.x, to.z));
 }
 
-PlacedCamera overview(const Scene& scene, double fov_rad) {
-  const Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
+PlacedCamera overview(const probes::Scene& scene, double fov_rad) {
+  const probes::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
   const Number3 size = bounds.high - bounds.low;
   const double radius = 0.5 * std::hypot(size.x, size.z);
   PlacedCamera placed{{0.0, 0.0, fov_rad}, middle(bounds)};

@@ -4,7 +4,7 @@
 
 #include <welkin/welkin.h>
 
-#include "level/scene.h"
+#include "probes/level/scene.h"
 #include "render/camera.h"
 #include "render/shaders/level_constants.h"
 
@@ -25,7 +25,7 @@ const WelkinLight* lightOf(const WelkinSkySample& sample);
 
 /// Constants of a view of `width` x `height` pixels. With `mirrored` the camera is below the sea, which is the mirror,
 /// and what is under the sea is left out.
-LevelConstants levelConstants(const Scene& scene, const WelkinSkySample& sample, const Camera& camera,
+LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample& sample, const Camera& camera,
                               const f64::Number3& position, uint32_t width, uint32_t height,
                               const LevelOptions& options, bool mirrored);
 
@@ -34,9 +34,9 @@ struct PlacedCamera {
   Camera camera;
   f64::Number3 position;
 };
-PlacedCamera overview(const Scene& scene, double fov_rad);
+PlacedCamera overview(const probes::Scene& scene, double fov_rad);
 
 /// Turns a camera towards the middle of the level.
-void lookAtMiddle(const Scene& scene, const f64::Number3& position, Camera& camera);
+void lookAtMiddle(const probes::Scene& scene, const f64::Number3& position, Camera& camera);
 
 }  // namespace welkin::tools

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "level/scene.h"
+#include "probes/level/scene.h"
 #include "render/buffer.h"
 
 namespace welkin::tools {
@@ -13,7 +13,7 @@ namespace welkin::tools {
 class LevelMesh {
  public:
   /// `scene` outlives the object.
-  LevelMesh(const VulkanDevice& device, const Scene& scene);
+  LevelMesh(const VulkanDevice& device, const probes::Scene& scene);
 
   VkBuffer instances() const { return instances_.handle(); }
 
@@ -24,7 +24,7 @@ class LevelMesh {
   static std::span<const VkVertexInputAttributeDescription> attributes();
 
  private:
-  const Scene& scene_;
+  const probes::Scene& scene_;
   Buffer vertices_;
   Buffer indices_;
   Buffer instances_;

@@ -99,7 +99,7 @@ void recordCopy(VkCommandBuffer commands, Image& from, Image& to) {
 
 }  // namespace
 
-LevelView::LevelView(VulkanDevice& device, const Sky& sky, const Scene& scene, const LevelOptions& options)
+LevelView::LevelView(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const LevelOptions& options)
     : device_(device),
       scene_(scene),
       options_(options),

@@ -14,7 +14,7 @@ namespace welkin::tools {
 class LevelView {
  public:
   /// `device`, `sky` and `scene` outlive the object.
-  LevelView(VulkanDevice& device, const Sky& sky, const Scene& scene, const LevelOptions& options);
+  LevelView(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const LevelOptions& options);
   ~LevelView();
   LevelView(const LevelView&) = delete;
   LevelView& operator=(const LevelView&) = delete;
@@ -36,7 +36,7 @@ class LevelView {
   void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
 
   VulkanDevice& device_;
-  const Scene& scene_;
+  const probes::Scene& scene_;
   LevelOptions options_;
   RuntimeSky sky_;
   LevelMesh mesh_;

@@ -91,7 +91,7 @@ Picture drawSky(VulkanDevice& device, const Sky& sky, const RenderOptions& optio
   });
 }
 
-Picture drawLevel(VulkanDevice& device, const Sky& sky, const Scene& scene, const RenderOptions& options) {
+Picture drawLevel(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const RenderOptions& options) {
   constexpr double kRadians = f64::kPi / 180.0;
   constexpr uint32_t kSamples = 2;  // along each side of a pixel
   const bool sheet = options.times.size() > 1;
@@ -122,7 +122,7 @@ void runRender(const RenderOptions& options) {
     throw Error(ExitStatus::content,
                 "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
-  const Scene scene = level ? readScene(readLevelFile(options.level)) : Scene{};
+  const probes::Scene scene = level ? probes::readScene(probes::readLevelFile(options.level)) : probes::Scene{};
   VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
   const Picture picture = level ? drawLevel(device, sky, scene, options) : drawSky(device, sky, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "welkin/subject.h"
 
-#include "level/scene.h"
+#include "probes/level/scene.h"
 #include "sky/atomic_file.h"
 #include "sky/toml_table.h"
 
@@ -19,13 +19,13 @@ Subject readSubject(const std::filesystem::path& path) {
   constexpr std::size_t kLargestFile = std::size_t{16} << 20;
   const auto bytes = readFile(path, kLargestFile);
   if (!isLevel(path, bytes)) return {sky::readSkyFile(path)};
-  const LevelFile level = readLevelFile(path);
+  const probes::LevelFile level = probes::readLevelFile(path);
   Subject subject{sky::readSkyFile(level.sky)};
   subject.sky.inputs.push_back(sky::inputOf(path.filename().string(), path, bytes));
-  for (const GeometryEntry& geometry : level.geometry)
+  for (const probes::GeometryEntry& geometry : level.geometry)
     subject.sky.inputs.push_back(
         sky::inputOf(geometry.path.filename().string(), geometry.path, readFile(geometry.path)));
-  subject.nothing_reflects = readScene(level).least_roughness > kReflectiveRoughness;
+  subject.nothing_reflects = probes::readScene(level).least_roughness > kReflectiveRoughness;
   sky::BakeSettings& bake = subject.sky.bake;
   if (subject.nothing_reflects && !bake.fixed.cubemaps) {
     bake.cubemap_time_h.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the primitives of glTF meshes.
-#include "level/gltf_mesh.h"
+#include "probes/level/gltf_mesh.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 using f64::Number3;
 
@@ -125,4 +125,4 @@ void GltfMeshes::append(const FloatRows& positions, const FloatRows& normals, co
   }
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 /// Reads .gltf or .glb with its buffers; images are left unread. Throws Error: `file` when it or a file that it names
 /// cannot be read, `content` when it is cut, foreign, of another version, or asks for an extension.
 tinygltf::Model readGltf(const std::filesystem::path& path);
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // level.toml: what it gives, and what is said of what is wrong with it.
-#include "level/level_file.h"
+#include "probes/level/level_file.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@
 namespace welkin::tests {
 namespace {
 
-using namespace tools;
+using namespace probes;
 using f64::Number3;
 
 void checkRefused(const std::string& text, ExitStatus status, const std::string& says) {

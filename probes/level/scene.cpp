@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a level's geometry, file by file.
-#include "level/scene.h"
+#include "probes/level/scene.h"
 
 #include <algorithm>
 #include <cctype>
 
 #include "sky/error.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 void Bounds::add(const f64::Number3& p) {
   for (int i = 0; i < 3; ++i) {
@@ -31,4 +31,4 @@ Scene readScene(const LevelFile& level) {
   return scene;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads level.toml.
-#include "level/level_file.h"
+#include "probes/level/level_file.h"
 
 #include <fmt/format.h>
 
 #include "sky/atomic_file.h"
 #include "sky/toml_table.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 namespace {
 
 using f64::Number3;
@@ -90,4 +90,4 @@ LevelFile readLevelFile(const std::filesystem::path& path) {
   return file;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

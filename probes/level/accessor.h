@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 /// Floats of an accessor, `components` an element.
 struct FloatRows {
@@ -45,4 +45,4 @@ class AccessorReader {
   std::string file_;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "level/affine.h"
+#include "probes/level/affine.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 /// What a surface is to the bake and to the picture. Water is drawn as such and casts no shadow; what is ignored is
 /// neither baked nor drawn.
@@ -36,4 +36,4 @@ struct LevelFile {
 /// Throws Error: `file` for a file that cannot be read, `content` for what it holds.
 LevelFile readLevelFile(const std::filesystem::path& path);
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

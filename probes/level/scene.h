@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "level/level_file.h"
+#include "probes/level/level_file.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 struct Vertex {
   float position[3];
@@ -60,4 +60,4 @@ Scene readScene(const LevelFile& level);
 /// Adds what a glTF file holds.
 void addGltf(const GeometryEntry& entry, Scene& scene);
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

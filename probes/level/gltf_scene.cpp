@@ -6,12 +6,12 @@
 #include <cmath>
 #include <tuple>
 
-#include "level/accessor.h"
-#include "level/gltf_file.h"
-#include "level/gltf_mesh.h"
-#include "level/scene.h"
+#include "probes/level/accessor.h"
+#include "probes/level/gltf_file.h"
+#include "probes/level/gltf_mesh.h"
+#include "probes/level/scene.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 namespace {
 
 using f64::Number3;
@@ -194,4 +194,4 @@ void addGltf(const GeometryEntry& entry, Scene& scene) {
   GltfReader(entry, scene).read();
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checked access to a glTF model's buffers. glTF 2.0 specification, 3.6.2.
-#include "level/accessor.h"
+#include "probes/level/accessor.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "sky/error.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 namespace {
 
 std::size_t componentBytes(int type) {
@@ -145,4 +145,4 @@ std::vector<uint32_t> AccessorReader::indices(int accessor, const std::string& w
   return values;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses glTF with tinygltf.
-#include "level/gltf_file.h"
+#include "probes/level/gltf_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include "sky/atomic_file.h"
 #include "sky/error.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 namespace {
 
 /// What happened to the files that tinygltf asked for; it reports every failure with the same result.
@@ -92,4 +92,4 @@ tinygltf::Model readGltf(const std::filesystem::path& path) {
   return model;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "level/scene.h"
+#include "probes/level/scene.h"
 #include "sky/error.h"
 #include "tests/folder.h"
 #include "tests/gltf_text.h"
@@ -11,7 +11,7 @@
 namespace welkin::tests {
 namespace {
 
-using namespace tools;
+using namespace probes;
 using f64::Number3;
 using nlohmann::json;
 using test::boxMesh;

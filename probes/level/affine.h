@@ -4,7 +4,7 @@
 
 #include "shared.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 struct Affine {
   f64::Number3 x{1.0, 0.0, 0.0};
@@ -29,4 +29,4 @@ Affine fromTrs(const f64::Number3& translation, const double quaternion[4], cons
 /// The same with a rotation about x, then y, then z of the world, radians (level.toml's XYZ Euler).
 Affine fromEuler(const f64::Number3& translation, const f64::Number3& rotation_rad, const f64::Number3& scale);
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "level/accessor.h"
-#include "level/scene.h"
+#include "probes/level/accessor.h"
+#include "probes/level/scene.h"
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 /// One primitive of a mesh, its triangles in the scene.
 struct GltfPiece {
@@ -46,4 +46,4 @@ class GltfMeshes {
   std::map<int, std::vector<GltfPiece>> meshes_;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Transforms from quaternions and Euler angles.
-#include "level/affine.h"
+#include "probes/level/affine.h"
 
 #include <cmath>
 
-namespace welkin::tools {
+namespace welkin::probes {
 
 using f64::Number3;
 
@@ -30,4 +30,4 @@ Affine fromEuler(const Number3& translation, const Number3& rotation_rad, const 
   return result;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::probes

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sectors: the squares of a level that are baked, shipped and loaded on their own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shared.h"
+
+namespace welkin::probes {
+
+using f64::Number3;
+
+inline constexpr double kSector_m = 64.0;
+inline constexpr int kCells = 16;  ///< of the grid, on each axis
+inline constexpr double kCell_m = kSector_m / kCells;
+inline constexpr std::size_t kMostProbes = 255;  ///< of a sector
+inline constexpr std::uint8_t kNoProbe = 255;    ///< of a cell
+
+/// The square floor(x / 64 m), floor(z / 64 m).
+struct SectorId {
+  int x = 0;
+  int z = 0;
+  auto operator<=>(const SectorId&) const = default;
+};
+
+struct Probe {
+  Number3 position;
+};
+
+/// What placement makes of a sector.
+struct PlacedSector {
+  SectorId id;
+  std::vector<Probe> probe;        ///< at most kMostProbes
+  double low_y = 0.0;              ///< bottom of the grid, metres
+  double cell_height_m = kCell_m;  ///< larger where the sector is higher than kSector_m
+  /// Index of the nearest probe that the cell can see, or kNoProbe: cell x + kCells (y + kCells z).
+  std::array<std::uint8_t, kCells * kCells * kCells> grid{};
+};
+
+}  // namespace welkin::probes

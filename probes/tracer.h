@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays through a level (Embree), and what the surface is where they hit.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "probes/surfaces.h"
+
+namespace welkin::probes {
+
+/// A surface on a ray. The normal is of the triangle's plane, unit, on the side that the ray comes from.
+struct Hit {
+  double distance = 0.0;
+  Number3 position;
+  Number3 normal;
+  std::uint32_t triangle = 0;
+  double u = 0.0, v = 0.0;  ///< barycentric, of the second and third vertex
+  bool back = false;        ///< of a surface with one side only
+};
+
+/// Immutable after construction; every ray may be traced from any thread. The same bits on every machine with the
+/// stated ISA: Embree runs robust and with one instruction set (kIsa).
+class Tracer {
+ public:
+  static constexpr const char* kIsa = "avx2";
+
+  /// `surfaces` outlives the tracer. Throws Error(file) where the processor lacks kIsa, or memory runs out.
+  explicit Tracer(const Surfaces& surfaces);
+  ~Tracer();
+  Tracer(Tracer&&) noexcept;
+  Tracer& operator=(Tracer&&) noexcept;
+
+  /// The nearest surface in a unit direction, masked texels passed through; none within `far`.
+  std::optional<Hit> closest(const Number3& origin, const Number3& direction, double far) const;
+  /// Whether anything lies between, as above.
+  bool occluded(const Number3& origin, const Number3& direction, double far) const;
+
+  /// Where a ray that leaves the hit starts: off the plane, on the normal's side, by more than the rounding of floats.
+  Number3 leaving(const Hit& hit) const;
+
+  /// Diffuse albedo, linear, in [0, 1]; 0 on a back.
+  Number3 albedo(const Hit& hit) const;
+  /// Radiance that it emits; 0 on a back.
+  Number3 emission(const Hit& hit) const;
+
+  const Surfaces& surfaces() const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace welkin::probes
