@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/tracer.h"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "probes/directions.h"
+#include "probes/random.h"
+#include "rooms.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
+  Surfaces s;
+  const auto red = tests::addMaterial(s, {0.9, 0.1, 0.2});
+  const auto both = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
+  tests::addQuad(s, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, red);  // looks up
+  tests::addQuad(s, {-1, 3, -1}, {0, 0, 2}, {2, 0, 0}, both);
+  const Tracer tracer(s);
+  const auto down = tracer.closest({0.25, 2, 0.5}, {0, -1, 0}, kFar);
+  REQUIRE(down);
+  CHECK(down->distance == Approx(2.0));
+  CHECK(down->normal == Number3(0, 1, 0));
+  CHECK_FALSE(down->back);
+  CHECK(down->position.x == Approx(0.25));
+  CHECK(down->position.z == Approx(0.5));
+  CHECK(tracer.albedo(*down) == Number3(0.9, 0.1, 0.2));
+  const auto below = tracer.closest({0.25, -2, 0.5}, {0, 1, 0}, kFar);
+  REQUIRE(below);
+  CHECK(below->back);
+  CHECK(tracer.albedo(*below) == Number3(0.0));
+  const auto up = tracer.closest({0.25, 2, 0.5}, {0, 1, 0}, kFar);
+  REQUIRE(up);
+  CHECK(up->normal == Number3(0, -1, 0));
+  CHECK_FALSE(up->back);
+  CHECK_FALSE(tracer.closest({0.25, 2, 0.5}, {0, -1, 0}, 1.99));
+  CHECK(tracer.occluded({0.25, 2, 0.5}, {0, -1, 0}, 2.01));
+  CHECK_FALSE(tracer.occluded({0.25, 2, 0.5}, {0, -1, 0}, 1.99));
+  CHECK_FALSE(tracer.occluded({0.25, 2, 0.5}, {1, 0, 0}, kFar));
+}
+
+TEST_CASE("Tracer, MaskedTexelsLetRaysThrough") {
+  Surfaces s;
+  const auto leaf = tests::addMaterial(s, {1, 1, 1}, true);
+  s.texture.push_back({2, 1, {255, 255, 255, 255, 255, 255, 255, 0}, Texture::Wrap::clamped, Texture::Wrap::clamped});
+  s.material[leaf].texture = 0;
+  s.material[leaf].alpha_cutoff = 0.5;
+  tests::addQuad(s, {0, 1, 0}, {0, 0, 4}, {4, 0, 0}, leaf);
+  s.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};  // u along x
+  const Tracer tracer(s);
+  CHECK(tracer.occluded({0.5, 0, 2}, {0, 1, 0}, kFar));
+  CHECK_FALSE(tracer.occluded({3.5, 0, 2}, {0, 1, 0}, kFar));
+  CHECK(tracer.closest({1.9, 0, 2}, {0, 1, 0}, kFar));
+  CHECK_FALSE(tracer.closest({2.1, 0, 2}, {0, 1, 0}, kFar));
+}
+
+TEST_CASE("Tracer, ARayThatLeavesASurfaceDoesNotMeetItAgain") {
+  // Slanted, far from the origin, where floats are coarse: the origin's rounding is 3e-5 m there.
+  Surfaces s;
+  const auto grey = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
+  tests::addQuad(s, {400, 17, -400}, {3, 1, 40}, {50, 2, -7}, grey);
+  const Tracer tracer(s);
+  Random random(7);
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Number3 origin(410 + 30 * random.unit(), 60, -400 + 30 * random.unit());
+    const Number3 direction = unit(Number3(random.unit() - 0.5, -1, random.unit() - 0.5));
+    const auto hit = tracer.closest(origin, direction, kFar);
+    if (!hit) continue;
+    ++hits;
+    const Number3 away =
+        unit(hit->normal + unit(Number3(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5)) * 0.999);
+    CHECK_FALSE(tracer.occluded(tracer.leaving(*hit), away, kFar));
+  }
+  CHECK(hits > 5000);
+}
+
+}  // namespace welkin::probes
