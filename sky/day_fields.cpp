@@ -111,9 +111,10 @@ double brightestOf(const Sky& sky) {
   return brightest;
 }
 
-DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress) {
+DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress,
+                    const IrradianceRule& rule) {
   DayFields day{&sky, std::vector<DayInstant>(time_h.size())};
-  const IrradianceProjector projector(sky.luminance);
+  const IrradianceProjector projector(sky.luminance, rule);
   tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
     DayInstant& at = day.instant[i];
     const SkyInstant instant(sky, time_h[i]);

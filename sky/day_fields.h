@@ -76,7 +76,8 @@ struct DayFields {
 double brightestOf(const Sky& sky);
 
 /// Samples the day in parallel; the same bits for any number of threads. `time_h` ascends; `brightest` is brightestOf.
-DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress);
+DayFields sampleDay(const Sky& sky, const std::vector<double>& time_h, double brightest, const Progress& progress,
+                    const IrradianceRule& rule = kIrradianceRules[0]);
 
 /// Hours at which a day bends or is worth looking at: every `step_h` hours, the keys of the sun's path, and the sun's
 /// rising, setting, highest and lowest instants to the second.

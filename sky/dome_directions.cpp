@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sh/spiral.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -11,24 +13,18 @@ constexpr double kNearest = 5e-4;   // chord; a quarter of the finest texel, 2 /
 constexpr double kFarthest = 0.75;  // chord, 44 degrees
 constexpr double kLowest = 1e-3;    // height; half the finest texel
 constexpr double kHighest = 0.25;
-const double kGoldenTurn = det::kPi * (3.0 - std::sqrt(5.0));
-
-Number3 onSpiral(double height, int i) {
-  const double length = std::sqrt(1.0 - height * height);
-  return {length * det::cos(kGoldenTurn * i), height, length * det::sin(kGoldenTurn * i)};
-}
 
 }  // namespace
 
 DomeDirections::DomeDirections(const DirectionCounts& counts) {
-  for (int i = 0; i < counts.even; ++i) even_.push_back(onSpiral((i + 0.5) / counts.even, i));
+  for (int i = 0; i < counts.even; ++i) even_.push_back(sh::onSpiral((i + 0.5) / counts.even, i));
   const double heights = det::log(kHighest / kLowest);
   for (int i = 0; i < counts.low; ++i)
-    low_.push_back(onSpiral(kLowest * det::exp(heights * (i + 0.5) / counts.low), i));
+    low_.push_back(sh::onSpiral(kLowest * det::exp(heights * (i + 0.5) / counts.low), i));
   const double chords = det::log(kFarthest / kNearest);
   for (int i = 0; i < counts.about_sun; ++i)
-    about_sun_.push_back({kNearest * det::exp(chords * (i + 0.5) / counts.about_sun), det::cos(kGoldenTurn * i),
-                          det::sin(kGoldenTurn * i)});
+    about_sun_.push_back({kNearest * det::exp(chords * (i + 0.5) / counts.about_sun), det::cos(sh::kGoldenTurn * i),
+                          det::sin(sh::kGoldenTurn * i)});
   even_density_ = counts.even / det::kTwoPi;
   sun_density_ = counts.about_sun / (det::kTwoPi * chords);  // a ring of chord r has the solid angle 2 pi r dr
   low_density_ = counts.low / (det::kTwoPi * heights);

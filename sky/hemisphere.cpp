@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "sh/multiple_cosines.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -152,15 +154,11 @@ std::size_t HemisphereQuadrature::addOrders(const SunFrame& sun, const Latitude&
   std::size_t evaluations = 0;
   double storage[1];
   forEachAzimuth(at, fadeCrossing(at, storage), [&](const Azimuth& azimuth) {
-    const double cosine = azimuth.cosine;
     const Number3 shape = shapeOn(sun, at, azimuth) * azimuth.weight;
-    double before = cosine;  // Chebyshev's recurrence: cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a
-    double current = 1.0;
+    sh::MultipleCosines cosine(azimuth.cosine);
     for (auto& sum : order) {
-      sum += shape * current;
-      const double next = 2.0 * cosine * current - before;
-      before = current;
-      current = next;
+      sum += shape * cosine.value();
+      cosine.advance();
     }
     ++evaluations;
   });

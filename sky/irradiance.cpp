@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sh/basis.h"
 
@@ -10,7 +11,6 @@ namespace welkin::sky {
 namespace {
 
 constexpr double kFieldTolerance = 1e-4;  // of the quadrature; with the extra panels its error is far below it
-constexpr int kPanels = 12;               // of elevation, at the least
 
 }  // namespace
 
@@ -20,13 +20,19 @@ Number3 IrradianceField::excess(double y, double cos_alpha) const {
          det::kShLinear;
 }
 
-IrradianceProjector::IrradianceProjector(const LuminanceModel& model)
+const IrradianceRule& irradianceRuleFor(double error) {
+  const auto* last = std::end(kIrradianceRules);
+  while (last - 1 != std::begin(kIrradianceRules) && !((last - 1)->error <= error)) --last;
+  return *(last - 1);
+}
+
+IrradianceProjector::IrradianceProjector(const LuminanceModel& model, const IrradianceRule& rule)
     : quadrature_(kFieldTolerance, kOrders, model.d), recurrence_(kBands) {
   for (int r = 0; r < kRows; ++r) {
     const double y = det::yOfModeRow(r / (kRows - 1.0));
     row_.push_back({y, std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0))});
   }
-  for (int i = 1; i < kPanels; ++i) extra_.push_back(det::kHalfPi * i / kPanels);
+  for (int i = 1; i < rule.panels; ++i) extra_.push_back(det::kHalfPi * i / rule.panels);
   if (model.d >= -IndicatrixTable::kSteepest) table_.emplace(model.d);
 }
 

@@ -23,6 +23,25 @@ struct IrradianceField {
   Number3 excess(double y, double cos_alpha) const;
 };
 
+/// How fine the circles lie: panels of elevation at the least, further ones where the sky bends.
+struct IrradianceRule {
+  int panels;
+  /// Largest error of a row's series, over the mean, for every named model and sun elevation: the finest against direct
+  /// integration, the others against circles four times as fine as that (tests/sky/irradiance_test.cpp).
+  double error;
+};
+/// From the finest to the least work; the first is what certificates compare with.
+inline constexpr IrradianceRule kIrradianceRules[] = {{12, 8e-5}, {4, 2.3e-4}, {2, 1e-3}};
+
+/// What a table's moments come from.
+struct Quadrature {
+  double tolerance = kTolerance;            ///< of SkyProjector
+  const IrradianceRule* circles = nullptr;  ///< those of IrradianceProjector instead
+};
+
+/// The least work whose error is at most `error`; the finest when none's is.
+const IrradianceRule& irradianceRuleFor(double error);
+
 /// Immutable after construction; fieldOf may be called from many threads. The same bits everywhere.
 class IrradianceProjector {
  public:
@@ -31,11 +50,9 @@ class IrradianceProjector {
   static constexpr int kRows = 49;
   static constexpr int kOrders = 24;
   static constexpr int kBands = 5;
-  /// Largest error of a row's series against direct integration, over the mean, for every named model and sun elevation
-  /// (tests/sky/irradiance_test.cpp).
-  static constexpr double kError = 8e-5;
+  static constexpr double kError = kIrradianceRules[0].error;
 
-  explicit IrradianceProjector(const LuminanceModel& model);
+  explicit IrradianceProjector(const LuminanceModel& model, const IrradianceRule& rule = kIrradianceRules[0]);
 
   IrradianceField fieldOf(const SkyInstant& instant) const;
   /// What the orders that are left out may add, over that channel's mean: as a sum of falling powers of the order, from

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "format/half.h"
+#include "sh/multiple_cosines.h"
 #include "sky/modes.h"
 
 namespace welkin::sky {
@@ -20,16 +21,9 @@ std::vector<double> atCentres(const FieldChannel& mode, std::size_t columns, std
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
       const double* series = mode.series.data() + j * (kRows - 1) / (rows - 1) * kOrders;
-      const double cosine = 2.0 * static_cast<double>(i) / static_cast<double>(columns - 1) - 1.0;
-      double before = cosine;  // Chebyshev's recurrence
-      double current = 1.0;
+      sh::MultipleCosines cosine(2.0 * static_cast<double>(i) / static_cast<double>(columns - 1) - 1.0);
       double sum = 0.0;
-      for (std::size_t m = 0; m < kOrders; ++m) {
-        sum += series[m] * current;
-        const double next = 2.0 * cosine * current - before;
-        before = current;
-        current = next;
-      }
+      for (std::size_t m = 0; m < kOrders; ++m, cosine.advance()) sum += series[m] * cosine.value();
       value.push_back(sum);
     }
   return value;

@@ -6,6 +6,7 @@
 
 #include "format/day_numbers.h"
 #include "sh/minimax.h"
+#include "sh/multiple_cosines.h"
 
 namespace welkin::sky {
 namespace {
@@ -19,14 +20,9 @@ std::vector<double> coefficientValues(const ErrorGrid& grid, int bands) {
     const auto normal = grid.normal(p);
     recurrence.evaluate(normal.y, std::sqrt(std::max((1.0 - normal.y) * (1.0 + normal.y), 0.0)), factor);
     for (int l = 0; l < bands; ++l) {
-      double before = normal.cos_alpha;  // Chebyshev's recurrence
-      double current = 1.0;
-      for (int m = 0; m <= l; ++m) {
-        values.push_back(det::cosineLobe(l) * factor[static_cast<std::size_t>(sh::indexOf(l, m))] * current);
-        const double next = 2.0 * normal.cos_alpha * current - before;
-        before = current;
-        current = next;
-      }
+      sh::MultipleCosines cosine(normal.cos_alpha);
+      for (int m = 0; m <= l; ++m, cosine.advance())
+        values.push_back(det::cosineLobe(l) * factor[static_cast<std::size_t>(sh::indexOf(l, m))] * cosine.value());
     }
   }
   return values;

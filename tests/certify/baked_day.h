@@ -31,8 +31,9 @@ struct BakedDay {
   /// Of `file` in place of the table's own when there is one.
   sky::Certificate certificate(double step_h, tools::Certify how = tools::Certify::fast,
                                const OpenedTable* file = nullptr) const {
-    return tools::certify((file != nullptr ? *file : opened).sky.get(), {day.sky, representation, table, encoding, 0.0},
-                          how, [] { return true; }, step_h);
+    return tools::certify((file != nullptr ? *file : opened).sky.get(),
+                          {day.sky, representation, table, encoding, {0.0, &sky::kIrradianceRules[0]}}, how,
+                          [] { return true; }, step_h);
   }
 
  private:

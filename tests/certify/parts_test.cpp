@@ -65,7 +65,7 @@ TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
   const BakedDay baked(day, sky::coefficientsOf(day.values, 5, false));
   const auto quadrature = [&](double tolerance) {
     return tools::certify(
-               baked.opened.sky.get(), {day.sky, baked.representation, baked.table, baked.encoding, tolerance},
+               baked.opened.sky.get(), {day.sky, baked.representation, baked.table, baked.encoding, {tolerance}},
                tools::Certify::fast, [] { return true; }, 12.0)
         .parts.quadrature;
   };

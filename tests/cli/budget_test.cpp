@@ -188,6 +188,18 @@ TEST_CASE("Budget, PlanSaysWhatABakeMakes") {
   }
 }
 
+TEST_CASE("Budget, TheQuadratureTakesAHundredthOfIt") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps));
+  const auto quadrature = [&](const std::vector<std::string>& more) {
+    return planOf(sky, more)["table"]["quadrature"].get<std::string>();
+  };
+  REQUIRE(quadrature({}).find("1e-05 of c0") != std::string::npos);
+  REQUIRE(quadrature({"--max-error", "0.1"}).find("circles in 2 panels") != std::string::npos);
+  REQUIRE(quadrature({"--max-error", "0.03"}).find("circles in 4 panels") != std::string::npos);
+  REQUIRE(quadrature({"--max-error", "0.01"}).find("circles in 12 panels") != std::string::npos);
+}
+
 TEST_CASE("Budget, AStillSkyTakesOneKeyAndOneCubemap") {
   const Folder folder;
   const json report =

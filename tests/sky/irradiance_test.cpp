@@ -38,9 +38,9 @@ Number3 valueOf(const IrradianceField& field, int row, double alpha) {
 }
 
 /// Largest difference of any channel over the mean, at every `stride`-th row and some azimuths on both sides.
-double worstOf(const Sky& sky, int stride) {
+double worstOf(const Sky& sky, int stride, const IrradianceRule& rule = kIrradianceRules[0]) {
   const SkyInstant instant(sky, 0.0);
-  const IrradianceProjector projector(sky.luminance);
+  const IrradianceProjector projector(sky.luminance, rule);
   const IrradianceField field = projector.fieldOf(instant);
   const SkyProjector direct(sky.luminance, 1, 1e-9);
   double worst = 0.0;
@@ -80,6 +80,35 @@ TEST_CASE("IrradianceField, IsDirectIntegrationForEveryModelAndSun") {
   CAPTURE(where, worst);
   CHECK(worst < IrradianceProjector::kError);
   CHECK(worst > IrradianceProjector::kError / 1.2);
+}
+
+TEST_CASE("IrradianceField, CoarserRulesKeepTheirErrors") {
+  for (std::size_t i = 1; i < std::size(kIrradianceRules); ++i) {
+    const IrradianceRule& rule = kIrradianceRules[i];
+    double worst = 0.0;
+    for (const auto& [name, model] : namedLuminances())
+      for (const double elevation : {-18.0, 0.0, 2.0, 12.0, 50.0, 90.0}) {
+        const Sky sky = fixedSky(model, elevation);
+        const SkyInstant instant(sky, 0.0);
+        const IrradianceField coarse = IrradianceProjector(model, rule).fieldOf(instant);
+        const IrradianceField fine = IrradianceProjector(model, {48, 0.0}).fieldOf(instant);
+        for (int row = 0; row < IrradianceProjector::kRows; ++row)
+          for (const double alpha : {0.0, 0.5, 1.1, 0.5 * M_PI, 2.2, M_PI})
+            worst =
+                std::max(worst, std::abs(valueOf(coarse, row, alpha).x - valueOf(fine, row, alpha).x) / fine.mean.x);
+      }
+    CAPTURE(rule.panels, worst);
+    CHECK(worst < rule.error);
+    CHECK(worst > rule.error / 1.2);
+  }
+}
+
+TEST_CASE("IrradianceField, ARuleIsTheLeastWorkWithinAnError") {
+  CHECK(irradianceRuleFor(1.0).panels == 2);
+  CHECK(irradianceRuleFor(1e-3).panels == 2);
+  CHECK(irradianceRuleFor(0.9e-3).panels == 4);
+  CHECK(irradianceRuleFor(1e-4).panels == 12);
+  CHECK(irradianceRuleFor(1e-9).panels == 12);
 }
 
 TEST_CASE("IrradianceField, ColoursOnBothSides") {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sh/spiral.h"
 #include "sky/error.h"
 
 namespace welkin::tools {
@@ -31,18 +32,6 @@ std::vector<double> instantsOf(const Baked& baked, double step_h) {
   std::sort(hours.begin(), hours.end());
   hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
   return hours;
-}
-
-/// Directions of a golden-angle spiral.
-std::vector<Number3> spiral(int count) {
-  std::vector<Number3> directions;
-  for (int i = 0; i < count; ++i) {
-    const double y = 1.0 - 2.0 * (i + 0.5) / count;
-    const double azimuth = std::fmod(2.39996322972865332 * i, det::kTwoPi);
-    const double across = std::sqrt(1.0 - y * y);
-    directions.push_back({across * det::sin(azimuth), y, -across * det::cos(azimuth)});
-  }
-  return directions;
 }
 
 /// Errors of an instant by channel, before they are divided.
@@ -114,11 +103,13 @@ double quadratureOf(const Baked& baked, double brightest, const sky::ErrorGrid& 
   std::vector<double> hours;
   for (std::size_t i = 0; i < kQuadratureChecks; ++i)
     hours.push_back(format::kDay_h * (static_cast<double>(i) + 0.5) / kQuadratureChecks);
-  const sky::DayFields fields = sky::sampleDay(baked.sky, hours, brightest, progress);
+  const sky::IrradianceRule* circles = baked.quadrature.circles;
+  const sky::DayFields fields =
+      sky::sampleDay(baked.sky, hours, brightest, progress, circles != nullptr ? *circles : sky::kIrradianceRules[0]);
   const sky::DayValues day(fields, grid);
   const int bands = sky::IrradianceProjector::kBands;
   const sky::SkyProjector converged(baked.sky.luminance, bands, kConverged);
-  const sky::SkyProjector as_baked(baked.sky.luminance, bands, std::max(baked.tolerance, kConverged));
+  const sky::SkyProjector as_baked(baked.sky.luminance, bands, std::max(baked.quadrature.tolerance, kConverged));
   const sky::Representation r = sky::coefficientsOf(day, bands, false);
   std::vector<double> error(hours.size());
   tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
@@ -128,7 +119,7 @@ double quadratureOf(const Baked& baked, double brightest, const sky::ErrorGrid& 
       if (r.rows > r.functions) rows.push_back(moments.horizontal_irradiance);
       return rows;
     };
-    const auto was = rowsOf(baked.tolerance > 0.0 ? as_baked.projectPolar(instant) : fields.instant[i].field.moments);
+    const auto was = rowsOf(circles == nullptr ? as_baked.projectPolar(instant) : fields.instant[i].field.moments);
     error[i] = sky::differenceOf(day, r, i, was, rowsOf(converged.projectPolar(instant)));
   });
   return *std::max_element(error.begin(), error.end());
@@ -157,7 +148,11 @@ struct Mean {
 void add(const WelkinSky* opened, const Baked& baked, Certify how, const sky::DayValues& day,
          const sky::Progress& progress, sky::Certificate& certificate, Mean& mean) {
   const auto& instants = day.day->instant;
-  static const std::vector<Number3> kSpread = spiral(kFullNormals);
+  static const std::vector<Number3> kSpread = [] {
+    std::vector<Number3> directions;
+    for (int i = 0; i < kFullNormals; ++i) directions.push_back(sh::onSpiral(1.0 - (2.0 * i + 1.0) / kFullNormals, i));
+    return directions;
+  }();
   const sky::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
   std::vector<Looked> looked(instants.size());
   tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {

@@ -18,7 +18,7 @@ struct Baked {
   const sky::Representation& representation;
   const sky::DayTable& table;
   sky::Encoding encoding;
-  double tolerance;  ///< of the moments (sky/projection.h); 0: those of sky/irradiance.h
+  sky::Quadrature quadrature;
 };
 
 /// Measures `opened`, the file of `baked`: at every minute of the day (every `step_h`), every key and the middle

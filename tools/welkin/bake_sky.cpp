@@ -72,7 +72,7 @@ sky::Certificate measure(const sky::SkyFile& file, const SkyPlan& plan, Certify 
   if (welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message) != WELKIN_OK)
     throw Error(ExitStatus::internal, fmt::format("the runtime refuses what was baked: {}", message.text));
   const std::unique_ptr<WelkinSky, void (*)(WelkinSky*)> owner(opened, welkin_sky_close);
-  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.tolerance};
+  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.quadrature};
   ProgressReport progress(style, "certificate", certifySteps(baked, how));
   return certify(opened, baked, how, [&] { return progress.step(); });
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// Directions that the quadrature of a key looks at, about; for the saving of a key that is not made.
 double evaluationsOfKey(const SkyPlan& plan) {
-  return plan.table.key_time_h.empty() || plan.tolerance == 0.0
+  return plan.table.key_time_h.empty() || plan.quadrature.circles != nullptr
              ? 0.0
              : static_cast<double>(plan.table.evaluations) / static_cast<double>(plan.table.key_time_h.size());
 }

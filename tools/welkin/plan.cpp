@@ -75,6 +75,7 @@ void plan(const Options& options) {
                100.0 * plan.predicted_error, 100.0 * *file.bake.max_error);
   fmt::print("table      {} keys x {}, {} channels, {}: {} bytes\n", plan.table.key_time_h.size(),
              plan.representation.name(), plan.table.channels, sky::nameOf(plan.encoding), plan.table_bytes);
+  fmt::print("quadrature {}\n", textOf(plan.quadrature));
   fmt::print("gradients  {} x {} and {} x {} {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
              file.sky.gradient_anti.width, file.sky.gradient_anti.height, sky::nameOf(plan.gradient_format),
              plan.gradient_bytes);

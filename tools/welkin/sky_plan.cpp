@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sh/spiral.h"
 #include "sh/window.h"
 #include "sky/dome_error.h"
 #include "sky/error.h"
@@ -35,10 +36,8 @@ double applyMildestWindow(sky::DayTable& table) {
   constexpr int kNormals = 642;
   std::vector<det::Number3> normals;
   for (int i = 0; i < kNormals; ++i) {
-    const double y = 1.0 - 2.0 * (i + 0.5) / kNormals;
-    const double across = std::sqrt(1.0 - y * y);
-    const double turn = std::fmod(2.39996322972865332 * i, det::kTwoPi);
-    normals.push_back({across * det::cos(turn), across * det::sin(turn), y});
+    const det::Number3 d = sh::onSpiral(1.0 - (2.0 * i + 1.0) / kNormals, i);
+    normals.push_back({d.z, d.x, d.y});
   }
   const auto channels = static_cast<std::size_t>(table.channels);
   const auto count = static_cast<std::size_t>(table.bands * table.bands);
@@ -69,6 +68,12 @@ Error cannotMeet(const sky::SkyFile& file, const std::string& best) {
 
 }  // namespace
 
+/// The quadrature may take a hundredth of a budget: the rest is worth more to keys and modes than panels are to time.
+const sky::IrradianceRule& ruleFor(const sky::SkyFile& file) {
+  constexpr double kShare = 0.01;
+  return sky::irradianceRuleFor(kShare * file.bake.max_error.value_or(0.0));
+}
+
 /// The day as plans look at it.
 struct SkyPlanner::Day {
   sky::ErrorGrid grid;
@@ -76,7 +81,8 @@ struct SkyPlanner::Day {
   sky::DayValues values;
 
   Day(const sky::SkyFile& file, double step_h, const sky::Progress& progress)
-      : fields(sky::sampleDay(file.sky, instantsFor(file, step_h), sky::brightestOf(file.sky), progress)),
+      : fields(
+            sky::sampleDay(file.sky, instantsFor(file, step_h), sky::brightestOf(file.sky), progress, ruleFor(file))),
         values(fields, grid) {}
 };
 
@@ -126,7 +132,7 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
     plan.representation = std::move(day.representation);
     plan.table = std::move(day.table);
     plan.encoding = day.encoding;
-    plan.tolerance = 0.0;
+    plan.quadrature.circles = &ruleFor(file_);
     plan.predicted_error = day.predicted_error;
     plan.considered = std::move(day.considered);
   } else {
@@ -141,7 +147,7 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
       for (std::size_t i = 0; i < hours.size(); ++i)
         if (std::binary_search(bake.key_time_h.begin(), bake.key_time_h.end(), hours[i].time_h)) keys.push_back(i);
       plan.table = sky::tableAt(day_->values, sky::coefficientsOf(day_->values, bake.bands, true), keys);
-      plan.tolerance = 0.0;
+      plan.quadrature.circles = &ruleFor(file_);
     }
   }
   if (bake.mildest_window) plan.window_strength = applyMildestWindow(plan.table);
@@ -192,6 +198,12 @@ void SkyPlanner::planGradients(SkyPlan& plan) {
       (is_small ? 4 : 12) * (file_.sky.gradient_sun.rgb.size() + file_.sky.gradient_anti.rgb.size()) / 3;
 }
 
+std::string textOf(const sky::Quadrature& quadrature) {
+  if (quadrature.circles == nullptr) return fmt::format("coefficients within {:.0e} of c0", quadrature.tolerance);
+  return fmt::format("circles in {} panels or more, within {:.1e} of the mean", quadrature.circles->panels,
+                     quadrature.circles->error);
+}
+
 nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error) {
   nlohmann::ordered_json considered = nlohmann::json::array();
   for (const sky::PlanChoice& c : plan.considered) {
@@ -208,6 +220,7 @@ nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>
                                  {"keys", plan.table.key_time_h.size()}};
   if (modes) json["modes"] = {{"count", modes->count}, {"columns", modes->columns}, {"rows", modes->rows}};
   if (plan.window_strength > 0.0) json["window_strength"] = plan.window_strength;
+  json["quadrature"] = textOf(plan.quadrature);
   json["evaluations"] = plan.table.evaluations;
   json["bytes"] = plan.table_bytes;
   if (max_error) {

@@ -33,10 +33,10 @@ struct SkyPlan {
   sky::Representation representation;
   sky::DayTable table;
   sky::Encoding encoding = sky::Encoding::float32;
-  double tolerance = sky::kTolerance;  ///< of the table's moments; 0: those of sky/irradiance.h
-  double window_strength = 0.0;        ///< sh/window.h
-  double predicted_error = 0.0;        ///< of the irradiance; 0 without a budget
-  std::size_t table_bytes = 0;         ///< with modes
+  sky::Quadrature quadrature;    ///< of the table's moments
+  double window_strength = 0.0;  ///< sh/window.h
+  double predicted_error = 0.0;  ///< of the irradiance; 0 without a budget
+  std::size_t table_bytes = 0;   ///< with modes
   std::vector<sky::PlanChoice> considered;
   int cubemap_size = 0;
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
@@ -47,6 +47,9 @@ struct SkyPlan {
   double dome_error = 0.0;  ///< of the gradients' format
   std::vector<LeftOut> left_out;
 };
+
+/// What a table's moments come from, in words.
+std::string textOf(const sky::Quadrature& quadrature);
 
 /// Plans one sky file, perhaps more than once.
 class SkyPlanner {
