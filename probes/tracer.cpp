@@ -171,6 +171,7 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   const Number3 normal = unit(cross(ab, ac));
   const bool behind = dot(normal, direction) > 0.0;
   hit.normal = behind ? -normal : normal;
+  hit.back_along = -direction;
   hit.back = behind && !surfaces().material[triangle.material].double_sided;
   return hit;
 }
@@ -187,9 +188,10 @@ bool Tracer::occluded(const Number3& origin, const Number3& direction, double fa
 Number3 Tracer::leaving(const Hit& hit) const {
   constexpr double kLeast_m = 1e-5;
   constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding, and that of Embree's robust test
+  constexpr double kBack = 8.0;              // clears a wall that stands there unless the ray came along it
   const Number3& p = hit.position;
-  const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return p + hit.normal * (kLeast_m + kFloats * largest);
+  const double off = kLeast_m + kFloats * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return p + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
 }
 
 Number3 Tracer::albedo(const Hit& hit) const {

@@ -17,6 +17,7 @@ struct Hit {
   std::uint32_t triangle = 0;
   double u = 0.0, v = 0.0;  ///< barycentric, of the second and third vertex
   bool back = false;        ///< of a surface with one side only
+  Number3 back_along{0.0};  ///< to where the ray came from, unit; 0: a point that no ray found
 };
 
 /// Immutable after construction; every ray may be traced from any thread. The same bits on every machine with the
@@ -36,7 +37,9 @@ class Tracer {
   /// Whether anything lies between, as above.
   bool occluded(const Number3& origin, const Number3& direction, double far) const;
 
-  /// Where a ray that leaves the hit starts: off the plane, on the normal's side, by more than the rounding of floats.
+  /// Where a ray that leaves the hit starts: off the plane, on the normal's side, by more than the rounding of floats;
+  /// and back along the ray that found it, where the way was free, so that it does not start in or behind a wall that
+  /// stands on the surface there.
   Number3 leaving(const Hit& hit) const;
 
   /// Diffuse albedo, linear, in [0, 1]; 0 on a back.

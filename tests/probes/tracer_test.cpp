@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "closed_forms.h"
 #include "probes/directions.h"
 #include "probes/random.h"
-#include "rooms.h"
 
 namespace welkin::probes {
 namespace {
@@ -78,6 +78,28 @@ TEST_CASE("Tracer, ARayThatLeavesASurfaceDoesNotMeetItAgain") {
     CHECK_FALSE(tracer.occluded(tracer.leaving(*hit), away, kFar));
   }
   CHECK(hits > 5000);
+}
+
+TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
+  // Aimed at the edges, within the rounding of floats: an origin on an edge has one wall behind it, or in front.
+  for (const double azimuth : {0.0, 0.37}) {
+    const Number3 moved = azimuth == 0.0 ? Number3(0.0) : Number3(211.3, 17.1, -93.7);
+    const auto world = [&](const Number3& p) { return tests::turned(p, azimuth) + moved; };
+    const Surfaces rooms = tests::turned(tests::twoRooms(Number3(0.5), true), azimuth, moved);
+    const Tracer tracer(rooms);
+    Random random(11);
+    const Number3 eye = world({1.9, 1.4, 0.3});
+    for (int i = 0; i < 20000; ++i) {
+      const auto aside = [&] { return 2e-5 * (random.unit() - 0.5); };
+      const Number3 edge =
+          i % 2 == 0 ? Number3(0.0, 0.0, 4.0 * random.unit() - 2.0) : Number3(0, 3.0 * random.unit(), 2);
+      const auto hit = tracer.closest(eye, unit(world(edge + Number3(aside(), aside(), aside())) - eye), kFar);
+      REQUIRE(hit);
+      const double s = random.unit();
+      const Number3 away = cosineDirection(hit->normal, s, random.unit());
+      REQUIRE(tracer.closest(tracer.leaving(*hit), away, kFar));
+    }
+  }
 }
 
 }  // namespace welkin::probes
