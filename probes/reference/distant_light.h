@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light that reaches a level from outside at one time, as the reference sees it: the sky model itself, the sun and
+// the moon, and the ground beyond the level.
+#pragma once
+
+#include <vector>
+
+#include "probes/surfaces.h"
+#include "sky/sky.h"
+
+namespace welkin::probes {
+
+/// A light without extent, far away.
+struct DirectionalLight {
+  Number3 direction;   ///< towards it, unit
+  Number3 irradiance;  ///< of a surface that faces it, scene units
+};
+
+/// Immutable after construction; any thread may ask.
+class DistantLight {
+ public:
+  /// `sky` outlives it; `time_h` is finite.
+  DistantLight(const sky::Sky& sky, double time_h);
+
+  /// The sky's radiance at intensity, desaturated by ambient_saturation, without tint; 0 below the horizon.
+  Number3 skyRadiance(const Number3& direction) const;
+  /// Radiance of the ground beyond the level, level and with nothing in its way, under the sky as above.
+  const Number3& groundUnderSky() const { return ground_under_sky_; }
+  /// The same under the sun and the moon.
+  const Number3& groundUnderLights() const { return ground_under_lights_; }
+  /// The sun and the moon, as far as they are up and shine.
+  const std::vector<DirectionalLight>& lights() const { return light_; }
+
+  /// Share of directions to draw near the sun, in [0, 1/2]; 0 where the sky has no lobe there worth it.
+  double lobeShare() const { return lobe_share_; }
+  /// A direction about the sun, its angle of density d^2 angle exp(d angle) (the sum of two exponential ones), of three
+  /// numbers in [0, 1). An angle past pi is none: false.
+  bool sampleLobe(double s, double t, double extra, Number3& direction) const;
+  /// Density of sampleLobe over solid angle, 1/sr.
+  double lobeDensity(const Number3& direction) const;
+
+ private:
+  sky::SkyInstant instant_;
+  double saturation_;
+  Number3 ground_under_sky_{0.0};
+  Number3 ground_under_lights_{0.0};
+  std::vector<DirectionalLight> light_;
+  double lobe_share_ = 0.0;
+};
+
+}  // namespace welkin::probes

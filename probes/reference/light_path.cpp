@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/reference/light_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "probes/directions.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// The next direction of a path and cos / pi over the density that it was drawn with; 0: nothing comes from there.
+struct Turn {
+  Number3 direction;
+  double weight = 0.0;
+};
+
+/// Cosine-distributed, and a share of them about the sun where the sky is brightest, weighed by the density of both
+/// (the balance heuristic of Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
+Turn turnAt(const DistantLight& distant, const Number3& normal, double s, double t, Random& random) {
+  const double share = distant.lobeShare();
+  if (share == 0.0) return {cosineDirection(normal, s, t), 1.0};
+  Turn turn;
+  if (s >= share)
+    turn.direction = cosineDirection(normal, (s - share) / (1.0 - share), t);
+  else if (!distant.sampleLobe(s / share, t, random.unit(), turn.direction))
+    return turn;
+  const double cosine = std::max(dot(normal, turn.direction), 0.0) / det::kPi;
+  turn.weight = cosine / ((1.0 - share) * cosine + share * distant.lobeDensity(turn.direction));
+  return turn;
+}
+
+/// Irradiance of a surface by the sun and the moon.
+Number3 lightsAt(const PathScene& scene, const Number3& origin, const Number3& normal) {
+  Number3 sum(0.0);
+  for (const DirectionalLight& light : scene.distant.lights()) {
+    const double cosine = dot(normal, light.direction);
+    if (cosine > 0.0 && !scene.tracer.occluded(origin, light.direction, kFar)) sum += light.irradiance * cosine;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Number3 localIrradiance(const Tracer& tracer, const LocalLight& light, const Number3& origin, const Number3& normal,
+                        double s, double t) {
+  const Number3 to_light = light.position - origin;
+  const double squared = dot(to_light, to_light);
+  if (squared == 0.0 && light.radius_m == 0.0) return Number3(0.0);
+  const double radius2 = light.radius_m * light.radius_m;
+  const bool inside = squared <= radius2;
+  // From outside uniform over the cone that the sphere fills; from inside the sphere is everywhere.
+  const double widest2 = inside ? 1.0 : radius2 / squared;
+  const double narrowest = std::sqrt(1.0 - widest2);
+  const double cosine_axis = 1.0 - s * widest2 / (1.0 + narrowest);
+  const Number3 direction =
+      inside ? cosineDirection(normal, s, t)
+             : cosineDirection(to_light / std::sqrt(squared), std::max(1.0 - cosine_axis * cosine_axis, 0.0), t);
+  const double cosine = dot(normal, direction);
+  if (cosine <= 0.0) return Number3(0.0);
+  const double along = dot(to_light, direction);
+  const double half_chord = std::sqrt(std::max(radius2 - squared + along * along, 0.0));
+  if (tracer.occluded(origin, direction, inside ? along + half_chord : along - half_chord)) return Number3(0.0);
+  return inside ? light.intensity / radius2 : light.intensity * (2.0 * cosine / (squared * (1.0 + narrowest)));
+}
+
+LightShares tracePath(const PathScene& scene, const Hit& start, double s, double t, Random& random) {
+  const Tracer& tracer = scene.tracer;
+  const DistantLight& distant = scene.distant;
+  LightShares found;
+  Hit at = start;
+  Turn turn = turnAt(distant, at.normal, s, t, random);
+  Number3 throughput(det::kPi);  // of cosine-distributed radiance: irradiance
+  for (int bounced = 0;; ++bounced) {
+    throughput *= turn.weight;
+    if (throughput == Number3(0.0)) return found;
+    const auto hit = tracer.closest(tracer.leaving(at), turn.direction, kFar);
+    if (!hit) {
+      if (turn.direction.y >= 0.0) {
+        found.sky += throughput * distant.skyRadiance(turn.direction);
+      } else if (bounced < scene.bounces) {
+        found.sky += throughput * distant.groundUnderSky();
+        found.sun_bounce += throughput * distant.groundUnderLights();
+      }
+      return found;
+    }
+    at = *hit;
+    found.local += throughput * tracer.emission(at);
+    if (bounced == scene.bounces) return found;
+    throughput = throughput * tracer.albedo(at);
+    if (throughput == Number3(0.0)) return found;
+    const Number3 origin = tracer.leaving(at);
+    found.sun_bounce += throughput * lightsAt(scene, origin, at.normal) / det::kPi;
+    for (const LocalLight& light : scene.lights) {
+      const double u = random.unit();
+      const double v = random.unit();
+      found.local += throughput * localIrradiance(tracer, light, origin, at.normal, u, v) / det::kPi;
+    }
+    const double u = random.unit();
+    const double v = random.unit();
+    turn = turnAt(distant, at.normal, u, v, random);
+  }
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference as an estimator: its standard error, its order of sums, its progress.
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <catch2/catch.hpp>
+
+#include "closed_forms.h"
+#include "probes/directions.h"
+#include "skies.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+struct Place {
+  Surfaces level = tests::wellOf(4.0, 5.0, 4, {0.6, 0.5, 0.3}, {0.4, 0.6, 0.8});
+  sky::Sky sky = tests::clearSky(2.0, 0.9);
+  Tracer tracer{level};
+  DistantLight distant{sky, 0.0};
+  std::vector<LocalLight> lights = {{{1, 1, -2}, {4, 2, 1}}};
+  Number3 position{-2.1, 0.8, 1.7};
+  Number3 normal = unit({0.3, 0.5, -0.7});
+
+  ReferenceIrradiance at(const ReferenceSettings& settings, const ReferenceProgress& progress = {}) const {
+    return traceReference(tracer, distant, lights, position, normal, settings, progress);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Reference, ItsStandardErrorIsThatOfIndependentSeeds") {
+  const Place place;
+  constexpr int kSeeds = 400;
+  for (const auto of : {&ReferenceIrradiance::sky, &ReferenceIrradiance::sun_bounce, &ReferenceIrradiance::local,
+                        &ReferenceIrradiance::total})
+    for (const int c : {0, 1, 2}) {
+      double sum = 0.0;
+      double squares = 0.0;
+      double stated = 0.0;
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        const Estimate e = place.at({256, 2, seed}).*of;
+        sum += e.value[c];
+        squares += e.value[c] * e.value[c];
+        stated += e.standard_error[c] * e.standard_error[c];
+      }
+      const double variance = (squares - sum * sum / kSeeds) / (kSeeds - 1);
+      // The variance of 400 values is known within 7 % (one standard error) where they are normal.
+      CHECK(std::sqrt(stated / kSeeds / variance) == Approx(1.0).margin(0.12));
+    }
+}
+
+TEST_CASE("Reference, MoreSamplesAgreeWithFewer") {
+  const Place place;
+  const auto few = place.at({4096, 2, 1});
+  const auto many = place.at({400000, 2, 2});
+  CHECK(few.samples == 4096);
+  CHECK(many.samples >= 400000);
+  CHECK(many.samples < 405000);
+  CHECK(many.total.standard_error.y < 0.2 * few.total.standard_error.y);
+  tests::checkEstimate(few.total, many.total.value, 3.0 * many.total.standard_error.y);
+  CHECK(place.at({1, 2, 1}).samples == 64);
+}
+
+TEST_CASE("Reference, ItsBitsDoNotDependOnTheThreads") {
+  const Place place;
+  const auto all = place.at({20000, 3, 5});
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto alone = place.at({20000, 3, 5});
+  for (const auto of : {&ReferenceIrradiance::sky, &ReferenceIrradiance::sun_bounce, &ReferenceIrradiance::local,
+                        &ReferenceIrradiance::total}) {
+    CHECK((all.*of).value == (alone.*of).value);
+    CHECK((all.*of).standard_error == (alone.*of).standard_error);
+  }
+  CHECK_FALSE(place.at({20000, 3, 6}).total.value == all.total.value);
+}
+
+TEST_CASE("Reference, TellsOfEveryBatchAndStopsWhenAsked") {
+  const Place place;
+  const ReferenceSettings settings{300000, 1, 1};
+  std::atomic<std::size_t> told = 0;
+  place.at(settings, [&] { return ++told > 0; });
+  CHECK(told == referenceBatches(settings));
+  CHECK(told == 74);
+  try {
+    place.at(settings, [] { return false; });
+    FAIL("went on");
+  } catch (const Error& e) {
+    CHECK(e.status() == ExitStatus::interrupted);
+  }
+}
+
+}  // namespace welkin::probes
