@@ -189,9 +189,12 @@ Number3 Tracer::leaving(const Hit& hit) const {
   constexpr double kLeast_m = 1e-5;
   constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding, and that of Embree's robust test
   constexpr double kBack = 8.0;              // clears a wall that stands there unless the ray came along it
-  const Number3& p = hit.position;
-  const double off = kLeast_m + kFloats * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return p + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
+  // Embree's distance to the plane is as coarse as the corners, however far from the hit they are.
+  double largest = 0.0;
+  for (const std::uint32_t corner : surfaces().triangle[hit.triangle].vertex)
+    for (const float x : surfaces().position[corner]) largest = std::max(largest, std::abs(double{x}));
+  const double off = kLeast_m + kFloats * largest;
+  return hit.position + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
 }
 
 Number3 Tracer::albedo(const Hit& hit) const {

@@ -102,4 +102,22 @@ TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
   }
 }
 
+TEST_CASE("Tracer, ARayThatLeavesALargeSurfaceDoesNotMeetItAgain") {
+  // Near the origin, where floats are fine, but not those of the corners, 4 km away: an oblique wall 8 km long.
+  const Surfaces s = tests::turned(tests::wallTo(0.8, Number3(0.5), Number3(0.5)), 2.1);
+  const Tracer tracer(s);
+  Random random(3);
+  int hits = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Number3 direction =
+        tests::turned(unit(Number3(random.unit() - 0.5, 0.5 * random.unit(), -1)), 2.1);  // from the origin to the wall
+    const auto hit = tracer.closest({0, 1, 0}, direction, kFar);
+    if (!hit) continue;
+    ++hits;
+    const Number3 away = unit(hit->normal + unit(Number3(random.unit() - 0.5, 1.0, random.unit() - 0.5)) * 0.9);
+    CHECK_FALSE(tracer.occluded(tracer.leaving(*hit), away, kFar));
+  }
+  CHECK(hits == 5000);
+}
+
 }  // namespace welkin::probes
