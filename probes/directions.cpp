@@ -15,15 +15,9 @@ Number3 sphereDirection(double s, double t) {
 }
 
 Number3 cosineDirection(const Number3& normal, double s, double t) {
-  // Two tangents without a branch near the pole (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
-  const double sign = std::copysign(1.0, normal.z);
-  const double a = -1.0 / (sign + normal.z);
-  const double b = normal.x * normal.y * a;
-  const Number3 x(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-  const Number3 y(b, sign + normal.y * normal.y * a, -normal.y);
   const double radius = std::sqrt(s);
   const double azimuth = det::kTwoPi * t;
-  return x * (radius * det::cos(azimuth)) + y * (radius * det::sin(azimuth)) + normal * std::sqrt(1.0 - s);
+  return inFrameOf(normal, radius * det::cos(azimuth), radius * det::sin(azimuth), std::sqrt(1.0 - s));
 }
 
 }  // namespace welkin::probes

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the paths of a probe add up to. Directions above and below the horizon are normalised apart, each by the exact
+// integral of the cosine over its half (post-stratification): where nothing occludes, visibility is 1 to rounding, and
+// where nothing arrives, everything is 0. Paths come in replicates, each with its own random numbers: their spread is
+// the standard error.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "probes/transfer/transfer.h"
+
+namespace welkin::probes {
+
+/// Independent sets of paths a probe.
+inline constexpr std::size_t kReplicates = 8;
+
+enum class Half : std::size_t { above = 0, below = 1 };
+
+using DirectionWeights = std::array<double, kDirections>;                 ///< max(0, w . B_b)
+using DirectionColours = std::array<std::array<double, 3>, kDirections>;  ///< [direction][channel]
+
+/// Sums over the paths of one replicate whose first direction is in one half.
+struct HalfSums {
+  DirectionWeights weight{};
+  DirectionWeights open{};                ///< weight of what leaves upward at once
+  std::array<DirectionColours, 4> sky{};  ///< by coefficient
+  DirectionColours plane{};               ///< of throughput that meets the plane beyond the level
+  DirectionColours emitted{};
+  std::vector<DirectionColours> light;  ///< by light direction
+};
+
+/// Adds radiance from a path to each direction's irradiance.
+inline void addWeighted(DirectionColours& sum, const DirectionWeights& weight, const Number3& radiance) {
+  for (std::size_t b = 0; b < kDirections; ++b) {
+    sum[b][0] += weight[b] * radiance.x;
+    sum[b][1] += weight[b] * radiance.y;
+    sum[b][2] += weight[b] * radiance.z;
+  }
+}
+
+/// [replicate][half]
+using TransferSums = std::array<std::array<HalfSums, 2>, kReplicates>;
+
+/// The transfer and its errors; `plane_albedo` and `light_direction` say what the plane beyond the level sends back.
+/// Leaves TransferEffort::paths and rays 0.
+TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
+                     const std::vector<Number3>& light_direction);
+
+}  // namespace welkin::probes

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/transfer/trace_transfer.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "probes/transfer/probe_paths.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ExitStatus::content, "[transfer] " + what);
+}
+
+void check(const TransferSettings& s) {
+  if (s.rays < kLeastRays || s.rays > kMostRays || s.rays % kReplicates != 0)
+    refuse(fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
+  if (s.bounces < 0 || s.bounces > kMostBounces)
+    refuse(fmt::format("bounces: {}; allowed: 0 to {}", s.bounces, kMostBounces));
+  if (!(s.max_error >= 0.0 && s.max_error < 1.0))
+    refuse(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
+  for (const double albedo : {s.ground_albedo.x, s.ground_albedo.y, s.ground_albedo.z})
+    if (!(albedo >= 0.0 && albedo <= 1.0)) refuse(fmt::format("ground_albedo: {}; allowed: 0 to 1", albedo));
+  for (const Number3& light : s.light_directions)
+    if (!(std::abs(dot(light, light) - 1.0) < 1e-9))
+      refuse(fmt::format("the light's direction ({}, {}, {}) is not of length 1", light.x, light.y, light.z));
+  if (!s.light_directions.empty() && s.light_rays == 0) refuse("light rays: 0; allowed: at least 1");
+}
+
+}  // namespace
+
+TransferTracer::TransferTracer(const Tracer& tracer, TransferSettings settings)
+    : tracer_(&tracer), settings_(std::move(settings)), emissive_(anyEmissive(tracer.surfaces())) {
+  check(settings_);
+}
+
+TracedProbe TransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe) const {
+  return traceProbe(*tracer_, settings_, circle_, emissive_, position, sector, probe);
+}
+
+std::vector<TracedProbe> TransferTracer::trace(const PlacedSector& sector) const {
+  std::vector<TracedProbe> traced(sector.probe.size());
+  tbb::parallel_for(std::size_t{0}, traced.size(),
+                    [&](std::size_t i) { traced[i] = trace(sector.probe[i].position, sector.id, i); });
+  return traced;
+}
+
+ProbeTransfer traceTransfer(const Tracer& tracer, const Number3& position, const TransferSettings& settings,
+                            SectorId sector, std::size_t probe) {
+  return TransferTracer(tracer, settings).trace(position, sector, probe).transfer;
+}
+
+}  // namespace welkin::probes

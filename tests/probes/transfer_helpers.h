@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tests of the transfer share: means with standard errors over independent probes at one place.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "probes/directions.h"
+#include "probes/transfer/trace_transfer.h"
+#include "sh/deterministic.h"
+
+namespace welkin::tests {
+
+struct Measured {
+  double mean = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Of a quantity of `count` probes with their own random numbers at one position.
+template <typename Quantity>
+Measured measured(const probes::TransferTracer& tracer, const Number3& position, std::size_t count,
+                  const Quantity& quantity) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = quantity(tracer.trace(position, {3, -2}, i));
+    sum += value;
+    squares += value * value;
+  }
+  const double n = static_cast<double>(count);
+  const double mean = sum / n;
+  return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1.0))};
+}
+
+/// Three standard errors (one in 370 misses; the seeds are fixed) and what rounding and floats of the level allow.
+inline void checkMeasured(const Measured& m, double expected, double bound = 1e-5) {
+  CAPTURE(m.mean, m.standard_error, expected);
+  CHECK(std::abs(m.mean - expected) <= 3.0 * m.standard_error + bound);
+}
+
+/// Irradiance under a uniform sky of radiance 1, direct and bounced, green.
+inline double uniformSky(const probes::ProbeTransfer& t, std::size_t b) {
+  const double open = det::kPi * (1.0 + probes::transferBasis()[b].y) / 2.0;
+  return t.visibility[b] * open + std::sqrt(det::kPi) * t.sky[b][0].y + std::sqrt(3.0 * det::kPi) / 2.0 * t.sky[b][1].y;
+}
+
+/// What four directions give for a normal.
+inline double reconstructed(const Number3& normal, const std::array<double, probes::kDirections>& irradiance) {
+  const auto weight = probes::shadingWeights(normal);
+  double sum = 0.0;
+  for (std::size_t b = 0; b < weight.size(); ++b) sum += weight[b] * irradiance[b];
+  return sum;
+}
+
+/// Of (azimuth, elevation) in radians: away from the point, azimuth clockwise from north.
+inline Number3 towards(double azimuth, double elevation) {
+  return probes::unit(
+      Number3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth)));
+}
+
+}  // namespace welkin::tests
