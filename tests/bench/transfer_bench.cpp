@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tracing the transfer costs beside its physical limit: a bare Embree loop over the same rays, on one thread.
+//   transfer_bench [PROBES [PATHS [BOUNCES]]]
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <limits>
+
+#include "probes/directions.h"
+#include "probes/transfer/probe_paths.h"
+
+namespace {
+
+using namespace welkin;
+using namespace welkin::probes;
+
+struct Ray {
+  std::array<float, 3> origin, direction;
+  bool occluded;
+};
+
+/// A tracer that notes what it is asked.
+class Recorder {
+ public:
+  explicit Recorder(const Tracer& tracer) : tracer_(tracer) {}
+  std::optional<Hit> closest(const Number3& o, const Number3& d, double far) const {
+    note(o, d, false);
+    return tracer_.closest(o, d, far);
+  }
+  bool occluded(const Number3& o, const Number3& d, double far) const {
+    note(o, d, true);
+    return tracer_.occluded(o, d, far);
+  }
+  Number3 leaving(const Hit& hit) const { return tracer_.leaving(hit); }
+  Number3 albedo(const Hit& hit) const { return tracer_.albedo(hit); }
+  Number3 emission(const Hit& hit) const { return tracer_.emission(hit); }
+  const std::vector<Ray>& ray() const { return ray_; }
+
+ private:
+  void note(const Number3& o, const Number3& d, bool occluded) const {
+    const auto narrow = [](const Number3& v) {
+      return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
+    ray_.push_back({narrow(o), narrow(d), occluded});
+  }
+  const Tracer& tracer_;
+  mutable std::vector<Ray> ray_;
+};
+
+void addTriangles(Surfaces& s, std::initializer_list<Number3> corner, std::uint32_t material) {
+  const auto first = static_cast<std::uint32_t>(s.position.size());
+  for (const Number3& p : corner)
+    s.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  s.triangle.push_back({{first, first + 1, first + 2}, material, 0});
+  s.triangle.push_back({{first, first + 2, first + 3}, material, 0});
+}
+
+/// Hills of 1 m triangles over 160 m and a house in most squares of 12 m.
+Surfaces town() {
+  Surfaces s;
+  s.object.push_back({"town", Role::fixed});
+  s.material.resize(2);
+  s.material[0].albedo = {0.3, 0.35, 0.2};
+  s.material[1].albedo = {0.6, 0.55, 0.5};
+  const auto height = [](double x, double z) { return 2.0 * std::sin(0.07 * x) * std::cos(0.05 * z + 1.0); };
+  const auto at = [&](double x, double z) { return Number3(x, height(x, z), z); };
+  for (int i = -80; i < 80; ++i)
+    for (int j = -80; j < 80; ++j) addTriangles(s, {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)}, 0);
+  Random random(5);
+  for (double x = -76; x < 76; x += 12)
+    for (double z = -76; z < 76; z += 12) {
+      const double w = 3.0 + 5.0 * random.unit();
+      const double h = height(x, z) + 3.0 + 9.0 * random.unit();
+      if (random.unit() < 0.2) continue;
+      const Number3 a(x, -3, z), b(x + w, -3, z), c(x + w, -3, z + w), d(x, -3, z + w);
+      const Number3 up(0, h + 3, 0);
+      addTriangles(s, {a, a + up, b + up, b}, 1);
+      addTriangles(s, {b, b + up, c + up, c}, 1);
+      addTriangles(s, {c, c + up, d + up, d}, 1);
+      addTriangles(s, {d, d + up, a + up, a}, 1);
+      addTriangles(s, {a + up, d + up, c + up, b + up}, 1);
+    }
+  return s;
+}
+
+RTCScene bareScene(RTCDevice device, const Surfaces& s) {
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertex = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, s.position.size()));
+  for (const auto& p : s.position) vertex = std::copy(p.begin(), p.end(), vertex);
+  auto* index = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, s.triangle.size()));
+  for (const auto& t : s.triangle) index = std::copy(t.vertex.begin(), t.vertex.end(), index);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  return scene;
+}
+
+std::size_t bareLoop(RTCScene scene, const std::vector<Ray>& rays) {
+  std::size_t hits = 0;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (const Ray& r : rays) {
+    RTCRayHit ray;
+    ray.ray = {r.origin[0],
+               r.origin[1],
+               r.origin[2],
+               0.0F,
+               r.direction[0],
+               r.direction[1],
+               r.direction[2],
+               0.0F,
+               std::numeric_limits<float>::max(),
+               ~0U,
+               0,
+               0};
+    if (r.occluded) {
+      rtcOccluded1(scene, &context, &ray.ray);
+      hits += ray.ray.tfar < 0.0F ? 1 : 0;
+    } else {
+      ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene, &context, &ray);
+      hits += ray.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
+    }
+  }
+  return hits;
+}
+
+template <typename Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
+  const int count = number(1, 100);
+  TransferSettings settings;
+  settings.rays = static_cast<std::size_t>(number(2, 1024));
+  settings.bounces = number(3, 2);
+  constexpr int kLights = 24;
+  for (int i = 0; i < kLights; ++i) {
+    const double hour = det::kPi * (i + 0.5) / kLights;
+    settings.light_directions.push_back(unit(Number3(std::cos(hour), std::sin(hour), 0.3 * std::sin(hour))));
+  }
+  const Surfaces surfaces = town();
+  const Tracer tracer(surfaces);
+  std::vector<Number3> position;
+  Random random(1);
+  for (int i = 0; i < count; ++i) {
+    const Number3 above(-30 + 60 * random.unit(), 50, -30 + 60 * random.unit());
+    const auto hit = tracer.closest(above, {0, -1, 0}, 100);
+    if (hit) position.push_back(hit->position + Number3(0, 1, 0));
+  }
+  const TransferTracer transfer(tracer, settings);
+  const CircleTable circle;
+  RTCDevice device = rtcNewDevice(fmt::format("isa={},hugepages=0", Tracer::kIsa).c_str());
+  RTCScene scene = bareScene(device, surfaces);
+
+  double traced = 0.0;
+  double bare = 0.0;
+  std::uint64_t rays = 0;
+  std::size_t hits = 0;
+  double error = 0.0;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Recorder recorder(tracer);
+    traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
+    // Beside each other, so that what else the machine does falls on both.
+    bare += seconds([&] { hits += bareLoop(scene, recorder.ray()); });
+    traced += seconds([&] {
+      const TracedProbe probe = transfer.trace(position[i], {0, 0}, i);
+      rays += probe.effort.rays;
+      error += probe.effort.error;
+    });
+  }
+  const auto n = static_cast<double>(position.size());
+  fmt::print("{} probes, {} paths of {} bounces, {} triangles, {:.3g} rays a probe, {:.0f} % hit\n", position.size(),
+             settings.rays, settings.bounces, surfaces.triangle.size(), static_cast<double>(rays) / n,
+             100.0 * static_cast<double>(hits) / static_cast<double>(rays));
+  fmt::print("traced {:.2f} M rays/s, bare Embree {:.2f} M rays/s: {:.0f} % of the time is Embree's\n",
+             static_cast<double>(rays) / traced * 1e-6, static_cast<double>(rays) / bare * 1e-6, 100.0 * bare / traced);
+  fmt::print("3570 probes: {:.1f} s on one thread; mean error (95 %) {:.2f} %\n", traced / n * 3570.0,
+             100.0 * error / n);
+  rtcReleaseScene(scene);
+  rtcReleaseDevice(device);
+  return EXIT_SUCCESS;
+}
