@@ -172,6 +172,8 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   const bool behind = dot(normal, direction) > 0.0;
   hit.normal = behind ? -normal : normal;
   hit.back_along = -direction;
+  for (const std::uint32_t corner : triangle.vertex)
+    for (const float x : surfaces().position[corner]) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(double{x}));
   hit.back = behind && !surfaces().material[triangle.material].double_sided;
   return hit;
 }
@@ -189,11 +191,7 @@ Number3 Tracer::leaving(const Hit& hit) const {
   constexpr double kLeast_m = 1e-5;
   constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding, and that of Embree's robust test
   constexpr double kBack = 8.0;              // clears a wall that stands there unless the ray came along it
-  // Embree's distance to the plane is as coarse as the corners, however far from the hit they are.
-  double largest = 0.0;
-  for (const std::uint32_t corner : surfaces().triangle[hit.triangle].vertex)
-    for (const float x : surfaces().position[corner]) largest = std::max(largest, std::abs(double{x}));
-  const double off = kLeast_m + kFloats * largest;
+  const double off = kLeast_m + kFloats * hit.coarsest_m;
   return hit.position + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
 }
 

@@ -17,6 +17,7 @@ struct Hit {
   std::uint32_t triangle = 0;
   double u = 0.0, v = 0.0;  ///< barycentric, of the second and third vertex
   bool back = false;        ///< of a surface with one side only
+  double coarsest_m = 0.0;  ///< largest coordinate of the triangle: Embree's distance to its plane is as coarse as that
   Number3 back_along{0.0};  ///< to where the ray came from, unit; 0: a point that no ray found
 };
 
