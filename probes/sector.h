@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +39,13 @@ struct PlacedSector {
   double cell_height_m = kCell_m;  ///< larger where the sector is higher than kSector_m
   /// Index of the nearest probe that the cell can see, or kNoProbe: cell x + kCells (y + kCells z).
   std::array<std::uint8_t, kCells * kCells * kCells> grid{};
+  /// Index of the probe that serves what is seen from above, or kNoProbe: cell x + kCells z.
+  std::array<std::uint8_t, kCells * kCells> top{};
 };
+
+/// The sector of a position.
+inline SectorId sectorAt(const Number3& position) {
+  return {static_cast<int>(std::floor(position.x / kSector_m)), static_cast<int>(std::floor(position.z / kSector_m))};
+}
 
 }  // namespace welkin::probes

@@ -71,7 +71,10 @@ void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
   throw Error(ExitStatus::file, fmt::format("tracing rays: {}", what));
 }
 
-void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double far) {
+constexpr unsigned kFixedMask = 1;
+constexpr unsigned kOtherMask = 2;
+
+void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double far, Meets meets) {
   ray.org_x = static_cast<float>(origin.x);
   ray.org_y = static_cast<float>(origin.y);
   ray.org_z = static_cast<float>(origin.z);
@@ -81,7 +84,7 @@ void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double
   ray.tnear = 0.0F;
   ray.tfar = static_cast<float>(std::min(far, double{std::numeric_limits<float>::max()}));
   ray.time = 0.0F;
-  ray.mask = ~0U;
+  ray.mask = meets == Meets::all ? kFixedMask | kOtherMask : kFixedMask;
   ray.id = 0;
   ray.flags = 0;
 }
@@ -92,17 +95,22 @@ struct Tracer::Scene {
   const Surfaces* surfaces;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::array<Part, 2> part;  ///< opaque and masked; Embree's geometries 0 and 1
+  /// Embree's geometries: opaque and masked of static geometry, opaque and masked of the rest.
+  std::array<Part, 4> part;
 
-  explicit Scene(const Surfaces& s) : surfaces(&s), part{Part{&s, {}}, Part{&s, {}}} {
+  explicit Scene(const Surfaces& s) : surfaces(&s) {
     if (!__builtin_cpu_supports(kIsa)) refuse(fmt::format("this processor has no {}", kIsa));
     device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
     if (device == nullptr) refuse("no Embree device");
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-    for (std::uint32_t i = 0; i < s.triangle.size(); ++i)
-      part[s.material[s.triangle[i].material].alpha_cutoff > 0.0 ? 1 : 0].triangle.push_back(i);
+    part.fill({&s, {}});
+    for (std::uint32_t i = 0; i < s.triangle.size(); ++i) {
+      const bool masked = s.material[s.triangle[i].material].alpha_cutoff > 0.0;
+      const bool fixed = s.object[s.triangle[i].object].role == Role::fixed;
+      part[(fixed ? 0 : 2) + (masked ? 1 : 0)].triangle.push_back(i);
+    }
     for (unsigned id = 0; id < part.size(); ++id)
       if (!part[id].triangle.empty()) attach(id);
     rtcCommitScene(scene);
@@ -129,7 +137,8 @@ struct Tracer::Scene {
       index = std::copy(corner.begin(), corner.end(), index);
     }
     rtcSetGeometryUserData(geometry, &part[id]);
-    if (id == 1) {
+    rtcSetGeometryMask(geometry, id < 2 ? kFixedMask : kOtherMask);
+    if (id % 2 == 1) {
       rtcSetGeometryIntersectFilterFunction(geometry, passMaskedTexels);
       rtcSetGeometryOccludedFilterFunction(geometry, passMaskedTexels);
     }
@@ -148,11 +157,11 @@ const Surfaces& Tracer::surfaces() const {
   return *scene_->surfaces;
 }
 
-std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far) const {
+std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far, Meets meets) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit ray;
-  setRay(ray.ray, origin, direction, far);
+  setRay(ray.ray, origin, direction, far, meets);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
@@ -178,11 +187,11 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   return hit;
 }
 
-bool Tracer::occluded(const Number3& origin, const Number3& direction, double far) const {
+bool Tracer::occluded(const Number3& origin, const Number3& direction, double far, Meets meets) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray;
-  setRay(ray, origin, direction, far);
+  setRay(ray, origin, direction, far, meets);
   rtcOccluded1(scene_->scene, &context, &ray);
   return ray.tfar < 0.0F;
 }

@@ -21,6 +21,9 @@ struct Hit {
   Number3 back_along{0.0};  ///< to where the ray came from, unit; 0: a point that no ray found
 };
 
+/// What a ray meets: every surface, or static geometry only (vegetation and water let it pass).
+enum class Meets { all, fixed };
+
 /// Immutable after construction; every ray may be traced from any thread. The same bits on every machine with the
 /// stated ISA: Embree runs robust and with one instruction set (kIsa).
 class Tracer {
@@ -34,9 +37,10 @@ class Tracer {
   Tracer& operator=(Tracer&&) noexcept;
 
   /// The nearest surface in a unit direction, masked texels passed through; none within `far`.
-  std::optional<Hit> closest(const Number3& origin, const Number3& direction, double far) const;
+  std::optional<Hit> closest(const Number3& origin, const Number3& direction, double far,
+                             Meets meets = Meets::all) const;
   /// Whether anything lies between, as above.
-  bool occluded(const Number3& origin, const Number3& direction, double far) const;
+  bool occluded(const Number3& origin, const Number3& direction, double far, Meets meets = Meets::all) const;
 
   /// Where a ray that leaves the hit starts: off the plane, on the normal's side, by more than the rounding of floats;
   /// and back along the ray that found it, where the way was free, so that it does not start in or behind a wall that

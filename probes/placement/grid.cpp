@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/grid.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "probes/placement/grid_cells.h"
+#include "probes/placement/validity.h"
+
+namespace welkin::probes {
+namespace {
+
+enum class Found : std::uint8_t { none, middle, part, way, inside };
+
+/// Ordered by distance, then index. Distances in steps of 2^-20 m, so that what is equally far in the level is so in
+/// every sector.
+struct Choice {
+  std::size_t probe = 0;
+  double distance_m = 0.0;
+  Choice(std::size_t probe_, double exact_m) : probe(probe_), distance_m(std::round(exact_m * 0x1p20) * 0x1p-20) {}
+  bool operator<(const Choice& b) const { return std::tie(distance_m, probe) < std::tie(b.distance_m, b.probe); }
+};
+
+class Grid {
+ public:
+  Grid(const Tracer& tracer, const PlacementSettings& settings, PlacedSector& sector, double top_y)
+      : tracer_(tracer),
+        settings_(settings),
+        sector_(sector),
+        cells_(gridCellsOf(tracer, sector.id, sector.low_y, sector.cell_height_m, top_y)),
+        found_(kAllCells, Found::none),
+        anchor_(kAllCells) {
+    for (const Probe& p : sector.probe) room_.push_back(roomOf(settings, p.position));
+    sector_.grid.fill(kNoProbe);
+  }
+
+  void bySight() {
+    tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
+      GridCell& cell = cells_.cell[i];
+      if (cell.middle_free)
+        if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
+      std::optional<Choice> best;
+      Number3 from;
+      for (const Number3& p : cell.point)
+        if (const auto choice = nearestSeen(p); choice && (!best || *choice < *best)) {
+          best = choice;
+          from = p;
+        }
+      if (best) return name(i, best->probe, Found::part, from);
+      std::erase_if(cell.point, [&](const Number3& p) { return insideGeometry(tracer_, p); });
+    });
+  }
+
+  void byWay() {
+    std::vector<bool> fresh(kAllCells, false);
+    for (std::size_t i = 0; i < kAllCells; ++i) fresh[i] = found_[i] != Found::none;
+    for (bool any = true; any;) {
+      std::vector<std::optional<Way>> way(kAllCells);
+      tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
+        if (found_[i] != Found::none) return;
+        for (const std::size_t j : around(i, 1)) {
+          const Number3* from = fresh[j] ? pointThatSees(i, anchor_[j]) : nullptr;
+          if (from == nullptr) continue;
+          const std::size_t probe = sector_.grid[j];
+          const Choice choice(probe, distanceOf(cells_.cell[i].middle, sector_.probe[probe].position));
+          if (!way[i] || choice < way[i]->choice) way[i] = Way{choice, *from};
+        }
+      });
+      any = false;
+      for (std::size_t i = 0; i < kAllCells; ++i) {
+        fresh[i] = way[i].has_value();
+        if (!way[i]) continue;
+        name(i, way[i]->choice.probe, Found::way, way[i]->from);
+        any = true;
+      }
+    }
+  }
+
+  void byFilter() {
+    std::vector<std::optional<std::size_t>> chosen(kAllCells);
+    tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
+      if (cells_.cell[i].point.empty()) chosen[i] = seenByAll(i);
+    });
+    for (std::size_t i = 0; i < kAllCells; ++i)
+      if (chosen[i]) name(i, *chosen[i], Found::inside, cells_.cell[i].middle);
+  }
+
+  void fillTop() {
+    for (std::size_t column = 0; column < cells_.top.size(); ++column) {
+      sector_.top[column] = kNoProbe;
+      const auto& span = cells_.top[column];
+      if (!span) continue;
+      const Number3& line =
+          cells_.cell[cellIndex(static_cast<int>(column % kCells), 0, static_cast<int>(column / kCells))].middle;
+      const double height = std::min(settings_.height_m, 0.5 * (span->high_y - span->low_y));
+      if (const auto choice = nearestSeen({line.x, span->low_y + height, line.z}))
+        sector_.top[column] = static_cast<std::uint8_t>(choice->probe);
+    }
+  }
+
+  void count(PlacementReport& report) const {
+    for (std::size_t i = 0; i < kAllCells; ++i) {
+      report.cells_by_middle += found_[i] == Found::middle ? 1 : 0;
+      report.cells_by_part += found_[i] == Found::part ? 1 : 0;
+      report.cells_by_way += found_[i] == Found::way ? 1 : 0;
+      report.cells_inside += found_[i] == Found::inside ? 1 : 0;
+      report.cells_without += found_[i] == Found::none ? 1 : 0;
+      report.ground_cells_without += found_[i] == Found::none && cells_.cell[i].above_ground ? 1 : 0;
+    }
+  }
+
+ private:
+  struct Way {
+    Choice choice;
+    Number3 from;
+  };
+
+  /// `anchor`: the point of the cell that sees the probe, or the way to it.
+  void name(std::size_t cell, std::size_t probe, Found how, const Number3& anchor) {
+    sector_.grid[cell] = static_cast<std::uint8_t>(probe);
+    found_[cell] = how;
+    anchor_[cell] = anchor;
+  }
+
+  std::optional<Choice> nearestSeen(const Number3& from) const {
+    std::vector<Choice> choice;
+    const std::size_t room = roomOf(settings_, from);
+    for (std::size_t i = 0; i < room_.size(); ++i)
+      if (room_[i] == room) choice.emplace_back(i, distanceOf(from, sector_.probe[i].position));
+    std::sort(choice.begin(), choice.end());
+    for (const Choice& c : choice)
+      if (sees(tracer_, from, sector_.probe[c.probe].position)) return c;
+    return std::nullopt;
+  }
+
+  /// Cells that differ by one in at most `axes` of the three coordinates, within the sector.
+  static std::vector<std::size_t> around(std::size_t cell, int axes) {
+    const int x = static_cast<int>(cell) % kCells;
+    const int y = static_cast<int>(cell) / kCells % kCells;
+    const int z = static_cast<int>(cell) / (kCells * kCells);
+    const auto within = [](int a) { return a >= 0 && a < kCells; };
+    std::vector<std::size_t> result;
+    for (int dz = -1; dz <= 1; ++dz)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int moved = dx * dx + dy * dy + dz * dz;
+          if (moved == 0 || moved > axes || !within(x + dx) || !within(y + dy) || !within(z + dz)) continue;
+          result.push_back(cellIndex(x + dx, y + dy, z + dz));
+        }
+    return result;
+  }
+
+  const Number3* pointThatSees(std::size_t cell, const Number3& to) const {
+    for (const Number3& p : cells_.cell[cell].point)
+      if (roomOf(settings_, p) == roomOf(settings_, to) && sees(tracer_, p, to)) return &p;
+    return nullptr;
+  }
+
+  std::optional<std::size_t> seenByAll(std::size_t cell) const {
+    std::vector<std::size_t> judge;
+    std::vector<Choice> choice;
+    for (const std::size_t j : around(cell, 3)) {
+      if (found_[j] == Found::none) continue;
+      judge.push_back(j);
+      const std::size_t probe = sector_.grid[j];
+      choice.emplace_back(probe, distanceOf(cells_.cell[cell].middle, sector_.probe[probe].position));
+    }
+    std::sort(choice.begin(), choice.end());
+    for (const Choice& c : choice) {
+      const bool all = std::all_of(judge.begin(), judge.end(), [&](std::size_t j) {
+        return sector_.grid[j] == c.probe || (roomOf(settings_, anchor_[j]) == room_[c.probe] &&
+                                              sees(tracer_, anchor_[j], sector_.probe[c.probe].position));
+      });
+      if (all) return c.probe;
+    }
+    return std::nullopt;
+  }
+
+  const Tracer& tracer_;
+  const PlacementSettings& settings_;
+  PlacedSector& sector_;
+  GridCells cells_;
+  std::vector<Found> found_;
+  std::vector<Number3> anchor_;
+  std::vector<std::size_t> room_;  // by probe
+};
+
+void setHeights(const std::vector<double>& ground_y, PlacedSector& sector) {
+  std::vector<double> y = ground_y;
+  for (const Probe& p : sector.probe) y.push_back(p.position.y);
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  sector.low_y = y.empty() ? 0.0 : kCell_m * std::floor(*low / kCell_m);
+  const double height = y.empty() ? 0.0 : *high - sector.low_y;
+  sector.cell_height_m = kCell_m * (std::floor(height / kSector_m) + 1.0);
+}
+
+}  // namespace
+
+void fillGrid(const Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
+              double top_y, PlacedSector& sector, PlacementReport& report) {
+  setHeights(ground_y, sector);
+  Grid grid(tracer, settings, sector, top_y);
+  grid.bySight();
+  grid.byWay();
+  grid.byFilter();
+  grid.fillTop();
+  grid.count(report);
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cells of a sector's grid, and the points in them that are in the air.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "probes/placement/column.h"
+
+namespace welkin::probes {
+
+inline constexpr std::size_t kAllCells = std::size_t{kCells} * kCells * kCells;
+
+/// Index of a cell: x + kCells (y + kCells z).
+inline std::size_t cellIndex(int x, int y, int z) {
+  return static_cast<std::size_t>(x + kCells * (y + kCells * z));
+}
+
+struct GridCell {
+  Number3 middle;  ///< on a vertical line beside the true middle; see kAside_x_m
+  bool middle_free = false;
+  bool above_ground = false;   ///< holds air that has a floor, in the cell or below it
+  std::vector<Number3> point;  ///< in the air, the middle first where it is
+};
+
+struct GridCells {
+  std::vector<GridCell> cell;                                         ///< kAllCells
+  std::array<std::optional<Span>, std::size_t{kCells} * kCells> top;  ///< highest span with a floor: x + kCells z
+};
+
+/// Points of a cell: its middle, and the middle of every span of air within it along its middle line and along four
+/// others, halfway to its corners.
+GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, double cell_height_m, double top_y);
+
+}  // namespace welkin::probes

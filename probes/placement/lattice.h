@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lattice of vertical lines. Its phase is the world's, so that neighbouring sectors agree without each other.
+#pragma once
+
+#include <vector>
+
+#include "probes/placement/column.h"
+
+namespace welkin::probes {
+
+/// A line at ((i + 1/2) spacing + kAside_x_m, (k + 1/2) spacing + kAside_z_m).
+struct LatticeLine {
+  int i = 0;
+  int k = 0;
+  double x = 0.0;
+  double z = 0.0;
+};
+
+/// Coordinate of the n-th line along an axis.
+inline double lineAt(int n, double spacing_m, double aside_m) {
+  return (n + 0.5) * spacing_m + aside_m;
+}
+
+/// The first line at or above a coordinate.
+inline int lineFrom(double coordinate, double spacing_m, double aside_m) {
+  return static_cast<int>(std::ceil((coordinate - aside_m) / spacing_m - 0.5));
+}
+
+/// The lines within a sector, by k, then i.
+std::vector<LatticeLine> latticeOf(const SectorId& id, double spacing_m);
+
+}  // namespace welkin::probes

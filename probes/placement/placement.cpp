@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/placement.h"
+
+#include "probes/placement/candidates.h"
+#include "probes/placement/column.h"
+#include "probes/placement/grid.h"
+#include "probes/placement/selection.h"
+
+namespace welkin::probes {
+
+PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings,
+                         PlacementReport& report) {
+  checkSettings(settings);
+  report = {};
+  PlacedSector result;
+  result.id = id;
+  const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
+  const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report);
+  result.probe = selectProbes(tracer, candidates, settings, report);
+  fillGrid(tracer, settings, candidates.ground_y, top_y, result, report);
+  return result;
+}
+
+}  // namespace welkin::probes

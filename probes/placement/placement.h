@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the probes of a level are: above ground, floors under roofs included, above vegetation, and by hand. After the
+// "Deferred Radiance Transfer Volumes" of Stefanov (GDC 2012), whose probes stand 4 m apart on hits of vertical rays.
+#pragma once
+
+#include "probes/placement/settings.h"
+#include "probes/tracer.h"
+
+namespace welkin::probes {
+
+/// Sectors with ground to walk on, vegetation or a probe by hand, each once, ordered. One whose ground turns out to be
+/// inside of bodies or without headroom gets no probes when it is placed. Throws Error(content) where a setting is out
+/// of its range.
+std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings);
+
+/// Places the probes of a sector and fills its grid; nothing of its neighbours' results takes part, and the result is
+/// the same for any number of threads. A report is replaced. Order: by hand, above ground by lattice (even lines
+/// first), above vegetation, then those that walkable points needed to see one. Throws as sectorsOf.
+PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report);
+
+}  // namespace welkin::probes

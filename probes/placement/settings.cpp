@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/settings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+void checkLength(const char* key, double value, double least) {
+  if (std::isfinite(value) && value >= least) return;
+  throw Error(ExitStatus::content,
+              fmt::format("[probes] {} = {}: must be a length of {} m or more", key, value, least));
+}
+
+void checkBoxes(const char* what, const std::vector<Box>& boxes) {
+  for (const Box& b : boxes)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(b.low[axis]) || !std::isfinite(b.high[axis]) || !(b.low[axis] < b.high[axis]))
+        throw Error(
+            ExitStatus::content,
+            fmt::format("{}: [{}, {}, {}] to [{}, {}, {}]: the first corner must be below the second on each axis",
+                        what, b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z));
+}
+
+}  // namespace
+
+void checkSettings(const PlacementSettings& s) {
+  checkLength("spacing_m", s.spacing_m, 0.25);
+  checkLength("vegetation_spacing_m", s.vegetation_spacing_m, 0.25);
+  checkLength("minimum_separation_m", s.minimum_separation_m, 0.0);
+  checkLength("height_m", s.height_m, 0.01);
+  checkLength("headroom_m", s.headroom_m, 0.01);
+  checkLength("clearance_m", s.clearance_m, 0.001);
+  checkLength("coverage_m", s.coverage_m, 0.25);
+  for (const Number3& p : s.add)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || std::abs(p.x) > 1e6 || std::abs(p.z) > 1e6)
+      throw Error(ExitStatus::content,
+                  fmt::format("[probes] add: [{}, {}, {}] must be within 1000 km of the origin", p.x, p.y, p.z));
+  checkBoxes("[probes] remove", s.remove);
+  checkBoxes("[[room]]", s.room);
+}
+
+std::size_t roomOf(const PlacementSettings& settings, const Number3& position) {
+  for (std::size_t i = 0; i < settings.room.size(); ++i)
+    if (contains(settings.room[i], position)) return i + 1;
+  return 0;
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/validity.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "probes/directions.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr std::size_t kRays = 64;
+
+/// Even in height, golden in azimuth.
+const std::array<Number3, kRays>& fixedDirections() {
+  static const std::array<Number3, kRays> direction = [] {
+    std::array<Number3, kRays> result;
+    for (std::size_t i = 0; i < kRays; ++i) {
+      constexpr double kGolden = 0.6180339887498949;
+      const double turn = static_cast<double>(i) * kGolden;
+      result[i] = sphereDirection((static_cast<double>(i) + 0.5) / double{kRays}, turn - std::floor(turn));
+    }
+    return result;
+  }();
+  return direction;
+}
+
+}  // namespace
+
+Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m) {
+  std::size_t backs = 0;
+  bool close = false;
+  const Surfaces& s = tracer.surfaces();
+  for (const Number3& direction : fixedDirections()) {
+    const auto hit = tracer.closest(position, direction, std::numeric_limits<double>::infinity());
+    if (!hit) continue;
+    if (hit->back) ++backs;
+    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) close = true;
+  }
+  if (static_cast<double>(backs) > kMostBacks * double{kRays}) return Place::inside;
+  return close ? Place::too_close : Place::free;
+}
+
+bool insideGeometry(const Tracer& tracer, const Number3& position) {
+  return placeAt(tracer, position, 0.0) == Place::inside;
+}
+
+std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& position, double clearance_m,
+                                     const std::function<bool(const Number3&)>& allowed) {
+  const bool inside = placeAt(tracer, position, clearance_m) == Place::inside;
+  for (const double distance_m : {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0})
+    for (const Number3& direction : fixedDirections()) {
+      const Number3 to = position + direction * distance_m;
+      if (!allowed(to) || (!inside && !sees(tracer, position, to))) continue;
+      if (placeAt(tracer, to, clearance_m) == Place::free) return to;
+    }
+  return std::nullopt;
+}
+
+bool sees(const Tracer& tracer, const Number3& from, const Number3& to) {
+  const double distance = distanceOf(from, to);
+  return distance == 0.0 || !tracer.occluded(from, (to - from) / distance, distance, Meets::fixed);
+}
+
+double distanceOf(const Number3& a, const Number3& b) {
+  const Number3 way = b - a;
+  return std::sqrt(dot(way, way));
+}
+
+}  // namespace welkin::probes

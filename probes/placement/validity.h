@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a probe may stand at a place: in the air, off the surfaces, and in sight of another place.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "probes/tracer.h"
+
+namespace welkin::probes {
+
+/// A probe is inside geometry when more than this share of the rays of a fixed set meets a back: the threshold for
+/// fixed rays of NVIDIA's RTXGI.
+inline constexpr double kMostBacks = 0.25;
+
+enum class Place { free, inside, too_close };
+
+/// By 64 fixed directions over the sphere; backs of every surface with one side count.
+bool insideGeometry(const Tracer& tracer, const Number3& position);
+
+/// The same, and whether static geometry is within clearance_m along those directions.
+Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m);
+
+/// The nearest of a fixed set of places about the position, to 2 m, that is free and that `allowed` accepts. A way from
+/// a place that is only too close crosses no surface.
+std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& position, double clearance_m,
+                                     const std::function<bool(const Number3&)>& allowed);
+
+/// Whether no static geometry lies between.
+bool sees(const Tracer& tracer, const Number3& from, const Number3& to);
+
+/// Metres.
+double distanceOf(const Number3& a, const Number3& b);
+
+}  // namespace welkin::probes

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/vegetation_boxes.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "probes/placement/lattice.h"
+
+namespace welkin::probes {
+namespace {
+
+bool over(const Box& box, double x, double z) {
+  return x >= box.low.x && x <= box.high.x && z >= box.low.z && z <= box.high.z;
+}
+
+std::optional<double> highestAt(const std::vector<Box>& boxes, double x, double z) {
+  std::optional<double> result;
+  for (const Box& box : boxes)
+    if (over(box, x, z)) result = result ? std::max(*result, box.high.y) : box.high.y;
+  return result;
+}
+
+/// First and last line of the lattice that meet a box, along x and z; first > last where none does.
+struct Lines {
+  int first_i, last_i, first_k, last_k;
+  bool none() const { return first_i > last_i || first_k > last_k; }
+};
+
+Lines linesOf(const Box& box, double spacing_m) {
+  Lines r{lineFrom(box.low.x, spacing_m, kAside_x_m), lineFrom(box.high.x, spacing_m, kAside_x_m),
+          lineFrom(box.low.z, spacing_m, kAside_z_m), lineFrom(box.high.z, spacing_m, kAside_z_m)};
+  if (lineAt(r.last_i, spacing_m, kAside_x_m) > box.high.x) --r.last_i;
+  if (lineAt(r.last_k, spacing_m, kAside_z_m) > box.high.z) --r.last_k;
+  return r;
+}
+
+Number3 middleOf(const Box& box) {
+  return (box.low + box.high) * 0.5;
+}
+
+}  // namespace
+
+std::vector<Box> vegetationBoxes(const Surfaces& s) {
+  std::vector<std::optional<Box>> box(s.object.size());
+  for (const Triangle& t : s.triangle) {
+    if (s.object[t.object].role != Role::vegetation) continue;
+    for (const std::uint32_t v : t.vertex) {
+      const Number3 p{double{s.position[v][0]}, double{s.position[v][1]}, double{s.position[v][2]}};
+      std::optional<Box>& b = box[t.object];
+      if (!b) b = Box{p, p};
+      for (int axis = 0; axis < 3; ++axis) {
+        b->low[axis] = std::min(b->low[axis], p[axis]);
+        b->high[axis] = std::max(b->high[axis], p[axis]);
+      }
+    }
+  }
+  std::vector<Box> result;
+  for (const auto& b : box)
+    if (b) result.push_back(*b);
+  return result;
+}
+
+std::vector<Number3> aboveVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings,
+                                     const SectorId& id) {
+  std::vector<Number3> result;
+  for (const LatticeLine& line : latticeOf(id, settings.vegetation_spacing_m))
+    if (const auto high = highestAt(boxes, line.x, line.z))
+      result.push_back({line.x, *high + settings.height_m, line.z});
+  for (const Box& box : boxes) {
+    const Number3 middle = middleOf(box);
+    if (sectorAt(middle) != id || !linesOf(box, settings.vegetation_spacing_m).none()) continue;
+    const double high = highestAt(boxes, middle.x, middle.z).value_or(box.high.y);
+    result.push_back({middle.x, high + settings.height_m, middle.z});
+  }
+  return result;
+}
+
+std::vector<SectorId> sectorsOfVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings) {
+  std::vector<SectorId> result;
+  for (const Box& box : boxes) {
+    const Lines lines = linesOf(box, settings.vegetation_spacing_m);
+    if (lines.none()) result.push_back(sectorAt(middleOf(box)));
+    for (int k = lines.first_k; k <= lines.last_k; ++k)
+      for (int i = lines.first_i; i <= lines.last_i; ++i) {
+        const SectorId id = sectorAt({lineAt(i, settings.vegetation_spacing_m, kAside_x_m), 0,
+                                      lineAt(k, settings.vegetation_spacing_m, kAside_z_m)});
+        if (result.empty() || result.back() != id) result.push_back(id);
+      }
+  }
+  return result;
+}
+
+}  // namespace welkin::probes

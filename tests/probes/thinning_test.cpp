@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/thinning.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <tuple>
+
+#include "probes/random.h"
+
+namespace welkin::probes {
+namespace {
+
+Coverage randomCoverage(std::size_t points, std::size_t probes, std::uint64_t seed) {
+  Random random(seed);
+  Coverage result(points);
+  for (auto& seen : result) {
+    for (std::size_t i = 0; i < probes; ++i)
+      if (random.unit() < 0.3) seen.push_back({i, 8.0 * random.unit()});
+    std::sort(seen.begin(), seen.end(),
+              [](const SeenProbe& a, const SeenProbe& b) { return a.distance_m < b.distance_m; });
+  }
+  return result;
+}
+
+/// Points without a probe, and the sum of the others' distances, when those of `gone` are not there.
+std::pair<std::size_t, double> costOf(const Coverage& coverage, const std::vector<std::size_t>& gone) {
+  std::pair<std::size_t, double> cost{0, 0.0};
+  for (const auto& seen : coverage) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const SeenProbe& s : seen)
+      if (std::find(gone.begin(), gone.end(), s.probe) == gone.end()) nearest = std::min(nearest, s.distance_m);
+    if (nearest < 1e9)
+      cost.second += nearest;
+    else
+      ++cost.first;
+  }
+  return cost;
+}
+
+}  // namespace
+
+TEST_CASE("Thinning, EachStepIsTheLeastLossByBruteForce") {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const std::size_t probes = 12;
+    const Coverage coverage = randomCoverage(40, probes, seed);
+    const auto gone = thin(coverage, std::vector<bool>(probes, false), 5);
+    REQUIRE(gone.size() == 7);
+    std::vector<std::size_t> before;
+    for (const std::size_t next : gone) {
+      // What the losses are of: a point that loses its last probe is counted, its distance is not.
+      const auto loss = [&](std::size_t probe) {
+        std::vector<std::size_t> after = before;
+        after.push_back(probe);
+        std::size_t lost = costOf(coverage, after).first - costOf(coverage, before).first;
+        double growth = 0.0;
+        for (const auto& seen : coverage) {
+          const Coverage one{seen};
+          const auto was = costOf(one, before);
+          const auto is = costOf(one, after);
+          if (was.first == is.first) growth += is.second - was.second;
+        }
+        return std::pair{lost, growth};
+      };
+      const auto least = loss(next);
+      for (std::size_t i = 0; i < probes; ++i) {
+        if (std::find(before.begin(), before.end(), i) != before.end()) continue;
+        constexpr double kSums_m = 1e-9;  // two orders of summing
+        CHECK(std::tuple(least.first, least.second) <= std::tuple(loss(i).first, loss(i).second + kSums_m));
+      }
+      before.push_back(next);
+    }
+  }
+}
+
+TEST_CASE("Thinning, ThoseByHandGoLast") {
+  const Coverage coverage = randomCoverage(30, 6, 9);
+  const auto gone = thin(coverage, {true, false, false, true, false, false}, 1);
+  REQUIRE(gone.size() == 5);
+  for (std::size_t i = 0; i < 4; ++i) CHECK((gone[i] != 0 && gone[i] != 3));
+  CHECK(thin(coverage, std::vector<bool>(6, false), 6).empty());
+}
+
+TEST_CASE("Thinning, KeepsTheOnlyProbeOfAPoint") {
+  // Probe 0 alone sees point 0; 1 and 2 see the others, from nearly the same distance.
+  const Coverage coverage{{{0, 7.0}}, {{1, 1.0}, {2, 1.5}}, {{2, 1.0}, {1, 1.25}}};
+  CHECK(thin(coverage, {false, false, false}, 2) == std::vector<std::size_t>{2});
+  CHECK(thin(coverage, {false, false, false}, 1) == std::vector<std::size_t>{2, 0});
+}
+
+}  // namespace welkin::probes
