@@ -29,8 +29,9 @@ struct Wanted {
   std::optional<Number3> settled;
 };
 
+/// Above ground a probe stays in sight of the `foot` of its place.
 Wanted settle(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, const Number3& position,
-              bool by_hand) {
+              bool by_hand, const std::optional<Number3>& foot = {}) {
   Wanted result{position, by_hand, !by_hand && isRemoved(settings, position), Place::free, std::nullopt};
   if (result.removed) return result;
   result.place = placeAt(tracer, position, settings.clearance_m);
@@ -41,7 +42,8 @@ Wanted settle(const Tracer& tracer, const SectorId& id, const PlacementSettings&
   }
   const std::size_t room = roomOf(settings, position);
   result.settled = freePlaceNear(tracer, position, settings.clearance_m, [&](const Number3& to) {
-    return sectorAt(to) == id && roomOf(settings, to) == room && (by_hand || !isRemoved(settings, to));
+    return sectorAt(to) == id && roomOf(settings, to) == room && (by_hand || !isRemoved(settings, to)) &&
+           (!foot || sees(tracer, *foot, to));
   });
   return result;
 }
@@ -85,9 +87,11 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
     } else {
       const Number3 above{line.x, span.low_y + std::min(settings.height_m, 0.5 * height), line.z};
       result.ground_y.push_back(span.low_y);
-      result.wanted.push_back(settle(tracer, id, settings, above, false));
-      const bool walkable = span.floor_normal_y >= kWalkable_normal_y && !result.wanted.back().removed;
-      if (walkable) result.walkable.push_back({line.x, span.low_y + kFoot_m, line.z});
+      const Number3 foot{line.x, span.low_y + kFoot_m, line.z};
+      result.wanted.push_back(settle(tracer, id, settings, above, false, foot));
+      const Wanted& wanted = result.wanted.back();
+      const bool behind = wanted.place == Place::inside && !wanted.settled;  // of surfaces with one side
+      if (span.floor_normal_y >= kWalkable_normal_y && !wanted.removed && !behind) result.walkable.push_back(foot);
     }
   }
   return result;

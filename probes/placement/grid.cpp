@@ -41,15 +41,15 @@ class Grid {
       GridCell& cell = cells_.cell[i];
       if (cell.middle_free)
         if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
+      std::erase_if(cell.point, [&](const Number3& p) { return insideGeometry(tracer_, p); });
       std::optional<Choice> best;
       Number3 from;
       for (const Number3& p : cell.point)
-        if (const auto choice = nearestSeen(p); choice && (!best || *choice < *best)) {
+        if (const auto choice = nearestSeen(p, best)) {
           best = choice;
           from = p;
         }
-      if (best) return name(i, best->probe, Found::part, from);
-      std::erase_if(cell.point, [&](const Number3& p) { return insideGeometry(tracer_, p); });
+      if (best) name(i, best->probe, Found::part, from);
     });
   }
 
@@ -124,14 +124,17 @@ class Grid {
     anchor_[cell] = anchor;
   }
 
-  std::optional<Choice> nearestSeen(const Number3& from) const {
+  /// Nearer than `limit`, where there is one.
+  std::optional<Choice> nearestSeen(const Number3& from, const std::optional<Choice>& limit = {}) const {
     std::vector<Choice> choice;
     const std::size_t room = roomOf(settings_, from);
     for (std::size_t i = 0; i < room_.size(); ++i)
       if (room_[i] == room) choice.emplace_back(i, distanceOf(from, sector_.probe[i].position));
     std::sort(choice.begin(), choice.end());
-    for (const Choice& c : choice)
+    for (const Choice& c : choice) {
+      if (limit && !(c < *limit)) break;
       if (sees(tracer_, from, sector_.probe[c.probe].position)) return c;
+    }
     return std::nullopt;
   }
 

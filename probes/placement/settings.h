@@ -49,7 +49,7 @@ struct MovedProbe {
 /// A place that got no probe.
 struct DroppedProbe {
   enum class Reason {
-    inside,     ///< of geometry, and no free place near by
+    inside,     ///< of geometry, and no free place near by; such ground is not walked on
     too_close,  ///< to a surface, and no free place near by
     thinned,    ///< the sector has more than kMostProbes; this one was the least loss
   };

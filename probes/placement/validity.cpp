@@ -11,6 +11,8 @@ namespace welkin::probes {
 namespace {
 
 constexpr std::size_t kRays = 64;
+constexpr auto kMostBackRays = static_cast<std::size_t>(kMostBacks * double{kRays});
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// Even in height, golden in azimuth.
 const std::array<Number3, kRays>& fixedDirections() {
@@ -33,17 +35,22 @@ Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m)
   bool close = false;
   const Surfaces& s = tracer.surfaces();
   for (const Number3& direction : fixedDirections()) {
-    const auto hit = tracer.closest(position, direction, std::numeric_limits<double>::infinity());
+    const auto hit = tracer.closest(position, direction, kNowhere);
     if (!hit) continue;
     if (hit->back) ++backs;
     if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) close = true;
   }
-  if (static_cast<double>(backs) > kMostBacks * double{kRays}) return Place::inside;
+  if (backs > kMostBackRays) return Place::inside;
   return close ? Place::too_close : Place::free;
 }
 
 bool insideGeometry(const Tracer& tracer, const Number3& position) {
-  return placeAt(tracer, position, 0.0) == Place::inside;
+  std::size_t backs = 0;
+  for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
+    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kNowhere);
+    if (hit && hit->back) ++backs;
+  }
+  return backs > kMostBackRays;
 }
 
 std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& position, double clearance_m,
