@@ -41,7 +41,8 @@ class Grid {
       GridCell& cell = cells_.cell[i];
       if (cell.middle_free)
         if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
-      std::erase_if(cell.point, [&](const Number3& p) { return insideGeometry(tracer_, p); });
+      const bool doubtful = cell.middle_free && !cell.middle_above_ground;
+      if (doubtful && insideGeometry(tracer_, cell.middle)) cell.point.erase(cell.point.begin());
       std::optional<Choice> best;
       Number3 from;
       for (const Number3& p : cell.point)

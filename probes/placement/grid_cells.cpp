@@ -15,8 +15,8 @@ void addPoints(GridCell& cell, const std::vector<Span>& air, double x, double z,
     const double low = std::max(span.low_y, low_y);
     const double high = std::min(span.high_y, high_y);
     const Number3 p{x, 0.5 * (low + high), z};
-    if (high - low < kThinnest_m) continue;
-    if (span.hasFloor()) cell.above_ground = true;
+    if (!span.hasFloor() || high - low < kThinnest_m) continue;
+    cell.above_ground = true;
     if (!(cell.middle_free && p == cell.middle)) cell.point.push_back(p);
   }
 }
@@ -43,9 +43,11 @@ GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, do
     for (int j = 0; j < kCells; ++j) {
       GridCell& cell = result.cell[cellIndex(i, j, k)];
       cell.middle = {x, low_y + (j + 0.5) * cell_height_m, z};
-      cell.middle_free = std::any_of(middle.begin(), middle.end(), [&](const Span& span) {
-        return span.low_y < cell.middle.y && cell.middle.y < span.high_y;
-      });
+      for (const Span& span : middle)
+        if (span.low_y < cell.middle.y && cell.middle.y < span.high_y) {
+          cell.middle_free = true;
+          cell.middle_above_ground = span.hasFloor();
+        }
       if (cell.middle_free) cell.point.push_back(cell.middle);
       addPoints(cell, middle, x, z, low_y + j * cell_height_m, low_y + (j + 1) * cell_height_m);
     }

@@ -20,8 +20,9 @@ inline std::size_t cellIndex(int x, int y, int z) {
 struct GridCell {
   Number3 middle;  ///< on a vertical line beside the true middle; see kAside_x_m
   bool middle_free = false;
-  bool above_ground = false;   ///< holds air that has a floor, in the cell or below it
-  std::vector<Number3> point;  ///< in the air, the middle first where it is
+  bool middle_above_ground = false;  ///< else it may be outside of the level, behind all surfaces
+  bool above_ground = false;         ///< holds air that has a floor, in the cell or below it
+  std::vector<Number3> point;        ///< in the air, the middle first where it is
 };
 
 struct GridCells {
@@ -29,8 +30,8 @@ struct GridCells {
   std::array<std::optional<Span>, std::size_t{kCells} * kCells> top;  ///< highest span with a floor: x + kCells z
 };
 
-/// Points of a cell: its middle, and the middle of every span of air within it along its middle line and along four
-/// others, halfway to its corners.
+/// Points of a cell: its middle, and, above ground, the middle of every span of air within it along its middle line and
+/// along four others, halfway to its corners.
 GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, double cell_height_m, double top_y);
 
 }  // namespace welkin::probes

@@ -28,6 +28,19 @@ const std::array<Number3, kRays>& fixedDirections() {
   return direction;
 }
 
+/// What placeAt would say, with fewer rays.
+bool isFree(const Tracer& tracer, const Number3& position, double clearance_m) {
+  std::size_t backs = 0;
+  const Surfaces& s = tracer.surfaces();
+  for (const Number3& direction : fixedDirections()) {
+    const auto hit = tracer.closest(position, direction, kNowhere);
+    if (!hit) continue;
+    if (hit->back && ++backs > kMostBackRays) return false;
+    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m) {
@@ -60,7 +73,7 @@ std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& positi
     for (const Number3& direction : fixedDirections()) {
       const Number3 to = position + direction * distance_m;
       if (!allowed(to) || (!inside && !sees(tracer, position, to))) continue;
-      if (placeAt(tracer, to, clearance_m) == Place::free) return to;
+      if (isFree(tracer, to, clearance_m)) return to;
     }
   return std::nullopt;
 }
