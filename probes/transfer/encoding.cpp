@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/transfer/encoding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "probes/transfer/fixed_point.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr std::size_t kUp = 3;                     ///< directions that see the sky
+constexpr std::size_t kSky = kDirections * 4 * 3;  ///< numbers a probe
+constexpr std::size_t kColours = kDirections * 3;  ///< likewise
+constexpr double kLargest = 3e38;
+
+[[noreturn]] void refuse(SectorId id, std::size_t probe, const std::string& what) {
+  throw Error(ExitStatus::content, fmt::format("sector {}_{}: probe {}: {}", id.x, id.z, probe, what));
+}
+
+/// The probe's numbers of a kind, with what they may be.
+class Checked {
+ public:
+  Checked(SectorId id, std::size_t probe) : id_(id), probe_(probe) {}
+  double of(double value, const char* what, double low = -kLargest, double high = kLargest) const {
+    if (!(value >= low && value <= high))
+      refuse(id_, probe_, fmt::format("{}: {}; allowed: {} to {}", what, value, low, high));
+    return value;
+  }
+
+ private:
+  SectorId id_;
+  std::size_t probe_;
+};
+
+std::array<double, kSky> skyNumbers(const ProbeTransfer& t) {
+  std::array<double, kSky> number;
+  for (std::size_t b = 0; b < kDirections; ++b)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (int c = 0; c < 3; ++c) number[(b * 4 + k) * 3 + static_cast<std::size_t>(c)] = t.sky[b][k][c];
+  return number;
+}
+
+template <typename Colour>
+std::array<double, kColours> colourNumbers(const Colour& colour_of) {
+  std::array<double, kColours> number;
+  for (std::size_t b = 0; b < kDirections; ++b)
+    for (int c = 0; c < 3; ++c) number[b * 3 + static_cast<std::size_t>(c)] = colour_of(b)[c];
+  return number;
+}
+
+/// Appends a scale and the numbers over it.
+template <typename Integer, std::size_t n>
+void append(const std::array<double, n>& number, std::vector<std::uint16_t>& scales, std::vector<Integer>& steps) {
+  double largest = 0.0;
+  for (const double x : number) largest = std::max(largest, std::abs(x));
+  scales.push_back(scaleFor(largest));
+  for (const double x : number) steps.push_back(toFixed<Integer>(x, scaleOf(scales.back())));
+}
+
+void encodeModes(const SunModes& modes, EncodedProbes& encoded) {
+  for (const double time : modes.sun_time_h) encoded.sun_time_h.push_back(static_cast<float>(time));
+  for (const double time : modes.moon_time_h) encoded.moon_time_h.push_back(static_cast<float>(time));
+  const std::size_t knots = modes.knots();
+  for (std::size_t m = 0; m < modes.count(); ++m) {
+    const auto row = std::span(modes.value).subspan(m * knots, knots);
+    double largest = 0.0;
+    for (const double x : row) largest = std::max(largest, std::abs(x));
+    const double scale = scaleOf(scaleFor(largest));
+    encoded.mode_scale.push_back(static_cast<float>(scale));
+    for (const double x : row) encoded.mode.push_back(toFixed<std::int16_t>(x, scale));
+  }
+}
+
+/// Lowest and highest as floats that enclose them.
+void setHeights(const std::vector<Number3>& position, EncodedProbes& encoded) {
+  if (position.empty()) return;
+  const auto [low, high] = std::minmax_element(position.begin(), position.end(),
+                                               [](const Number3& a, const Number3& b) { return a.y < b.y; });
+  encoded.low_y = static_cast<float>(low->y);
+  encoded.high_y = static_cast<float>(high->y);
+  if (double{encoded.low_y} > low->y) encoded.low_y = std::nextafter(encoded.low_y, -std::numeric_limits<float>::max());
+  if (double{encoded.high_y} < high->y)
+    encoded.high_y = std::nextafter(encoded.high_y, std::numeric_limits<float>::max());
+}
+
+template <typename T>
+std::size_t bytesOf(const std::vector<T>& array) {
+  return array.size() * sizeof(T);
+}
+
+}  // namespace
+
+std::size_t EncodedProbes::bytesAProbe() const {
+  if (probes() == 0) return 0;
+  const std::size_t all = bytesOf(position) + bytesOf(visibility) + bytesOf(sky_scale) + bytesOf(sky) +
+                          bytesOf(sun_scale) + bytesOf(sun8) + bytesOf(sun16) + bytesOf(emitted_scale) +
+                          bytesOf(emitted);
+  return all / probes();
+}
+
+std::size_t EncodedProbes::bytes() const {
+  return probes() * bytesAProbe() + bytesOf(sun_time_h) + bytesOf(moon_time_h) + bytesOf(mode_scale) + bytesOf(mode) +
+         sizeof low_y + sizeof high_y;
+}
+
+EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits) {
+  EncodedProbes encoded;
+  const Number3 corner(kSector_m * probes.id.x, 0.0, kSector_m * probes.id.z);
+  for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    const Checked checked(probes.id, i);
+    checked.of(probes.position[i].x - corner.x, "x from the sector's corner", 0.0, kSector_m);
+    checked.of(probes.position[i].z - corner.z, "z from the sector's corner", 0.0, kSector_m);
+    checked.of(probes.position[i].y, "y", -1e6, 1e6);
+    const ProbeTransfer& t = probes.transfer[i];
+    for (std::size_t b = 0; b < kDirections; ++b) checked.of(t.visibility[b], "visibility", 0.0, b < kUp ? 1.0 : 0.0);
+    for (const double x : skyNumbers(t)) checked.of(x, "transfer of the sky");
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      for (int c = 0; c < 3; ++c) checked.of(t.emitted[b][c], "emitted light", 0.0);
+      for (const Number3& coefficient : t.sun[b])
+        for (int c = 0; c < 3; ++c) checked.of(coefficient[c], "transfer of the sun");
+    }
+  }
+  setHeights(probes.position, encoded);
+  const double low = double{encoded.low_y};
+  const double height = double{encoded.high_y} - low;
+  const bool emissive = std::any_of(probes.transfer.begin(), probes.transfer.end(), [](const ProbeTransfer& t) {
+    return std::any_of(t.emitted.begin(), t.emitted.end(), [](const Number3& e) { return !(e == Number3(0.0)); });
+  });
+  encodeModes(probes.modes, encoded);
+  for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    const ProbeTransfer& t = probes.transfer[i];
+    const Number3 place = probes.position[i] - corner;
+    encoded.position.push_back(toFixed<std::uint16_t>(place.x, kSector_m));
+    encoded.position.push_back(toFixed<std::uint16_t>(place.y - low, height));
+    encoded.position.push_back(toFixed<std::uint16_t>(place.z, kSector_m));
+    for (std::size_t b = 0; b < kUp; ++b) encoded.visibility.push_back(toFixed<std::uint16_t>(t.visibility[b], 1.0));
+    append(skyNumbers(t), encoded.sky_scale, encoded.sky);
+    for (std::size_t m = 0; m < probes.modes.count(); ++m) {
+      const auto number = colourNumbers([&](std::size_t b) { return t.sun[b][m]; });
+      if (sun_bits == SunBits::eight)
+        append(number, encoded.sun_scale, encoded.sun8);
+      else
+        append(number, encoded.sun_scale, encoded.sun16);
+    }
+    if (emissive)
+      append(colourNumbers([&](std::size_t b) { return t.emitted[b]; }), encoded.emitted_scale, encoded.emitted);
+  }
+  return encoded;
+}
+
+SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
+  const std::size_t n = e.probes();
+  const std::size_t modes = e.modes();
+  const std::size_t knots = e.sun_time_h.size() + e.moon_time_h.size();
+  const bool sixteen = !e.sun16.empty();
+  const bool emissive = !e.emitted_scale.empty();
+  if (e.position.size() != n * 3 || e.visibility.size() != n * kUp || e.sky.size() != n * kSky ||
+      e.sun_scale.size() != n * modes || e.sun8.size() + e.sun16.size() != n * modes * kColours ||
+      (sixteen && !e.sun8.empty()) || e.mode.size() != modes * knots || (emissive && e.emitted_scale.size() != n) ||
+      e.emitted.size() != (emissive ? n * kColours : 0))
+    throw Error(ExitStatus::content, fmt::format("sector {}_{}: its arrays do not fit each other", id.x, id.z));
+  SectorProbes probes;
+  probes.id = id;
+  probes.modes.sun_time_h.assign(e.sun_time_h.begin(), e.sun_time_h.end());
+  probes.modes.moon_time_h.assign(e.moon_time_h.begin(), e.moon_time_h.end());
+  for (std::size_t i = 0; i < e.mode.size(); ++i)
+    probes.modes.value.push_back(fromFixed(e.mode[i], double{e.mode_scale[i / knots]}));
+  const double low = double{e.low_y};
+  const double height = double{e.high_y} - low;
+  for (std::size_t i = 0; i < n; ++i) {
+    probes.position.emplace_back(kSector_m * id.x + fromFixed(e.position[3 * i], kSector_m),
+                                 low + fromFixed(e.position[3 * i + 1], height),
+                                 kSector_m * id.z + fromFixed(e.position[3 * i + 2], kSector_m));
+    ProbeTransfer& t = probes.transfer.emplace_back();
+    for (std::size_t b = 0; b < kUp; ++b) t.visibility[b] = fromFixed(e.visibility[kUp * i + b], 1.0);
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      t.sun[b].resize(modes);
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t colour = b * 3 + static_cast<std::size_t>(c);
+        for (std::size_t k = 0; k < 4; ++k)
+          t.sky[b][k][c] =
+              fromFixed(e.sky[kSky * i + (b * 4 + k) * 3 + static_cast<std::size_t>(c)], scaleOf(e.sky_scale[i]));
+        for (std::size_t m = 0; m < modes; ++m) {
+          const std::size_t at = (i * modes + m) * kColours + colour;
+          const double scale = scaleOf(e.sun_scale[i * modes + m]);
+          t.sun[b][m][c] = sixteen ? fromFixed(e.sun16[at], scale) : fromFixed(e.sun8[at], scale);
+        }
+        if (emissive) t.emitted[b][c] = fromFixed(e.emitted[kColours * i + colour], scaleOf(e.emitted_scale[i]));
+      }
+    }
+  }
+  return probes;
+}
+
+EncodingError encodingError(const SectorProbes& probes, const SectorProbes& decoded) {
+  EncodingError error;
+  const auto worse = [](double& worst, double a, double b, double over = 1.0) {
+    worst = std::max(worst, std::abs(a - b) / over);
+  };
+  const auto mode_at = [](const SunModes& modes, std::size_t knot) {
+    std::vector<double> value;
+    for (std::size_t m = 0; m < modes.count(); ++m) value.push_back(modes.value[m * modes.knots() + knot]);
+    return value;
+  };
+  for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    const ProbeTransfer& a = probes.transfer[i];
+    const ProbeTransfer& b = decoded.transfer[i];
+    double brightest = 0.0;
+    for (const Number3& emitted : a.emitted) brightest = std::max({brightest, emitted.x, emitted.y, emitted.z});
+    for (int c = 0; c < 3; ++c) worse(error.position_m, probes.position[i][c], decoded.position[i][c]);
+    for (std::size_t d = 0; d < kDirections; ++d) {
+      worse(error.visibility, a.visibility[d], b.visibility[d]);
+      for (int c = 0; c < 3; ++c) {
+        for (std::size_t k = 0; k < 4; ++k) worse(error.sky, a.sky[d][k][c], b.sky[d][k][c]);
+        if (brightest > 0.0) worse(error.emitted, a.emitted[d][c], b.emitted[d][c], brightest);
+      }
+    }
+  }
+  for (std::size_t knot = 0; knot < probes.modes.knots(); ++knot) {
+    const auto mode = mode_at(probes.modes, knot);
+    const auto decoded_mode = mode_at(decoded.modes, knot);
+    for (std::size_t i = 0; i < probes.position.size(); ++i)
+      for (std::size_t d = 0; d < kDirections; ++d) {
+        const Number3 a = sunTransfer(probes.transfer[i].sun[d], mode);
+        const Number3 b = sunTransfer(decoded.transfer[i].sun[d], decoded_mode);
+        for (int c = 0; c < 3; ++c) worse(error.sun, a[c], b[c]);
+      }
+  }
+  return error;
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/transfer/relight.h"
+
+#include <catch2/catch.hpp>
+
+#include "closed_forms.h"
+#include "transfer_helpers.h"
+
+namespace welkin::probes {
+namespace {
+
+const double kUniformConstant = std::sqrt(det::kPi);
+const double kUniformLinear = std::sqrt(3.0 * det::kPi) / 2.0;
+
+/// The transfer of a probe over an infinite plane, in closed form, with one knot a light.
+ProbeTransfer planeTransfer(const Number3& albedo, const std::vector<Number3>& lights) {
+  ProbeTransfer t;
+  const auto basis = transferBasis();
+  for (std::size_t b = 0; b < kDirections; ++b) {
+    const double below = (1.0 - basis[b].y) / 2.0;
+    t.visibility[b] = b < 3 ? 1.0 : 0.0;
+    t.sky[b][0] = albedo * (below * det::kPi * det::kShConstant);
+    t.sky[b][1] = albedo * (below * det::kTwoPi / 3.0 * det::kShLinear);
+    for (const Number3& light : lights) t.sun[b].push_back(albedo * (below * light.y));
+  }
+  return t;
+}
+
+/// Modes that are the knots themselves: coefficients are transfers.
+SunModes knotsAsModes(const std::vector<double>& sun_time_h, const std::vector<double>& moon_time_h = {}) {
+  SunModes modes;
+  modes.sun_time_h = sun_time_h;
+  modes.moon_time_h = moon_time_h;
+  const std::size_t n = modes.knots();
+  for (std::size_t i = 0; i < n * n; ++i) modes.value.push_back(i / n == i % n ? 1.0 : 0.0);
+  return modes;
+}
+
+}  // namespace
+
+TEST_CASE("Relight, PlaneUnderAUniformSky") {
+  const Number3 rho(0.2, 0.5, 0.0);
+  const std::array<Number3, 4> sky{Number3(1, 2, 3) * kUniformConstant, Number3(1, 2, 3) * kUniformLinear};
+  const ProbeIrradiance e =
+      relit(planeTransfer(rho, {}), relightAt(12, sky, {}, {}, SunTransfer::directional, SunModes{}));
+  const auto total = e.total();
+  for (std::size_t b = 0; b < 3; ++b) CHECK(total[b].x / det::kPi == Approx(0.83094).margin(5e-6));
+  CHECK(total[3].x / det::kPi == Approx(0.2));
+  std::array<double, kDirections> green{};
+  for (std::size_t b = 0; b < kDirections; ++b) green[b] = total[b].y;
+  for (const Number3& n : {Number3(0, 1, 0), Number3(0, 0, -1), unit(Number3(1, -2, 0.3))})
+    CHECK(tests::reconstructed(n, green) == Approx(2 * det::kPi * (0.75 + 0.25 * n.y)));
+  CHECK(e.sun_bounce[0] == Number3(0.0));
+  CHECK(e.local[0] == Number3(0.0));
+}
+
+TEST_CASE("Relight, PlaneUnderASunBothWays") {
+  // By 2 bands a ground patch gets 1/4 + sin(e)/2 of the sun; by its own transfer, sin(e).
+  const Number3 rho(0.2, 0.5, 0.8);
+  const Number3 irradiance(3, 2, 1);
+  for (const double elevation : {1e-6, 0.3, 1.0, det::kPi / 2}) {
+    const Number3 direction = tests::towards(1.1, elevation);
+    const ProbeTransfer t = planeTransfer(rho, {direction});
+    const SunModes modes = knotsAsModes({9.0});
+    const LightAt sun{direction, irradiance};
+    const auto sh = relit(t, relightAt(9, {}, sun, {}, SunTransfer::sh, modes)).sun_bounce;
+    const auto directional = relit(t, relightAt(9, {}, sun, {}, SunTransfer::directional, modes)).sun_bounce;
+    const auto none = relit(t, relightAt(9, {}, sun, {}, SunTransfer::none, modes)).sun_bounce;
+    for (std::size_t b = 0; b < kDirections; ++b)
+      for (int c = 0; c < 3; ++c) {
+        const double full = rho[c] * irradiance[c] * (1.0 - transferBasis()[b].y) / 2.0;
+        CHECK(sh[b][c] == Approx(full * (0.25 + std::sin(elevation) / 2.0)));
+        CHECK(directional[b][c] == Approx(full * std::sin(elevation)).margin(1e-15));
+        CHECK(none[b][c] == 0.0);
+      }
+  }
+}
+
+TEST_CASE("Relight, EveryTermCountsOnce") {
+  // Unlike numbers everywhere: a wrong direction, coefficient, channel or light shows.
+  ProbeTransfer t;
+  Random random(11);
+  const auto colour = [&] { return Number3(random.unit(), random.unit(), random.unit()); };
+  for (std::size_t b = 0; b < kDirections; ++b) {
+    t.visibility[b] = random.unit();
+    for (Number3& k : t.sky[b]) k = colour();
+    t.sun[b] = {colour(), colour(), colour()};
+    t.emitted[b] = colour();
+  }
+  const std::array<Number3, 4> sky{colour(), colour(), colour(), colour()};
+  const LightAt sun{unit(Number3(0.3, 0.8, -0.4)), colour()};
+  const LightAt moon{unit(Number3(-0.7, 0.2, 0.1)), colour()};
+  const SunModes modes = knotsAsModes({6.0, 8.0}, {6.5});
+  const RelightScale scale{0.5, 3.0};
+  const auto e = relit(t, relightAt(6.5, sky, sun, moon, SunTransfer::directional, modes, scale));
+  const auto sh = relit(t, relightAt(6.5, sky, sun, moon, SunTransfer::sh, modes, scale));
+  for (std::size_t b = 0; b < kDirections; ++b)
+    for (int c = 0; c < 3; ++c) {
+      const Number3 n = transferBasis()[b];
+      const auto y = [](const Number3& d) {
+        const auto all = f64::shBasis(d);
+        return std::array{all.v[0], all.v[1], all.v[2], all.v[3]};
+      };
+      double direct = 0.0;
+      double bounced = 0.0;
+      double lights = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        direct += (k == 0 ? det::kPi : det::kTwoPi / 3) * sky[k][c] * y(n)[k];
+        bounced += t.sky[b][k][c] * sky[k][c];
+        lights +=
+            t.sky[b][k][c] * (sun.irradiance[c] * y(sun.direction)[k] + moon.irradiance[c] * y(moon.direction)[k]);
+      }
+      CHECK(e.sky[b][c] == Approx(0.5 * (t.visibility[b] * direct + bounced)));
+      CHECK(sh.sky[b][c] == e.sky[b][c]);
+      CHECK(sh.sun_bounce[b][c] == Approx(3.0 * lights));
+      CHECK(e.sun_bounce[b][c] == Approx(3.0 * ((0.75 * t.sun[b][0][c] + 0.25 * t.sun[b][1][c]) * sun.irradiance[c] +
+                                                t.sun[b][2][c] * moon.irradiance[c])));
+      CHECK(e.local[b][c] == t.emitted[b][c]);
+      CHECK(e.total()[b][c] == Approx(e.sky[b][c] + e.sun_bounce[b][c] + e.local[b][c]));
+    }
+}
+
+TEST_CASE("Relight, ALightBelowTheHorizonGivesNothing") {
+  const ProbeTransfer t = planeTransfer(Number3(0.5), {Number3(0, 1, 0)});
+  const LightAt sun{unit(Number3(1, -1e-9, 0)), Number3(7.0)};
+  for (const SunTransfer way : {SunTransfer::sh, SunTransfer::directional})
+    CHECK(relit(t, relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] == Number3(0.0));
+}
+
+}  // namespace welkin::probes
