@@ -48,35 +48,38 @@ Wanted settle(const Tracer& tracer, const SectorId& id, const PlacementSettings&
   return result;
 }
 
-void take(const Wanted& wanted, Candidates& result, PlacementReport& report) {
+std::optional<Candidate> take(const Wanted& wanted, PlacementReport& report) {
   if (wanted.removed) {
     ++report.removed;
-  } else if (wanted.settled) {
-    if (!(*wanted.settled == wanted.position))
-      report.moved.push_back({wanted.position, *wanted.settled, wanted.by_hand});
-    result.candidate.push_back({*wanted.settled, wanted.by_hand});
-  } else {
+    return std::nullopt;
+  }
+  if (!wanted.settled) {
     const auto reason = wanted.place == Place::inside ? DroppedProbe::Reason::inside : DroppedProbe::Reason::too_close;
     report.dropped.push_back({wanted.position, reason, wanted.by_hand});
+    return std::nullopt;
   }
+  if (!(*wanted.settled == wanted.position)) report.moved.push_back({wanted.position, *wanted.settled, wanted.by_hand});
+  return Candidate{*wanted.settled, wanted.by_hand};
 }
+
+/// Ground on a line.
+struct Ground {
+  double y = 0.0;
+  bool walkable = false;
+  WalkablePoint point;
+};
 
 /// What a line of the lattice meets.
 struct Column {
   int preference = 0;
   std::size_t buried = 0;
   std::size_t low = 0;
-  std::vector<double> ground_y;
-  std::vector<Number3> walkable;
-  std::vector<Wanted> wanted;
+  std::vector<Ground> ground;
+  std::vector<Wanted> wanted;  // by ground
 };
 
-Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, const LatticeLine& line,
-                double top_y) {
+Column groundAt(const Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line, double top_y) {
   Column result;
-  const bool odd_i = line.i % 2 != 0;
-  const bool odd_k = line.k % 2 != 0;
-  result.preference = odd_i != odd_k ? 2 : odd_i ? 1 : 0;
   for (const Span& span : spansAt(tracer, line.x, line.z, top_y)) {
     if (!span.hasFloor()) continue;
     const double height = span.high_y - span.low_y;
@@ -86,14 +89,32 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
       ++result.low;
     } else {
       const Number3 above{line.x, span.low_y + std::min(settings.height_m, 0.5 * height), line.z};
-      result.ground_y.push_back(span.low_y);
-      const Number3 foot{line.x, span.low_y + kFoot_m, line.z};
-      result.wanted.push_back(settle(tracer, id, settings, above, false, foot));
-      const Wanted& wanted = result.wanted.back();
-      const bool behind = wanted.place == Place::inside && !wanted.settled;  // of surfaces with one side
-      if (span.floor_normal_y >= kWalkable_normal_y && !wanted.removed && !behind) result.walkable.push_back(foot);
+      const bool walkable = span.floor_normal_y >= kWalkable_normal_y && !isRemoved(settings, above);
+      result.ground.push_back({span.low_y, walkable, {{line.x, span.low_y + kFoot_m, line.z}, above, true}});
     }
   }
+  return result;
+}
+
+/// Ground with a candidate above it.
+Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, const LatticeLine& line,
+                double top_y) {
+  Column result = groundAt(tracer, settings, line, top_y);
+  const bool odd_i = line.i % 2 != 0;
+  const bool odd_k = line.k % 2 != 0;
+  result.preference = odd_i != odd_k ? 2 : odd_i ? 1 : 0;
+  for (Ground& ground : result.ground) {
+    result.wanted.push_back(settle(tracer, id, settings, ground.point.above, false, ground.point.foot));
+    const Wanted& wanted = result.wanted.back();
+    if (wanted.place == Place::inside && !wanted.settled) ground.walkable = false;  // behind surfaces with one side
+  }
+  return result;
+}
+
+template <typename Make>
+std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, Make make) {
+  std::vector<Column> result(lines.size());
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) { result[i] = make(lines[i]); });
   return result;
 }
 
@@ -101,29 +122,44 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
 
 Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
                         PlacementReport& report) {
-  const std::vector<LatticeLine> lines = latticeOf(id, settings.spacing_m);
-  std::vector<Column> columns(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(),
-                    [&](std::size_t i) { columns[i] = columnAt(tracer, id, settings, lines[i], top_y); });
   Candidates result;
-  report.columns = columns.size();
+  const auto add = [&](const Wanted& wanted) {
+    if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
+  };
   for (const Number3& p : settings.add)
-    if (sectorAt(p) == id) take(settle(tracer, id, settings, p, true), result, report);
+    if (sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
+  const std::vector<Column> columns = columnsOf(latticeOf(id, settings.spacing_m), [&](const LatticeLine& line) {
+    return columnAt(tracer, id, settings, line, top_y);
+  });
+  report.columns = columns.size();
   for (const Column& column : columns) {
     report.buried += column.buried;
     report.low += column.low;
-    report.ground += column.ground_y.size();
-    result.ground_y.insert(result.ground_y.end(), column.ground_y.begin(), column.ground_y.end());
-    result.walkable.insert(result.walkable.end(), column.walkable.begin(), column.walkable.end());
+    report.ground += column.ground.size();
+    for (const Ground& ground : column.ground) {
+      result.ground_y.push_back(ground.y);
+      if (ground.walkable) result.walkable.push_back(ground.point);
+    }
   }
-  report.walkable = result.walkable.size();
   for (int preference = 0; preference < 3; ++preference)
     for (const Column& column : columns)
       if (column.preference == preference)
-        for (const Wanted& wanted : column.wanted) take(wanted, result, report);
+        for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
-    take(settle(tracer, id, settings, p, false), result, report);
+    add(settle(tracer, id, settings, p, false));
+  for (const Column& column : columnsOf(latticeOf(id, 0.5 * settings.spacing_m), [&](const LatticeLine& line) {
+         return groundAt(tracer, settings, line, top_y);
+       }))
+    for (const Ground& ground : column.ground) {
+      result.ground_y.push_back(ground.y);
+      if (ground.walkable) result.walkable.push_back({ground.point.foot, ground.point.above, false});
+    }
   return result;
+}
+
+std::optional<Candidate> candidateFor(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings,
+                                      const WalkablePoint& point, PlacementReport& report) {
+  return take(settle(tracer, id, settings, point.above, false, point.foot), report);
 }
 
 }  // namespace welkin::probes

@@ -15,15 +15,26 @@ struct Candidate {
   bool by_hand = false;
 };
 
+/// A point that has to see a probe: 0.1 m above ground that is no steeper than 60 degrees.
+struct WalkablePoint {
+  Number3 foot;
+  Number3 above;           ///< where a probe of its own would stand
+  bool on_lattice = true;  ///< and a candidate, if it may; else between the lines
+};
+
 struct Candidates {
-  std::vector<Candidate> candidate;  ///< valid places, the preferred first
-  std::vector<Number3> walkable;     ///< 0.1 m above the ground of each line of the lattice, storeys from below
-  std::vector<double> ground_y;      ///< of all ground
+  std::vector<Candidate> candidate;     ///< valid places, the preferred first
+  std::vector<WalkablePoint> walkable;  ///< of the lattice, then of the one of half the spacing between its lines
+  std::vector<double> ground_y;         ///< of all ground
 };
 
 /// By hand; above ground of the lattice, lines with both numbers even first, then both odd, then the rest; above
 /// vegetation. `top_y` as in spansAt.
 Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
                         PlacementReport& report);
+
+/// A probe for a walkable point between the lines, moved and reported as candidates are; none where it may not stand.
+std::optional<Candidate> candidateFor(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings,
+                                      const WalkablePoint& point, PlacementReport& report);
 
 }  // namespace welkin::probes

@@ -9,7 +9,7 @@
 
 namespace welkin::probes {
 
-/// Vertical lines stand this much beside the round numbers on which levels have their edges: a ray along an exact
+/// The lines of cells stand this much beside the round numbers on which levels have their edges: a ray along an exact
 /// lattice meets shared edges, and each of those is a chance to slip through.
 inline constexpr double kAside_x_m = 0.0371;
 inline constexpr double kAside_z_m = 0.0213;

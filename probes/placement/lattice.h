@@ -8,7 +8,11 @@
 
 namespace welkin::probes {
 
-/// A line at ((i + 1/2) spacing + kAside_x_m, (k + 1/2) spacing + kAside_z_m).
+/// Between the half metres that walls stand on, by more than a probe's clearance, and on no sixteenth.
+inline constexpr double kLattice_x_m = 0.2871;
+inline constexpr double kLattice_z_m = 0.2213;
+
+/// A line at ((i + 1/2) spacing + kLattice_x_m, (k + 1/2) spacing + kLattice_z_m).
 struct LatticeLine {
   int i = 0;
   int k = 0;

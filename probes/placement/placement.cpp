@@ -16,7 +16,7 @@ PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSetti
   result.id = id;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
   const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report);
-  result.probe = selectProbes(tracer, candidates, settings, report);
+  result.probe = selectProbes(tracer, id, candidates, settings, report);
   fillGrid(tracer, settings, candidates.ground_y, top_y, result, report);
   return result;
 }

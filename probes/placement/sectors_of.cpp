@@ -47,12 +47,12 @@ bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
     const double high = std::min(shadow.high(axis) + kEdge_m, kSector_m * (sector + 1.0));
     return std::pair{lineFrom(low, spacing_m, aside_m), lineFrom(high, spacing_m, aside_m)};
   };
-  const auto [first_i, last_i] = lines(0, id.x, kAside_x_m);
-  const auto [first_k, last_k] = lines(2, id.z, kAside_z_m);
+  const auto [first_i, last_i] = lines(0, id.x, kLattice_x_m);
+  const auto [first_k, last_k] = lines(2, id.z, kLattice_z_m);
   for (int k = first_k; k <= last_k; ++k)
     for (int i = first_i; i <= last_i; ++i) {
-      const double x = lineAt(i, spacing_m, kAside_x_m);
-      const double z = lineAt(k, spacing_m, kAside_z_m);
+      const double x = lineAt(i, spacing_m, kLattice_x_m);
+      const double z = lineAt(k, spacing_m, kLattice_z_m);
       if (sectorAt({x, 0, z}) == id && shadow.covers(x, z)) return true;
     }
   return false;

@@ -26,7 +26,7 @@ struct PlacementSettings {
   double minimum_separation_m = 7.0;  ///< of two probes of a sector that see each other
   double height_m = 1.0;              ///< above the surface; half of the free height where that is less
   double headroom_m = 1.2;            ///< free height above a surface that counts as ground
-  double clearance_m = 0.25;          ///< between a probe and the nearest surface
+  double clearance_m = 0.2;           ///< between a probe and the nearest surface
   double coverage_m = 8.0;            ///< every walkable point sees a probe that is as near as this
   std::vector<Number3> add;           ///< probes by hand
   std::vector<Box> remove;            ///< no probe in there, but for those by hand
@@ -61,13 +61,13 @@ struct DroppedProbe {
 /// What placing did in a sector. Nothing that it left out is missing here.
 struct PlacementReport {
   std::size_t columns = 0;          ///< of the lattice
-  std::size_t ground = 0;           ///< surfaces on it that one can stand on (walkable or steeper)
+  std::size_t ground = 0;           ///< surfaces on it that one can stand on
   std::size_t buried = 0;           ///< surfaces inside of closed geometry
   std::size_t low = 0;              ///< surfaces without the headroom
-  std::size_t walkable = 0;         ///< of ground, slopes to 60 degrees
+  std::size_t walkable = 0;         ///< points on ground to 60 degrees, of the lattice and of one twice as fine
   std::size_t removed = 0;          ///< candidates within boxes of `remove`
   std::size_t near_others = 0;      ///< candidates left out for the minimum separation
-  std::size_t added_for_sight = 0;  ///< of those, probes that walkable points needed nevertheless
+  std::size_t added_for_sight = 0;  ///< probes that walkable points needed nevertheless
   std::vector<MovedProbe> moved;    ///< out of geometry or away from it
   std::vector<DroppedProbe> dropped;
   std::vector<Number3> uncovered;        ///< walkable points that see no probe within coverage_m

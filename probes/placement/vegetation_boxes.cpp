@@ -27,10 +27,10 @@ struct Lines {
 };
 
 Lines linesOf(const Box& box, double spacing_m) {
-  Lines r{lineFrom(box.low.x, spacing_m, kAside_x_m), lineFrom(box.high.x, spacing_m, kAside_x_m),
-          lineFrom(box.low.z, spacing_m, kAside_z_m), lineFrom(box.high.z, spacing_m, kAside_z_m)};
-  if (lineAt(r.last_i, spacing_m, kAside_x_m) > box.high.x) --r.last_i;
-  if (lineAt(r.last_k, spacing_m, kAside_z_m) > box.high.z) --r.last_k;
+  Lines r{lineFrom(box.low.x, spacing_m, kLattice_x_m), lineFrom(box.high.x, spacing_m, kLattice_x_m),
+          lineFrom(box.low.z, spacing_m, kLattice_z_m), lineFrom(box.high.z, spacing_m, kLattice_z_m)};
+  if (lineAt(r.last_i, spacing_m, kLattice_x_m) > box.high.x) --r.last_i;
+  if (lineAt(r.last_k, spacing_m, kLattice_z_m) > box.high.z) --r.last_k;
   return r;
 }
 
@@ -82,8 +82,8 @@ std::vector<SectorId> sectorsOfVegetation(const std::vector<Box>& boxes, const P
     if (lines.none()) result.push_back(sectorAt(middleOf(box)));
     for (int k = lines.first_k; k <= lines.last_k; ++k)
       for (int i = lines.first_i; i <= lines.last_i; ++i) {
-        const SectorId id = sectorAt({lineAt(i, settings.vegetation_spacing_m, kAside_x_m), 0,
-                                      lineAt(k, settings.vegetation_spacing_m, kAside_z_m)});
+        const SectorId id = sectorAt({lineAt(i, settings.vegetation_spacing_m, kLattice_x_m), 0,
+                                      lineAt(k, settings.vegetation_spacing_m, kLattice_z_m)});
         if (result.empty() || result.back() != id) result.push_back(id);
       }
   }

@@ -63,7 +63,7 @@ TEST_CASE("Placement, OpenGroundHasAProbeEveryEightMetres") {
     CHECK(sectorAt(p.position) == SectorId{0, 0});
   }
   CHECK(report.columns == 256);
-  CHECK(report.walkable == 256);
+  CHECK(report.walkable == 256 + 1024);
   CHECK(report.near_others == 192);
   CHECK(report.added_for_sight == 0);
   CHECK(report.uncovered.empty());
@@ -135,13 +135,13 @@ TEST_CASE("Placement, NothingInsideBodies") {
 
 TEST_CASE("Placement, AProbeTooCloseToAWallIsMovedAndReported") {
   Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {2.1, 0, 0}, {3, 4, 64}, 0);  // the first lines of the lattice are at 2.037
+  tests::addBoxOutside(s, {2.4, 0, 0}, {3, 4, 64}, 0);  // the first lines of the lattice are at 2.287
   PlacementReport report;
   const PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.moved.size() == 16);
   const Tracer tracer(s);
-  for (const Probe& p : sector.probe) CHECK(placeAt(tracer, p.position, 0.25) == Place::free);
-  for (const MovedProbe& m : report.moved) CHECK(m.to.x < 1.86);
+  for (const Probe& p : sector.probe) CHECK(placeAt(tracer, p.position, 0.2) == Place::free);
+  for (const MovedProbe& m : report.moved) CHECK(m.to.x < 2.21);
   CHECK(report.uncovered.empty());
 }
 
@@ -157,7 +157,20 @@ TEST_CASE("Placement, EveryWalkablePointSeesAProbe") {
   CHECK(sector.probe.size() == 255);
   CHECK(std::count_if(report.dropped.begin(), report.dropped.end(),
                       [](const DroppedProbe& d) { return d.reason == DroppedProbe::Reason::thinned; }) == 1);
-  CHECK(report.uncovered.size() == 1);
+  CHECK(report.uncovered.size() == 5);  // one of the lattice, four between its lines
+}
+
+TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {
+  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  tests::addBoxOutside(s, {3, -1, 3}, {5.6, 3, 5.6}, 0);  // the lines are at 2.287 and 6.287
+  tests::addBoxInside(s, {3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}, 0);
+  PlacementReport report;
+  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  CHECK(report.added_for_sight >= 1);
+  CHECK(report.uncovered.empty());
+  CHECK(std::count_if(sector.probe.begin(), sector.probe.end(), [](const Probe& p) {
+          return contains({{3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}}, p.position);
+        }) == 1);
 }
 
 TEST_CASE("Placement, ByHand") {
@@ -175,7 +188,7 @@ TEST_CASE("Placement, ByHand") {
   CHECK(report.moved[0].by_hand);
   CHECK(report.moved[0].from == Number3(20, -0.5, 20));
   CHECK(report.moved[0].to == sector.probe[2].position);
-  CHECK(report.moved[0].to.y > 0.24);
+  CHECK(report.moved[0].to.y > 0.19);
   REQUIRE(report.dropped.size() == 1);
   CHECK(report.dropped[0].by_hand);
   CHECK(report.dropped[0].position == Number3(30, -8, 30));
