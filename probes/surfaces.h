@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct Surfaces {
   std::vector<Object> object;
   std::vector<PointLight> light;
   std::size_t dropped_triangles = 0;  ///< without area or with numbers that are not finite
+  std::vector<std::string> warning;   ///< what the files hold that has no effect here, or another one; with their names
+  std::vector<std::filesystem::path> file;  ///< all that were read: level.toml's geometry, buffers, materials, images
 };
 
 }  // namespace welkin::probes

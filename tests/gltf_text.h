@@ -21,12 +21,13 @@ inline std::string base64(const std::vector<unsigned char>& bytes) {
   return text;
 }
 
-/// Triangles with optional normals and colours (three floats a vertex each).
+/// Triangles with optional normals and colours (three floats a vertex each) and texture coordinates (two).
 struct MeshText {
   std::vector<float> positions;
   std::vector<uint16_t> indices;
   std::vector<float> normals{};
   std::vector<float> colours{};
+  std::vector<float> uv{};
 };
 
 /// A glTF model under construction; `json` may be changed before text() is called.
@@ -50,9 +51,22 @@ class GltfText {
                                 {"indices", addAccessor(mesh.indices, 5123, "SCALAR", 1)}};
     if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = addFloats(mesh.normals);
     if (!mesh.colours.empty()) primitive["attributes"]["COLOR_0"] = addFloats(mesh.colours);
+    if (!mesh.uv.empty()) primitive["attributes"]["TEXCOORD_0"] = addAccessor(mesh.uv, 5126, "VEC2", 2);
     if (material >= 0) primitive["material"] = material;
     json["meshes"].push_back({{"primitives", {primitive}}});
     return static_cast<int>(json["meshes"].size()) - 1;
+  }
+
+  /// Adds a texture of an image's file or data URI and gives it to a material as its base colour.
+  void addTexture(int material, const std::string& uri) {
+    json["images"].push_back({{"uri", uri}});
+    setTexture(material);
+  }
+
+  /// The same of an image's bytes in the buffer.
+  void addTexture(int material, const std::vector<unsigned char>& image) {
+    json["images"].push_back({{"bufferView", addView(image.data(), image.size())}, {"mimeType", "image/png"}});
+    setTexture(material);
   }
 
   /// Adds a node to the scene; `more` holds its transform, name and extras.
@@ -69,6 +83,24 @@ class GltfText {
     return whole.dump();
   }
 
+  /// The same model as .glb.
+  std::string binary() const {
+    nlohmann::json whole = json;
+    whole["buffers"] = {{{"byteLength", bytes_.size()}}};
+    std::string text = whole.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string data(bytes_.begin(), bytes_.end());
+    data.resize((data.size() + 3) / 4 * 4, '\0');
+    const auto word = [](std::size_t n) {
+      const auto value = static_cast<uint32_t>(n);
+      std::string bytes(4, '\0');
+      std::memcpy(bytes.data(), &value, 4);
+      return bytes;
+    };
+    return "glTF" + word(2) + word(28 + text.size() + data.size()) + word(text.size()) + "JSON" + text +
+           word(data.size()) + std::string("BIN\0", 4) + data;
+  }
+
   const std::vector<unsigned char>& bytes() const { return bytes_; }
 
   nlohmann::json json;
@@ -76,15 +108,24 @@ class GltfText {
  private:
   int addFloats(const std::vector<float>& values) { return addAccessor(values, 5126, "VEC3", 3); }
 
-  template <typename T>
-  int addAccessor(const std::vector<T>& values, int component_type, const char* type, std::size_t components) {
+  void setTexture(int material) {
+    json["textures"].push_back({{"source", json["images"].size() - 1}});
+    json["materials"][static_cast<std::size_t>(material)]["pbrMetallicRoughness"]["baseColorTexture"] = {
+        {"index", json["textures"].size() - 1}};
+  }
+
+  std::size_t addView(const void* values, std::size_t size) {
     while (bytes_.size() % 4 != 0) bytes_.push_back(0);
-    const std::size_t size = values.size() * sizeof(T);
     json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
     const std::size_t begin = bytes_.size();
     bytes_.resize(begin + size);
-    std::memcpy(bytes_.data() + begin, values.data(), size);
-    json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+    std::memcpy(bytes_.data() + begin, values, size);
+    return json["bufferViews"].size() - 1;
+  }
+
+  template <typename T>
+  int addAccessor(const std::vector<T>& values, int component_type, const char* type, std::size_t components) {
+    json["accessors"].push_back({{"bufferView", addView(values.data(), values.size() * sizeof(T))},
                                  {"componentType", component_type},
                                  {"count", values.size() / components},
                                  {"type", type}});
@@ -97,6 +138,13 @@ class GltfText {
 /// A square in the plane y = 0 that faces up, from -1 to 1.
 inline MeshText squareMesh() {
   return {{-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1}, {0, 2, 1, 0, 3, 2}, {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}};
+}
+
+/// The same with u along x and v along z, from 0 to 1.
+inline MeshText texturedSquareMesh() {
+  MeshText mesh = squareMesh();
+  mesh.uv = {0, 0, 1, 0, 1, 1, 0, 1};
+  return mesh;
 }
 
 /// A box from -1 to 1, without normals: its reader makes them.

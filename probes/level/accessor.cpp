@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstring>
 
 #include "sky/error.h"
@@ -75,9 +74,7 @@ const tinygltf::Accessor& AccessorReader::at(int accessor, const std::string& wh
   return model_.accessors[static_cast<std::size_t>(accessor)];
 }
 
-AccessorReader::Elements AccessorReader::elements(const tinygltf::Accessor& accessor, const std::string& what) const {
-  if (accessor.sparse.isSparse) refuse(what, "sparse accessors are not supported");
-  const int view_index = accessor.bufferView;
+std::span<const std::byte> AccessorReader::bytes(int view_index, const std::string& what) const {
   if (view_index < 0 || static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
     refuse(what, fmt::format("bufferView {} is none of the {}", view_index, model_.bufferViews.size()));
   const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
@@ -87,6 +84,13 @@ AccessorReader::Elements AccessorReader::elements(const tinygltf::Accessor& acce
   if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
     refuse(what, fmt::format("bufferView {}: {} bytes from byte {} of a buffer of {}", view_index, view.byteLength,
                              view.byteOffset, bytes.size()));
+  return std::as_bytes(std::span(bytes)).subspan(view.byteOffset, view.byteLength);
+}
+
+AccessorReader::Elements AccessorReader::elements(const tinygltf::Accessor& accessor, const std::string& what) const {
+  if (accessor.sparse.isSparse) refuse(what, "sparse accessors are not supported");
+  const std::span<const std::byte> view_bytes = bytes(accessor.bufferView, what);
+  const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
   const std::size_t one = componentBytes(accessor.componentType);
   const std::size_t element = one * static_cast<std::size_t>(componentCount(accessor.type));
   const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
@@ -101,7 +105,7 @@ AccessorReader::Elements AccessorReader::elements(const tinygltf::Accessor& acce
   if (count == 0 || !fits)
     refuse(what, fmt::format("{} elements of {} bytes, stride {}, from byte {} of a bufferView of {}", count, element,
                              stride, accessor.byteOffset, view.byteLength));
-  return {bytes.data() + view.byteOffset + accessor.byteOffset, stride, count};
+  return {reinterpret_cast<const unsigned char*>(view_bytes.data()) + accessor.byteOffset, stride, count};
 }
 
 FloatRows AccessorReader::floats(int accessor, const std::string& what, int least, int most, bool normalised) const {
@@ -120,11 +124,8 @@ FloatRows AccessorReader::floats(int accessor, const std::string& what, int leas
   rows.values.reserve(e.count * static_cast<std::size_t>(components));
   const std::size_t one = componentBytes(a.componentType);
   for (std::size_t i = 0; i < e.count; ++i)
-    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
-      const float value = component(e.first + i * e.stride + c * one, a.componentType);
-      if (!std::isfinite(value)) refuse(what, fmt::format("element {} is not finite", i));
-      rows.values.push_back(value);
-    }
+    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
+      rows.values.push_back(component(e.first + i * e.stride + c * one, a.componentType));
   return rows;
 }
 

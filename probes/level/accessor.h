@@ -4,18 +4,15 @@
 
 #include <tiny_gltf.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-namespace welkin::probes {
+#include "probes/level/mesh_piece.h"
 
-/// Floats of an accessor, `components` an element.
-struct FloatRows {
-  std::size_t count = 0;
-  int components = 0;
-  std::vector<float> values;
-};
+namespace welkin::probes {
 
 /// Reads accessors of one model; `file` is named in every message.
 class AccessorReader {
@@ -23,12 +20,16 @@ class AccessorReader {
   AccessorReader(const tinygltf::Model& model, std::string file) : model_(model), file_(std::move(file)) {}
 
   /// Vectors of `least` to `most` components: floats, or where `normalised` is allowed unsigned bytes and shorts that
-  /// stand for [0, 1]. Throws Error(content), as for numbers that are not finite.
+  /// stand for [0, 1]. Numbers need not be finite. Throws Error(content).
   FloatRows floats(int accessor, const std::string& what, int least, int most, bool normalised) const;
 
   /// Indices, every one below `vertex_count`.
   std::vector<uint32_t> indices(int accessor, const std::string& what, std::size_t vertex_count) const;
 
+  /// The bytes of a buffer view.
+  std::span<const std::byte> bytes(int buffer_view, const std::string& what) const;
+
+  const std::string& file() const { return file_; }
   [[noreturn]] void refuse(const std::string& what, const std::string& why) const;
 
  private:

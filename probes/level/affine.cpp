@@ -2,7 +2,7 @@
 // Transforms from quaternions and Euler angles.
 #include "probes/level/affine.h"
 
-#include <cmath>
+#include "sh/deterministic.h"
 
 namespace welkin::probes {
 
@@ -22,8 +22,8 @@ Affine fromEuler(const Number3& translation, const Number3& rotation_rad, const 
   const double angles[3] = {rotation_rad.x, rotation_rad.y, rotation_rad.z};
   Affine result = {Number3(scale.x, 0.0, 0.0), Number3(0.0, scale.y, 0.0), Number3(0.0, 0.0, scale.z), Number3(0.0)};
   for (int axis = 0; axis < 3; ++axis) {
-    double quaternion[4] = {0.0, 0.0, 0.0, std::cos(0.5 * angles[axis])};
-    quaternion[axis] = std::sin(0.5 * angles[axis]);
+    double quaternion[4] = {0.0, 0.0, 0.0, det::cos(0.5 * angles[axis])};
+    quaternion[axis] = det::sin(0.5 * angles[axis]);
     result = fromTrs(Number3(0.0), quaternion, Number3(1.0)) * result;
   }
   result.translation = translation;

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <string_view>
 
 #include "sky/atomic_file.h"
 #include "sky/error.h"
@@ -16,7 +19,13 @@ namespace {
 /// What happened to the files that tinygltf asked for; it reports every failure with the same result.
 struct Reading {
   std::string unreadable;  ///< message of the first file that could not be read
+  std::vector<std::filesystem::path>* files = nullptr;
 };
+
+/// What may be required. Unlit surfaces have the albedo of their base colour.
+constexpr std::array<std::string_view, 5> kExtensions = {"EXT_texture_webp", "KHR_lights_punctual",
+                                                         "KHR_materials_emissive_strength", "KHR_materials_unlit",
+                                                         "KHR_texture_transform"};
 
 bool exists(const std::string& path, void*) {
   (void)path;
@@ -28,13 +37,14 @@ std::string unchanged(const std::string& path, void*) {
 }
 
 bool readWhole(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* user) {
+  auto* reading = static_cast<Reading*>(user);
   try {
     const std::vector<std::byte> bytes = readFile(path);
+    reading->files->emplace_back(path);
     const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
     out->assign(first, first + bytes.size());
     return true;
   } catch (const Error& e) {
-    auto* reading = static_cast<Reading*>(user);
     if (e.status() == ExitStatus::file && reading->unreadable.empty()) reading->unreadable = e.what();
     if (error != nullptr) *error += e.what();
     return false;
@@ -45,7 +55,10 @@ bool writeNothing(std::string*, const std::string&, const std::vector<unsigned c
   return false;
 }
 
-bool skipImage(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+/// A buffer view is not checked at this place, and its bytes stay where they are.
+bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
+               int size, void*) {
+  if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
@@ -56,15 +69,23 @@ std::string oneLine(std::string text) {
   return text.size() > 300 ? text.substr(0, 297) + "..." : text;
 }
 
+void requireKnownExtensions(const std::string& name, const tinygltf::Model& model) {
+  for (const std::string& required : model.extensionsRequired)
+    if (std::find(kExtensions.begin(), kExtensions.end(), required) == kExtensions.end())
+      throw Error(ExitStatus::content, fmt::format("{}: extensionsRequired: \"{}\" is not known; {} are", name,
+                                                   required.substr(0, 60), fmt::join(kExtensions, ", ")));
+}
+
 }  // namespace
 
-tinygltf::Model readGltf(const std::filesystem::path& path) {
+tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files) {
   const std::string name = path.string();
   const std::vector<std::byte> bytes = readFile(path, std::numeric_limits<unsigned int>::max());
-  Reading reading;
+  files.push_back(path);
+  Reading reading{{}, &files};
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks({exists, unchanged, readWhole, writeNothing, &reading});
-  loader.SetImageLoader(skipImage, nullptr);
+  loader.SetImageLoader(keepImage, nullptr);
   tinygltf::Model model;
   std::string error;
   std::string warning;
@@ -82,13 +103,13 @@ tinygltf::Model readGltf(const std::filesystem::path& path) {
   }
   if (!parsed && !reading.unreadable.empty())
     throw Error(ExitStatus::file, fmt::format("{}: {}", name, reading.unreadable));
-  if (!parsed) throw Error(ExitStatus::content, fmt::format("{}: not a whole glTF file: {}", name, oneLine(error)));
+  if (!parsed)
+    throw Error(ExitStatus::content,
+                fmt::format("{}: not a whole glTF file: {}", name, oneLine(error.empty() ? warning : error)));
   if (!model.asset.version.starts_with("2."))
     throw Error(ExitStatus::content,
                 fmt::format("{}: asset.version = \"{}\": must be 2.0", name, model.asset.version.substr(0, 20)));
-  if (!model.extensionsRequired.empty())
-    throw Error(ExitStatus::content, fmt::format("{}: extensionsRequired = [\"{}\"]: no extension is supported", name,
-                                                 fmt::join(model.extensionsRequired, "\", \"")));
+  requireKnownExtensions(name, model);
   return model;
 }
 

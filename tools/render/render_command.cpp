@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "probes/level/surfaces_of.h"
 #include "render/level_view.h"
 #include "render/picture.h"
 #include "render/render_options.h"
@@ -115,6 +116,14 @@ Picture drawLevel(VulkanDevice& device, const Sky& sky, const probes::Scene& sce
   });
 }
 
+/// A level as the passes draw it: its textures as their mean colours.
+probes::Scene sceneOf(const std::string& level) {
+  probes::Scene scene = probes::readScene(probes::readLevelFile(level));
+  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  probes::useMeanColours(scene);
+  return scene;
+}
+
 void runRender(const RenderOptions& options) {
   checkOptions(options);
   const Sky sky = openSky(options.sky);
@@ -122,7 +131,7 @@ void runRender(const RenderOptions& options) {
     throw Error(ExitStatus::content,
                 "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
-  const probes::Scene scene = level ? probes::readScene(probes::readLevelFile(options.level)) : probes::Scene{};
+  const probes::Scene scene = level ? sceneOf(options.level) : probes::Scene{};
   VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
   const Picture picture = level ? drawLevel(device, sky, scene, options) : drawSky(device, sky, options);

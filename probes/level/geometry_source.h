@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// A geometry file of any kind: read once, placed by any number of entries of level.toml.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "probes/level/level_file.h"
+#include "probes/level/scene_builder.h"
+
+namespace welkin::probes {
+
+class GeometrySource {
+ public:
+  GeometrySource() = default;
+  GeometrySource(const GeometrySource&) = delete;
+  GeometrySource& operator=(const GeometrySource&) = delete;
+  virtual ~GeometrySource() = default;
+
+  /// Places everything that the file holds as the entry says. Throws Error, naming the file and the part of it.
+  virtual void place(const GeometryEntry& entry) = 0;
+};
+
+}  // namespace welkin::probes

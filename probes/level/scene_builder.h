@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts a scene together from the pieces of any file and where they are placed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "probes/level/mesh_piece.h"
+#include "probes/level/scene.h"
+
+namespace welkin::probes {
+
+/// Whether a name fits a pattern in which * stands for any run of characters.
+bool matchesPattern(const std::string& pattern, const std::string& name);
+
+class SceneBuilder {
+ public:
+  /// What has been read; finish() adds instances and draws.
+  Scene& scene() { return scene_; }
+
+  uint32_t addMaterial(SceneMaterial material);
+  /// Gives the index of the same image with the same wrapping where there is one.
+  int addTexture(TextureSource source);
+  uint32_t addObject(std::string name, Role role);
+
+  /// Places a piece; `albedo` is that of one with neither a material nor colours. A transform without volume, which is
+  /// how animations hide a node, places nothing.
+  void place(const MeshPiece& piece, const Affine& transform, uint32_t object, const f64::Number3& albedo);
+
+  /// The scene, with the placings of one piece as consecutive instances.
+  Scene finish();
+
+ private:
+  struct Placed {
+    const MeshPiece* piece;
+    uint32_t material;
+    Role role;
+    bool mirrored;
+    Placing placing;
+  };
+  uint32_t bareMaterial(const f64::Number3& albedo);
+
+  Scene scene_;
+  std::vector<Placed> placed_;
+  std::map<std::vector<double>, uint32_t> bare_;
+  std::map<std::pair<std::string, std::pair<Texture::Wrap, Texture::Wrap>>, int> textures_;
+};
+
+}  // namespace welkin::probes

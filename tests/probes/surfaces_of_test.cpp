@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles in the world from glTF: where they stand, which way they look, what is dropped, what shines.
+#include <limits>
+
+#include "level_text.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace probes;
+using nlohmann::json;
+using test::boxMesh;
+using test::Folder;
+using test::GltfText;
+using test::squareMesh;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+Number3 vertex(const Surfaces& s, std::size_t triangle, std::size_t corner) {
+  const auto& p = s.position[s.triangle[triangle].vertex[corner]];
+  return {double{p[0]}, double{p[1]}, double{p[2]}};
+}
+
+bool warns(const Surfaces& s, const std::string& of) {
+  return std::any_of(s.warning.begin(), s.warning.end(),
+                     [&](const std::string& w) { return w.find(of) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
+  GltfText gltf;
+  const int triangle = gltf.addMesh({{0, 0, 0, 1, 0, 0, 0, 2, 0}, {0, 1, 2}});
+  const double h = std::sqrt(0.5);
+  gltf.addNode(triangle, {{"name", "post"}, {"rotation", {0, 0, h, h}}, {"scale", {3, 1, 1}}, {"children", {1}}});
+  gltf.json["nodes"].push_back({{"mesh", triangle}, {"translation", {1, 2, 3}}, {"extras", {{"role", "vegetation"}}}});
+  const Folder folder;
+  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level.geometry[0].transform = fromEuler({100, 0, 0}, {0, f64::kPi / 2, 0}, Number3(2.0));
+  const Surfaces s = readSurfaces(level);
+  REQUIRE(s.triangle.size() == 2);
+  // The node: x to y three times as long, y to -x. The entry: x to -z, z to x, twice as large, 100 m east.
+  checkNear(vertex(s, 0, 0), {100, 0, 0}, 1e-5);
+  checkNear(vertex(s, 0, 1), {100, 6, 0}, 1e-5);
+  checkNear(vertex(s, 0, 2), {100, 0, 4}, 1e-5);
+  checkNear(vertex(s, 1, 0), {106, 6, 4}, 1e-5);  // (1, 2, 3) is (-2, 3, 3) turned
+  checkNear(vertex(s, 1, 2), {106, 6, 8}, 1e-5);
+  REQUIRE(s.object.size() == 2);
+  CHECK(s.object[s.triangle[0].object].name == "post");
+  CHECK(s.object[s.triangle[0].object].role == Role::fixed);
+  CHECK(s.object[s.triangle[1].object].name == "node 1 \"\"");
+  CHECK(s.object[s.triangle[1].object].role == Role::vegetation);
+}
+
+TEST_CASE("SurfacesOf, MirroredSurfacesKeepTheirFront") {
+  GltfText gltf;
+  const int square = gltf.addMesh(squareMesh());
+  gltf.addNode(square);
+  gltf.addNode(square, {{"translation", {4, 0, 0}}, {"scale", {-1, 1, 1}}});
+  gltf.addNode(square, {{"translation", {8, 0, 0}}, {"scale", {1, -1, 1}}});  // looks down
+  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const Tracer tracer(s);
+  for (const auto& [x, back] : {std::pair{0.3, false}, {4.3, false}, {8.3, true}}) {
+    const auto hit = below(tracer, x, 0.4);
+    REQUIRE(hit);
+    CHECK(hit->back == back);
+  }
+}
+
+TEST_CASE("SurfacesOf, TrianglesWithoutAreaOrNumbersAreDroppedAndCounted") {
+  GltfText gltf;
+  auto mesh = squareMesh();
+  mesh.positions[10] = kNan;  // of the second triangle alone
+  mesh.indices.insert(mesh.indices.end(), {0, 1, 1, 0, 2, 1});
+  const int square = gltf.addMesh(mesh);
+  gltf.addNode(square);
+  gltf.addNode(square, {{"translation", {0, 5, 0}}});
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {5e5, 0, 0}}, {"scale", {1e-4, 1, 1}}});  // too thin there
+  for (const bool normals : {true, false}) {
+    if (!normals) gltf.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
+    const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+    CHECK(s.triangle.size() == 4);
+    CHECK(s.dropped_triangles == 6);
+    CHECK(warns(s, "6 of 10 triangles"));
+    for (const auto& p : s.position)
+      for (const float c : p) CHECK(std::isfinite(c));
+  }
+}
+
+TEST_CASE("SurfacesOf, ALevelHasAnEnd") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"name", "moon"}, {"translation", {0, 3.8e8, 0}}});
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"moon", "380000000", "at most 1000000"});
+}
+
+TEST_CASE("SurfacesOf, MaterialsKeepEmissionSidesAndAlpha") {
+  GltfText gltf;
+  const auto add = [&](const char* name, const json& change) {
+    const int material = gltf.addMaterial({0.1, 0.2, 0.3}, std::string(name) == "sheet");
+    auto& m = gltf.json["materials"][static_cast<std::size_t>(material)];
+    m["name"] = name;
+    m.update(change);
+    gltf.addNode(gltf.addMesh(squareMesh(), material), {{"translation", {3 * material, 0, 0}}});
+    return &m;
+  };
+  add("sheet", json::object());
+  add("lamp", {{"emissiveFactor", {0.5, 0.25, 0}},
+               {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}});
+  (*add("gone", {{"alphaMode", "MASK"}}))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.25;
+  (*add("pane", {{"alphaMode", "BLEND"}}))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.75;
+  (*add("solid", json::object()))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.25;
+  gltf.json["extensionsRequired"] = {"KHR_materials_emissive_strength", "KHR_materials_unlit"};
+  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  REQUIRE(s.material.size() == 5);
+  CHECK(s.material[0].double_sided);
+  CHECK_FALSE(s.material[1].double_sided);
+  checkNear(s.material[1].emission, {4, 2, 0}, 0);
+  checkNear(s.material[1].albedo, {0.1, 0.2, 0.3}, 0);
+  CHECK(warns(s, "\"pane\": alphaMode BLEND"));
+  const Tracer tracer(s);
+  CHECK_FALSE(below(tracer, 6.2, 0.1));  // below the cut-off everywhere
+  CHECK(below(tracer, 9.2, 0.1));
+  CHECK(below(tracer, 12.2, 0.1));  // opaque whatever its alpha
+}
+
+TEST_CASE("SurfacesOf, VertexColoursMultiplyTheMaterials") {
+  GltfText gltf;
+  auto mesh = squareMesh();
+  mesh.colours = {1, 0, 0, 1, 0, 0, 0, 0.5, 1, 0, 0.5, 1};  // along z
+  gltf.addNode(gltf.addMesh(mesh, gltf.addMaterial({0.5, 0.5, 0.25})));
+  gltf.addNode(gltf.addMesh(mesh), {{"translation", {4, 0, 0}}});
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {8, 0, 0}}});
+  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const Tracer tracer(s);
+  const double kFloats = 1e-6;
+  checkNear(tracer.albedo(*below(tracer, 0.3, 0.5)), {0.125, 0.1875, 0.1875}, kFloats);
+  checkNear(tracer.albedo(*below(tracer, 4.3, 0.5)), {0.25, 0.375, 0.75}, kFloats);
+  checkNear(tracer.albedo(*below(tracer, 8.3, 0.5)), Number3(0.5), kFloats);  // level.toml's
+  mesh.colours[3] = 1.5F;
+  GltfText bright;
+  bright.addNode(bright.addMesh(mesh));
+  checkSurfacesRefused({{"a.gltf", bright.text()}}, {"a.gltf", "COLOR_0", "1.5"});
+}
+
+TEST_CASE("SurfacesOf, PointLightsAreReadAndOthersReported") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()));
+  gltf.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 10}},
+      {{"type", "spot"}, {"spot", json::object()}},
+      {{"type", "directional"}}};
+  for (const int light : {0, 1, 2})
+    gltf.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+  gltf.json["nodes"][0]["children"] = {1, 2, 3};
+  gltf.json["nodes"][0]["scale"] = {2, 2, 2};
+  gltf.json["nodes"][1]["translation"] = {1, 2, 3};
+  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  REQUIRE(s.light.size() == 1);
+  checkNear(s.light[0].position, {2, 4, 6}, 0);
+  checkNear(s.light[0].intensity, {10, 5, 0}, 0);
+  CHECK(warns(s, "a.gltf: 2 directional or spot lights"));
+  json& lights = gltf.json["extensions"]["KHR_lights_punctual"]["lights"];
+  lights[0]["intensity"] = -1;
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "intensity"});
+  gltf.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 3;
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "light 3 is none of the 3"});
+}
+
+TEST_CASE("SurfacesOf, AFileThatManyEntriesPlaceIsReadOnce") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(boxMesh()));
+  const Folder folder;
+  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level.geometry.push_back(level.geometry[0]);
+  level.geometry[1].transform.translation = {10, 0, 0};
+  level.geometry[1].albedo = {0.1, 0.2, 0.3};
+  level.geometry[1].role = Role::vegetation;
+  const Scene scene = readScene(level);
+  CHECK(scene.vertices.size() == 36);
+  CHECK(scene.files == std::vector<std::filesystem::path>{level.geometry[0].path});
+  const Surfaces s = probes::surfacesOf(scene);
+  REQUIRE(s.triangle.size() == 24);
+  CHECK(s.object[s.triangle[23].object].role == Role::vegetation);
+  checkNear(s.material[s.triangle[0].material].albedo, Number3(0.5), 0);
+  checkNear(s.material[s.triangle[23].material].albedo, {0.1, 0.2, 0.3}, 0);
+}
+
+}  // namespace welkin::tests
