@@ -131,6 +131,13 @@ std::string approximations(const Study& study) {
                      share(study.quadrature.irradiance.front().error)),
          "one quadrature for all normals", "SkyProjector::irradiance, one integral a normal",
          "tests/sky/irradiance_test.cpp"});
+  for (std::size_t i = 1; i < std::size(sky::kIrradianceRules); ++i)
+    add({fmt::format("the same in {} panels of elevation, where a plan's budget allows it",
+                     sky::kIrradianceRules[i].panels),
+         "every named model and sun elevation",
+         fmt::format("{} of the mean promised", share(sky::kIrradianceRules[i].error)),
+         fmt::format("down from {} panels", sky::kIrradianceRules[0].panels), "48 panels",
+         "tests/sky/irradiance_test.cpp"});
   for (const auto& [e, bound, bytes] : {std::tuple(sky::Encoding::float32, "2^-24 of a number", 4),
                                         {sky::Encoding::float16, "2^-11 of a number, 2^-25 of its key's largest", 2},
                                         {sky::Encoding::fixed16, "1/65534 of key's times row's largest", 2},
