@@ -18,10 +18,10 @@ using Refusal = std::optional<std::string>;
 
 /// A file read front to back, whose length is known.
 struct Reader {
-  std::ifstream stream;
+  std::istream& stream;
   std::streamoff end = 0;
 
-  explicit Reader(const std::filesystem::path& path) : stream(path, std::ios::binary) {
+  explicit Reader(std::istream& file) : stream(file) {
     stream.seekg(0, std::ios::end);
     end = stream.tellg();
   }
@@ -110,7 +110,12 @@ Refusal whyPngImpossible(Reader& file) {
 }  // namespace
 
 Refusal whyHeaderUnusable(const std::filesystem::path& path, std::string_view format, int largest_side) {
-  Reader file(path);
+  std::ifstream stream(path, std::ios::binary);
+  return whyHeaderUnusable(stream, format, largest_side);
+}
+
+Refusal whyHeaderUnusable(std::istream& stream, std::string_view format, int largest_side) {
+  Reader file(stream);
   if (format == "openexr") return whyExrImpossible(file, largest_side);
   if (format == "png") return whyPngImpossible(file);
   return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ namespace welkin::sky {
 /// `format` is OpenImageIO's name. All else is the libraries' to judge.
 std::optional<std::string> whyHeaderUnusable(const std::filesystem::path& path, std::string_view format,
                                              int largest_side);
+std::optional<std::string> whyHeaderUnusable(std::istream& file, std::string_view format, int largest_side);
 
 /// Throws Error(content) naming the file for a size out of the limits.
 void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits);

@@ -12,6 +12,7 @@
 #include "sh/deterministic.h"
 #include "sky/error.h"
 #include "sky/image_header.h"
+#include "sky/texel_decoder.h"
 
 namespace welkin::sky {
 namespace {
@@ -88,7 +89,7 @@ void drawCaption(int width, int height, std::uint8_t* rgb, const Caption& captio
                                   {0.8F, 0.8F, 0.8F}, TextAlignX::Center, TextAlignY::Center);
 }
 
-constexpr ImageModule kModule{read, encodePng, drawCaption};
+constexpr ImageModule kModule{read, decodeTexels, encodePng, drawCaption};
 
 }  // namespace
 }  // namespace welkin::sky
