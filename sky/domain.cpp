@@ -40,7 +40,7 @@ Parameter withoutPath(Parameter p) {
   return p;
 }
 
-std::vector<Parameter> rows() {
+Domain rows() {
   return {
       {"", "time_h", "", Kind::part, kHours, kDay, Required{}, "of every key; ascending, periodic"},
       {"sky",
@@ -224,6 +224,22 @@ std::string phrase(Kind kind) {
       return "a number N (hours 24 i / N), or a list of hours";
     case Kind::image:
       return "image";
+    case Kind::file:
+      return "file";
+    case Kind::names:
+      return "a list of names";
+    case Kind::vector:
+      return "`[x, y, z]`";
+    case Kind::number_or_vector:
+      return "number or `[x, y, z]`";
+    case Kind::points:
+      return "`[[x, y, z], ...]`";
+    case Kind::box:
+      return "`[min_x, min_y, min_z, max_x, max_y, max_z]`";
+    case Kind::boxes:
+      return "`[[min_x, min_y, min_z, max_x, max_y, max_z], ...]`";
+    case Kind::sectors:
+      return "`true`, `false`, or a list of sectors, `[\"X_Z\", ...]`";
   }
   return {};
 }
@@ -249,21 +265,22 @@ std::string phraseDefault(const Parameter& p) {
 
 }  // namespace
 
-const std::vector<Parameter>& domain() {
-  static const std::vector<Parameter> kRows = rows();
+const Domain& domain() {
+  static const Domain kRows = rows();
   return kRows;
 }
 
-const Parameter& parameterOf(std::string_view section, std::string_view key, std::string_view part) {
-  for (const Parameter& p : domain())
+const Parameter& parameterOf(const Domain& rows, std::string_view section, std::string_view key,
+                             std::string_view part) {
+  for (const Parameter& p : rows)
     if (p.section == section && p.key == key && p.part == part) return p;
   throw std::logic_error(fmt::format("no parameter {}.{} {}", section, key, part));
 }
 
-std::string domainTable() {
+std::string domainTable(const Domain& rows) {
   std::string text = "| key | value | range | default | outside |\n|---|---|---|---|---|\n";
   std::string_view section;
-  for (const Parameter& p : domain()) {
+  for (const Parameter& p : rows) {
     if (p.section != section) text += fmt::format("| **[{}]** | | | | |\n", section = p.section);
     std::string meaning(p.meaning);
     if (p.without_path) meaning += meaning.empty() ? "not beside `path`" : ", not beside `path`";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The domain of every parameter of sky.toml: what it is, where it may lie, what stands for it when it is absent and
-// what happens outside. The loader takes its ranges from here, the page docs/sky_file.md its table, the tests their
-// sweeps.
+// The domain of a file's parameters: what each is, where it may lie, what stands for it when it is absent and what
+// happens outside; and that of sky.toml. The loader takes its ranges from here, the page docs/sky_file.md its table,
+// the tests their sweeps.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct Range {
   bool contains(double value) const { return value >= low && (without_high ? value < high : value <= high); }
 };
 
-/// How a value is written in sky.toml.
+/// How a value is written.
 enum class Kind {
   number,
   whole_number,
@@ -34,7 +34,15 @@ enum class Kind {
   path,       ///< [[time_h, azimuth_deg, elevation_deg], ...], the parts
   hours,      ///< a whole number of hours spread evenly, a list of hours, or one of Parameter::words
   image,      ///< the name of an image
-  part        ///< a number within another key's list
+  file,       ///< the name of a file
+  names,      ///< a list of names
+  vector,     ///< [x, y, z]
+  number_or_vector,
+  points,   ///< [[x, y, z], ...]
+  box,      ///< [min_x, min_y, min_z, max_x, max_y, max_z]
+  boxes,    ///< a list of those
+  sectors,  ///< true, false, a list of sectors, or one of Parameter::words
+  part      ///< a number within another key's list
 };
 
 /// A key that must be there, unless the meaning says what may stand in its place.
@@ -57,13 +65,20 @@ struct Parameter {
   bool without_path = false;  ///< cannot stand beside the section's path
 };
 
-/// In the order of the page.
-const std::vector<Parameter>& domain();
+using Domain = std::vector<Parameter>;
+
+/// Of sky.toml, in the order of the page.
+const Domain& domain();
 
 /// The row of a key, or of a part of it. There must be one.
-const Parameter& parameterOf(std::string_view section, std::string_view key, std::string_view part = "");
+const Parameter& parameterOf(const Domain& rows, std::string_view section, std::string_view key,
+                             std::string_view part = "");
 
-/// The table of docs/sky_file.md: Markdown, a line a parameter.
-std::string domainTable();
+inline const Parameter& parameterOf(std::string_view section, std::string_view key, std::string_view part = "") {
+  return parameterOf(domain(), section, key, part);
+}
+
+/// The table of a page: Markdown, a line a parameter.
+std::string domainTable(const Domain& rows);
 
 }  // namespace welkin::sky

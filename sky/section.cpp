@@ -4,7 +4,7 @@
 namespace welkin::sky {
 
 std::optional<double> Section::numberWithout(std::string_view key) const {
-  const auto* number = std::get_if<double>(&parameterOf(name_, key).otherwise);
+  const auto* number = std::get_if<double>(&parameter(key).otherwise);
   return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
@@ -26,7 +26,7 @@ std::optional<int> Section::wholeNumberIfAny(const std::string& key) {
 }
 
 std::string Section::word(const std::string& key) {
-  const Parameter& row = parameterOf(name_, key);
+  const Parameter& row = parameter(key);
   return table_.string(key, {row.words.begin(), row.words.end()},
                        std::string(std::get<std::string_view>(row.otherwise)));
 }
@@ -38,14 +38,14 @@ std::vector<std::vector<double>> Section::rows(const std::string& key, std::init
 }
 
 std::vector<double> Section::hours(const std::string& key, int otherwise) {
-  const Parameter& row = parameterOf(name_, key);
+  const Parameter& row = parameter(key);
   const std::string word = row.words.empty() ? "" : std::string(row.words.front());
   return table_.hours(key, static_cast<int>(row.range.high), otherwise, word.empty() ? nullptr : word.c_str());
 }
 
 void Section::excludeBesidePath(const std::string& must) {
   std::vector<std::string> keys;
-  for (const Parameter& row : domain())
+  for (const Parameter& row : *rows_)
     if (row.section == name_ && row.without_path) keys.emplace_back(row.key);
   table_.exclude(keys, must);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A section of sky.toml, whose keys are read by the ranges and defaults of domain.h.
+// A section of a file, whose keys are read by the ranges and defaults of its domain.
 #pragma once
 
 #include "sky/toml_table.h"
@@ -9,8 +9,9 @@ namespace welkin::sky {
 /// Getters throw Error(content) for what is missing or out of its domain, and std::logic_error for a key without a row.
 class Section {
  public:
-  /// The section `name` of the file's own table.
-  Section(TomlTable& file, std::string_view name) : name_(name), table_(file.table(name_)) {}
+  /// The section `name` of the file's own table. `rows` outlive it.
+  Section(TomlTable& file, std::string_view name, const Domain& rows = domain())
+      : rows_(&rows), name_(name), table_(file.table(name_)) {}
 
   TomlTable& table() { return table_; }
 
@@ -39,13 +40,16 @@ class Section {
   /// Refuses the keys that cannot stand beside a path.
   void excludeBesidePath(const std::string& must);
 
-  const Range& rangeOf(std::string_view key, std::string_view part = "") const {
-    return parameterOf(name_, key, part).range;
-  }
+  const Range& rangeOf(std::string_view key, std::string_view part = "") const { return parameter(key, part).range; }
   /// The row's default, where it is a number.
   std::optional<double> numberWithout(std::string_view key) const;
 
  private:
+  const Parameter& parameter(std::string_view key, std::string_view part = "") const {
+    return parameterOf(*rows_, name_, key, part);
+  }
+
+  const Domain* rows_;
   std::string name_;
   TomlTable table_;
 };

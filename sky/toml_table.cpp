@@ -221,6 +221,31 @@ std::vector<std::vector<double>> TomlTable::rows(const std::string& key, const s
   return rows;
 }
 
+std::vector<double> TomlTable::listOf(const std::string& key, const toml::node& n, std::size_t width, Range range,
+                                      const std::string& form) const {
+  const toml::array* a = n.as_array();
+  if (a == nullptr || a->size() != width) refuse(key, &n, fmt::format("must be {}", form));
+  std::vector<double> numbers;
+  for (const toml::node& number : *a) numbers.push_back(numberOf(key, number, range));
+  return numbers;
+}
+
+std::vector<double> TomlTable::list(const std::string& key, std::size_t width, Range range, const std::string& form) {
+  const toml::node* n = node(key);
+  if (n == nullptr) refuse(key, nullptr, fmt::format("is missing; it must be {}", form));
+  return listOf(key, *n, width, range, form);
+}
+
+std::vector<std::vector<double>> TomlTable::lists(const std::string& key, std::size_t width, Range range,
+                                                  const std::string& form) {
+  std::vector<std::vector<double>> lists;
+  const toml::node* n = node(key);
+  if (n == nullptr) return lists;
+  if (!n->is_array()) refuse(key, n, fmt::format("must be a list, [{}, ...]", form));
+  for (const toml::node& entry : *n->as_array()) lists.push_back(listOf(key, entry, width, range, form));
+  return lists;
+}
+
 std::vector<double> TomlTable::hours(const std::string& key, int most, int otherwise, const char* also_word) {
   const toml::node* n = node(key);
   const std::string word = also_word != nullptr ? fmt::format("\"{}\", ", also_word) : "";

@@ -40,6 +40,11 @@ class TomlTable {
   Curve colourCurve(const std::string& key, Range range, const Number3& otherwise);
   /// Rows of `width` numbers: [[a, b, ...], ...], the first a key time; ranges for the others.
   std::vector<std::vector<double>> rows(const std::string& key, const std::vector<Range>& ranges);
+  /// Lists of `width` numbers, [[a, b, ...], ...], which `form` shows in messages; none when absent.
+  std::vector<std::vector<double>> lists(const std::string& key, std::size_t width, Range range,
+                                         const std::string& form);
+  /// One such list; it must be there.
+  std::vector<double> list(const std::string& key, std::size_t width, Range range, const std::string& form);
   /// A list of hours in [0, 24), strictly ascending; or a number N in 1..most: hours 24 i / N; `otherwise` when absent.
   std::vector<double> hours(const std::string& key, int most, int otherwise, const char* also_word);
 
@@ -52,6 +57,8 @@ class TomlTable {
 
  private:
   double numberOf(const std::string& key, const toml::node& node, Range range) const;
+  std::vector<double> listOf(const std::string& key, const toml::node& node, std::size_t width, Range range,
+                             const std::string& form) const;
   Number3 colourOf(const std::string& key, const toml::node& node, Range range) const;
   double keyTime(const std::string& key, const toml::array& entry, double before) const;
   Curve keyed(const std::string& key, const toml::array& keys, int components, Range range) const;

@@ -80,6 +80,7 @@ LevelFile readLevelFile(const std::filesystem::path& path) {
   file.sky = path.parent_path() / requiredName(level, "sky");
   level.finish();
   for (const char* of_the_bake : {"probes", "transfer", "scale"}) top.table(of_the_bake);
+  top.has("room");
   const toml::node* geometry = top.node("geometry");
   if (geometry == nullptr || !geometry->is_array_of_tables())
     top.refuse("geometry", geometry, "must be one or more tables, [[geometry]]");

@@ -32,7 +32,8 @@ struct LevelFile {
   std::vector<GeometryEntry> geometry;
 };
 
-/// Reads and checks [level] and [[geometry]]; [probes], [transfer] and [scale] are the bake's and are left alone.
+/// Reads and checks [level] and [[geometry]]; [probes], [[room]], [transfer] and [scale] are the bake's (bake_section.h) and
+/// are left alone.
 /// Throws Error: `file` for a file that cannot be read, `content` for what it holds.
 LevelFile readLevelFile(const std::filesystem::path& path);
 

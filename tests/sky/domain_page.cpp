@@ -12,5 +12,5 @@ int main(int count, char** arguments) {
     return 1;
   }
   const bool write = count > 2 && std::string_view(arguments[2]) == "--write";
-  return welkin::test::bringUpToDate(arguments[1], "domain", welkin::sky::domainTable(), write);
+  return welkin::test::bringUpToDate(arguments[1], "domain", welkin::sky::domainTable(welkin::sky::domain()), write);
 }

@@ -105,7 +105,7 @@ std::string drawValue(Random& random, const Parameter& p) {
     }
     case Kind::image:
       return "\"stars.ppm\"";
-    case Kind::part:
+    default:  // parts, and what only a level file has
       break;
   }
   return {};

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/level/level_domain.h"
+
+namespace welkin::probes {
+namespace {
+
+using sky::Kind;
+using sky::Range;
+using sky::Required;
+
+constexpr Range kMetres{-1e6, 1e6};
+constexpr Range kDegrees{-36000.0, 36000.0};
+constexpr Range kFraction{0.0, 1.0};
+constexpr Range kScale{1e-6, 1e6};
+constexpr Range kSpacing{0.25, 64.0};
+constexpr Range kMultiplier{0.0, 1000.0};
+constexpr std::string_view kMetre = "m";
+
+sky::Domain rows() {
+  return {
+      {"level", "sky", "", Kind::file, "", {}, Required{}, "the sky file"},
+      {"[geometry]", "file", "", Kind::file, "", {}, Required{}, ""},
+      {"[geometry]", "translation", "", Kind::vector, kMetre, kMetres, 0.0, ""},
+      {"[geometry]", "rotation_deg", "", Kind::vector, "degrees", kDegrees, 0.0, "about x, then y, then z"},
+      {"[geometry]", "scale", "", Kind::number_or_vector, "", kScale, 1.0, ""},
+      {"[geometry]",
+       "role",
+       "",
+       Kind::word,
+       "",
+       {},
+       "static",
+       "`vegetation`: its boxes get probes and block as vegetation; `ignore`: neither baked nor drawn",
+       "refused",
+       {"static", "vegetation", "ignore"}},
+      {"[geometry]",
+       "vegetation_nodes",
+       "",
+       Kind::names,
+       "",
+       {},
+       "none",
+       "nodes of that role in a static file; `*`: any characters"},
+      {"[geometry]", "albedo", "", Kind::colour, "", kFraction, 0.5, "of surfaces without a material"},
+      {"probes", "spacing_m", "", Kind::number, kMetre, kSpacing, 4.0, "of the lattice of vertical rays"},
+      {"probes", "vegetation_spacing_m", "", Kind::number, kMetre, kSpacing, 8.0, "of that over vegetation's boxes"},
+      {"probes",
+       "minimum_separation_m",
+       "",
+       Kind::number,
+       kMetre,
+       {0.0, 64.0},
+       7.0,
+       "of two probes of a sector that see each other"},
+      {"probes",
+       "height_m",
+       "",
+       Kind::number,
+       kMetre,
+       {0.01, 64.0},
+       1.0,
+       "above the surface; half of the free height where that is less"},
+      {"probes", "headroom_m", "", Kind::number, kMetre, {0.01, 64.0}, 1.2, "free height that makes a surface ground"},
+      {"probes", "clearance_m", "", Kind::number, kMetre, {0.001, 64.0}, 0.25, "between a probe and any surface"},
+      {"probes", "coverage_m", "", Kind::number, kMetre, kSpacing, 8.0,
+       "every walkable point sees a probe that is as near"},
+      {"probes", "add", "", Kind::points, kMetre, kMetres, "none", "probes by hand"},
+      {"probes", "remove", "", Kind::boxes, kMetre, kMetres, "none", "no probe in these but those by hand"},
+      {"[room]", "box", "", Kind::box, kMetre, kMetres, Required{}, "inside and outside have probes of their own"},
+      {"transfer",
+       "rays",
+       "",
+       Kind::whole_number,
+       "",
+       {64.0, 16777216.0},
+       1024.0,
+       "paths a probe, a multiple of 8; `auto`: as many as the budget of `--max-error` takes",
+       "refused",
+       {"auto"}},
+      {"transfer", "bounces", "", Kind::whole_number, "", {0.0, 16.0}, 2.0, "surfaces that a path may meet"},
+      {"transfer",
+       "sun",
+       "",
+       Kind::word,
+       "",
+       {},
+       "directional",
+       "bounced sun and moon: along their own paths; by four coefficients, as the sky; not at all",
+       "refused",
+       {"directional", "sh", "none"}},
+      {"transfer",
+       "local_lights",
+       "",
+       Kind::sectors,
+       "",
+       {},
+       "auto",
+       "which sectors get transfer for dynamic lights; `auto`: those near lights of the level",
+       "refused",
+       {"auto"}},
+      {"transfer",
+       "reach_m",
+       "",
+       Kind::number,
+       kMetre,
+       {0.0, 1e5},
+       64.0,
+       "of a sector beyond its bounds: what lies farther off neither blocks nor reflects light there"},
+      {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "times the bounced light of sun and moon"},
+      {"scale", "sky", "", Kind::number, "", kMultiplier, 1.0, "times the sky's light, direct and bounced"},
+  };
+}
+
+}  // namespace
+
+const sky::Domain& levelDomain() {
+  static const sky::Domain kRows = rows();
+  return kRows;
+}
+
+}  // namespace welkin::probes

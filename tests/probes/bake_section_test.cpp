@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bake's sections of level.toml: what they give, every number at the ends of its range, and what is said of what
+// is wrong with them.
+#include "probes/level/bake_section.h"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "probes/level/level_domain.h"
+#include "probes/sector_name.h"
+#include "sky/error.h"
+#include "tests/folder.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace probes;
+using sky::Kind;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+BakeSection sectionOf(const std::string& text) {
+  const test::Folder folder;
+  return readBakeSection(folder.write("level.toml", text));
+}
+
+void checkRefused(const std::string& text, const std::string& says) {
+  INFO(text);
+  try {
+    sectionOf(text);
+    FAIL("it was read");
+  } catch (const Error& e) {
+    CHECK(e.status() == ExitStatus::content);
+    CHECK_THAT(e.what(), Catch::Contains("level.toml:") && Catch::Contains(says));
+  }
+}
+
+bool isOfTheBake(const sky::Parameter& p) {
+  return p.section == "probes" || p.section == "transfer" || p.section == "scale";
+}
+
+/// A file in which only this key is set.
+std::string fileOf(const sky::Parameter& p, double value) {
+  const std::string number = p.kind == Kind::whole_number && std::isfinite(value) ? fmt::format("{:.0f}", value)
+                             : std::isnan(value)                                  ? "nan"
+                             : std::isinf(value)                                  ? (value < 0.0 ? "-inf" : "inf")
+                                                                                  : fmt::format("{:.17e}", value);
+  const std::string list = p.kind == Kind::points  ? fmt::format("[[0, {}, 0]]", number)
+                           : p.kind == Kind::boxes ? fmt::format("[[-2e6, {}, 0, 1, 2e6, 1]]", number)
+                                                   : number;
+  return fmt::format("[{}]\n{} = {}\n", p.section, p.key, list);
+}
+
+}  // namespace
+
+TEST_CASE("BakeSection, AbsentIsTheDesignsDefault") {
+  const BakeSection s = sectionOf("[level]\nsky = \"sky.toml\"\n");
+  CHECK(s.probes.spacing_m == 4.0);
+  CHECK(s.probes.vegetation_spacing_m == 8.0);
+  CHECK(s.probes.minimum_separation_m == 7.0);
+  CHECK(s.probes.height_m == 1.0);
+  const PlacementSettings of_placement;
+  CHECK(s.probes.headroom_m == of_placement.headroom_m);
+  CHECK(s.probes.clearance_m == of_placement.clearance_m);
+  CHECK(s.probes.coverage_m == of_placement.coverage_m);
+  CHECK((s.probes.add.empty() && s.probes.remove.empty() && s.probes.room.empty()));
+  CHECK(s.transfer.rays == 1024);
+  CHECK(s.transfer.bounces == 2);
+  CHECK(s.transfer.sun == SunTransfer::directional);
+  CHECK(s.transfer.local_lights.where == LocalLights::Where::near_lights);
+  CHECK(s.transfer.reach_m == 64.0);
+  CHECK(s.scale.sun_bounce == 1.0);
+  CHECK(s.scale.sky == 1.0);
+}
+
+TEST_CASE("BakeSection, GivesWhatTheFileSays") {
+  const BakeSection s = sectionOf(R"(
+[probes]
+spacing_m = 2
+vegetation_spacing_m = 6.5
+minimum_separation_m = 0
+height_m = 1.5
+headroom_m = 2
+clearance_m = 0.5
+coverage_m = 10
+add = [[1, 2, 3], [-4.5, 5, 6]]
+remove = [[-1, -2, -3, 1, 2, 3]]
+[[room]]
+box = [0, 1, 2, 3, 4, 5]
+[[room]]
+box = [10, 11, 12, 13, 14, 15]
+[transfer]
+rays = "auto"
+bounces = 0
+sun = "sh"
+local_lights = ["3_-4", "-1_0"]
+reach_m = 0
+[scale]
+sun_bounce = 0
+sky = 2.5
+)");
+  CHECK(s.probes.spacing_m == 2.0);
+  CHECK(s.probes.vegetation_spacing_m == 6.5);
+  CHECK(s.probes.minimum_separation_m == 0.0);
+  CHECK(s.probes.height_m == 1.5);
+  CHECK(s.probes.headroom_m == 2.0);
+  CHECK(s.probes.clearance_m == 0.5);
+  CHECK(s.probes.coverage_m == 10.0);
+  REQUIRE(s.probes.add.size() == 2);
+  CHECK(s.probes.add[1] == Number3(-4.5, 5, 6));
+  REQUIRE(s.probes.remove.size() == 1);
+  CHECK(s.probes.remove[0].low == Number3(-1, -2, -3));
+  CHECK(s.probes.remove[0].high == Number3(1, 2, 3));
+  REQUIRE(s.probes.room.size() == 2);
+  CHECK(s.probes.room[1].low == Number3(10, 11, 12));
+  CHECK(s.probes.room[1].high == Number3(13, 14, 15));
+  CHECK_FALSE(s.transfer.rays);
+  CHECK(s.transfer.bounces == 0);
+  CHECK(s.transfer.sun == SunTransfer::sh);
+  CHECK(s.transfer.local_lights.where == LocalLights::Where::listed);
+  CHECK(s.transfer.local_lights.sector == std::vector<SectorId>{{-1, 0}, {3, -4}});
+  CHECK(s.transfer.reach_m == 0.0);
+  CHECK(s.scale.sun_bounce == 0.0);
+  CHECK(s.scale.sky == 2.5);
+  CHECK(sectionOf("[transfer]\nlocal_lights = true").transfer.local_lights.where == LocalLights::Where::everywhere);
+  CHECK(sectionOf("[transfer]\nlocal_lights = false").transfer.local_lights.where == LocalLights::Where::nowhere);
+  const auto json = nlohmann::json::parse(settingsText(s));
+  CHECK(json["probes"]["add"][1] == std::vector<double>{-4.5, 5, 6});
+  CHECK(json["room"][1] == std::vector<double>{10, 11, 12, 13, 14, 15});
+  CHECK(json["transfer"]["local_lights"] == std::vector<std::string>{"-1_0", "3_-4"});
+  CHECK(json["transfer"]["rays"] == "auto");
+  CHECK(json["scale"]["sky"] == 2.5);
+}
+
+TEST_CASE("BakeSection, EveryNumberAtTheEndsOfItsRange") {
+  for (const sky::Parameter& p : levelDomain()) {
+    if (!isOfTheBake(p) || p.range.low == p.range.high) continue;
+    const double step = p.kind == Kind::whole_number ? 8.0 : 0.0;
+    const auto beyond = [&](double value, double towards) {
+      return step > 0.0 ? value + std::copysign(step, towards) : std::nextafter(value, towards);
+    };
+    for (const double inside : {p.range.low, p.range.high}) {
+      INFO(fileOf(p, inside));
+      if (p.kind != Kind::boxes) CHECK_NOTHROW(sectionOf(fileOf(p, inside)));
+    }
+    for (const double outside :
+         {beyond(p.range.low, -kInfinity), beyond(p.range.high, kInfinity), -kInfinity, kInfinity, std::nan("")})
+      checkRefused(fileOf(p, outside), fmt::format("{}.{} = ", p.section, p.key));
+  }
+}
+
+TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
+  checkRefused("[probes]\nspacing = 4", "nearest known one is \"spacing_m\"");
+  checkRefused("[transfer]\nbounce = 4", "nearest known one is \"bounces\"");
+  checkRefused("[scale]\nsky_bounce = 4", "unknown key");
+  checkRefused("[[room]]\nbox = [0, 0, 0, 1, 1, 1]\nname = \"hut\"", "room[0].name");
+  checkRefused("[probes]\nadd = [1, 2, 3]", "[x, y, z]");
+  checkRefused("[probes]\nadd = [[1, 2]]", "[x, y, z]");
+  checkRefused("[probes]\nadd = [[1, 2, \"3\"]]", "must be a number");
+  checkRefused("[probes]\nremove = [[0, 0, 0, 1, 0, 1]]", "below its greatest");
+  checkRefused("[probes]\nremove = 1", "must be a list");
+  checkRefused("[[room]]\nbox = [1, 0, 0, 0, 1, 1]", "room[0].box");
+  checkRefused("[room]\nbox = [0, 0, 0, 1, 1, 1]", "[[room]]");
+  checkRefused("[transfer]\nrays = \"many\"", "whole number");
+  checkRefused("[transfer]\nrays = 1028", "multiple of 8");
+  checkRefused("[transfer]\nrays = 1024.0", "whole number");
+  checkRefused("[transfer]\nsun = \"SH\"", "must be one of \"directional\", \"sh\", \"none\"");
+  checkRefused("[transfer]\nlocal_lights = 1", "list of sectors");
+  for (const char* name : {"1", "1_", "_1", "01_1", "-0_1", "1_2_3", "1_x", "15625_0", "0_-15625", " 1_1"})
+    checkRefused(fmt::format("[transfer]\nlocal_lights = [\"0_0\", \"{}\"]", name), "no sector");
+  checkRefused("[transfer]\nlocal_lights = [\"1_1\", \"0_0\", \"1_1\"]", "twice");
+  try {
+    sectionOf("[[room]]\n");
+    FAIL("it was read");
+  } catch (const Error& e) {
+    CHECK_THAT(e.what(), Catch::Contains("room[0].box: is missing"));
+  }
+}
+
+TEST_CASE("SectorName, ReadsWhatItWrites") {
+  for (const SectorId sector : {SectorId{0, 0}, {-1, 12}, {kFarthestSector, -kFarthestSector}})
+    CHECK(sectorOf(nameOf(sector)) == sector);
+  CHECK(fileNameOf({-1, 12}) == "sector_-1_12.welkin");
+}
+
+}  // namespace welkin::tests
