@@ -7,6 +7,7 @@
 #include "core/sky.h"
 #include "format/cubemap_format.h"
 #include "format/day_numbers.h"
+#include "format/domain_check.h"
 #include "format/key_segment.h"
 
 namespace welkin::core {
@@ -23,26 +24,11 @@ struct Check {
   }
 };
 
-template <typename T>
-bool within(std::span<const T> values, double low, double high) {
-  return std::all_of(values.begin(), values.end(), [=](T v) {
-    const double x = static_cast<double>(v);
-    return x >= low && x <= high;  // false for NaN
-  });
-}
+using format::aligned;
+using format::kAny;
+using format::within;
 
-bool within(double value, double low, double high) {
-  return value >= low && value <= high;
-}
-
-constexpr double kAny = 1e30;             // finite, and its square stays finite
 constexpr double kDarkestColour = 1e-12;  // the illuminance is divided by its luminance
-
-/// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
-bool aligned(const flatbuffers::Vector<double>* vector) {
-  return vector == nullptr || vector->size() == 0 ||
-         reinterpret_cast<std::uintptr_t>(vector->Data()) % alignof(double) == 0;
-}
 
 void checkCurve(Check& check, const format::Curve* curve, std::size_t components, double high, const char* name) {
   if (!check.that(curve != nullptr && curve->time_h() != nullptr && curve->value() != nullptr, name, "is missing"))
@@ -59,23 +45,7 @@ void checkCurve(Check& check, const format::Curve* curve, std::size_t components
 void checkLight(Check& check, const format::Light& light, const char* name) {
   const auto* path = light.path();
   if (!check.that(path != nullptr, name, "has no path")) return;
-  if (!check.that(aligned(path->key_time_h()) && aligned(path->key_azimuth_rad()) && aligned(path->key_elevation_rad()),
-                  name, "has misaligned path keys"))
-    return;
-  const auto times = spanOf(path->key_time_h());
-  if (!times.empty()) {
-    const auto azimuth = spanOf(path->key_azimuth_rad());
-    const auto elevation = spanOf(path->key_elevation_rad());
-    check.that(format::areKeyTimes(times), name, "must have ascending path times in [0, 24)");
-    check.that(azimuth.size() == times.size() && elevation.size() == times.size(), name,
-               "must have an azimuth and an elevation for every path key");
-    check.that(within(azimuth, -kAny, kAny) && within(elevation, -f64::kHalfPi, f64::kHalfPi), name,
-               "has a path key out of its domain");
-  }
-  check.that(within(path->latitude_rad(), -f64::kHalfPi, f64::kHalfPi) &&
-                 within(path->declination_rad(), -f64::kHalfPi, f64::kHalfPi) &&
-                 within(path->transit_h(), -kAny, kAny) && within(path->north_offset_rad(), -kAny, kAny),
-             name, "has a path out of its domain");
+  if (const char* fault = format::faultOf(*path); !check.that(fault == nullptr, name, fault)) return;
   check.that(within(light.disc_radius_rad(), 0.0, f64::kHalfPi), name, "has a disc radius out of [0, pi/2]");
   checkCurve(check, light.illuminance(), 1, kAny, name);
   checkCurve(check, light.colour(), 3, kAny, name);

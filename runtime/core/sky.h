@@ -12,6 +12,7 @@
 #include "core/day.h"
 #include "core/file_map.h"
 #include "format/container.h"
+#include "format/domain_check.h"
 #include "shared.h"
 
 namespace welkin::core {
@@ -23,10 +24,7 @@ namespace welkin::core {
 /// `bytes`: the size of the whole file.
 WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMessage* message);
 
-template <typename T>
-std::span<const T> spanOf(const flatbuffers::Vector<T>* vector) {
-  return vector == nullptr ? std::span<const T>() : std::span<const T>(vector->data(), vector->size());
-}
+using format::spanOf;
 
 inline f64::LuminanceModel luminanceModel(const format::Luminance& l) {
   return {l.a(), l.b(), l.c(), l.d(), l.e(), l.k()};

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/sector_check.h"
+
+#include <bit>
+#include <cmath>
+
+#include "format/domain_check.h"
+
+namespace welkin::format {
+namespace {
+
+/// Keeps the first complaint.
+struct Check {
+  Fault fault;
+
+  bool that(bool holds, const char* what, const char* must) {
+    if (!holds && fault.what == nullptr) fault = {what, must};
+    return fault.what == nullptr;
+  }
+};
+
+constexpr double kFarthest_m = 1e7;
+constexpr std::uint32_t kDirections = 4;
+constexpr std::uint32_t kMostKnots = 8192;
+
+/// Whether each is the first half of a float32 in [0, kAny].
+bool areScales(std::span<const std::uint16_t> scales) {
+  return std::all_of(scales.begin(), scales.end(), [](std::uint16_t bits) {
+    const float scale = std::bit_cast<float>(std::uint32_t{bits} << 16);
+    return !std::signbit(scale) && within(double{scale}, 0.0, kAny);
+  });
+}
+
+bool areHours(std::span<const float> hours) {
+  double before = -1.0;
+  for (const float hour : hours) {
+    if (!(double{hour} > before && hour >= 0.0F && hour < 24.0F)) return false;
+    before = double{hour};
+  }
+  return true;
+}
+
+bool isPlace(std::int32_t x, std::int32_t z) {
+  return x >= -kFarthestSector && x <= kFarthestSector && z >= -kFarthestSector && z <= kFarthestSector;
+}
+
+void checkModes(Check& check, const Probes& p, SunTransfer sun) {
+  constexpr const char* kName = "the modes of the sun";
+  const auto count = spanOf(p.mode_scale()).size();
+  const auto sun_knots = spanOf(p.sun_time_h()).size();
+  const auto moon_knots = spanOf(p.moon_time_h()).size();
+  check.that(count <= kMostSunModes, kName, "must be at most 8");
+  check.that(count == 0 || sun == SunTransfer::directional, kName, "must be none, for the sun is not directional");
+  check.that(sun_knots <= kMostKnots && moon_knots <= kMostKnots, kName, "must have at most 8192 knots a light");
+  check.that(spanOf(p.mode()).size() == count * (sun_knots + moon_knots), kName,
+             "must have a number for every mode and knot");
+  check.that(areHours(spanOf(p.sun_time_h())) && areHours(spanOf(p.moon_time_h())), kName,
+             "must have ascending knots in [0, 24)");
+  check.that(within(spanOf(p.mode_scale()), 0.0, kAny), kName, "have a scale out of its domain");
+}
+
+void checkProbes(Check& check, const Probes& p, SunTransfer sun) {
+  constexpr const char* kName = "the probes";
+  const std::size_t n = spanOf(p.sky_scale()).size();
+  const std::size_t modes = spanOf(p.mode_scale()).size();
+  check.that(n <= kMostProbes, kName, "must be at most 255");
+  check.that(within(double{p.low_y()}, -kFarthest_m, kFarthest_m) &&
+                 within(double{p.high_y()}, double{p.low_y()}, kFarthest_m),
+             kName, "have a height out of its domain");
+  check.that(spanOf(p.position()).size() == 3 * n, kName, "must have a position each");
+  check.that(spanOf(p.visibility()).size() == 3 * n, kName, "must have a visibility for every direction up");
+  check.that(spanOf(p.sky()).size() == kDirections * 4 * 3 * n, kName, "must have every coefficient of the sky");
+  checkModes(check, p, sun);
+  const std::size_t numbers = kDirections * 3 * modes * n;
+  const std::size_t eight = spanOf(p.sun8()).size();
+  const std::size_t sixteen = spanOf(p.sun16()).size();
+  check.that(spanOf(p.sun_scale()).size() == modes * n && eight + sixteen == numbers && (eight == 0 || sixteen == 0),
+             kName, "must have a number of the sun for every mode, direction and channel");
+  const std::size_t emitting = spanOf(p.emitted_scale()).size();
+  check.that((emitting == 0 || emitting == n) && spanOf(p.emitted()).size() == kDirections * 3 * emitting, kName,
+             "must have emitted light for every direction and channel, or none at all");
+  check.that(
+      areScales(spanOf(p.sky_scale())) && areScales(spanOf(p.sun_scale())) && areScales(spanOf(p.emitted_scale())),
+      kName, "have a scale out of its domain");
+}
+
+void checkError(Check& check, const SectorError& e, std::size_t probes) {
+  const double numbers[] = {e.sampling(), e.position_m(), e.visibility(), e.sky(),
+                            e.sun(),      e.emitted(),    e.modes_rms(),  e.modes_worst()};
+  check.that(within(std::span<const double>(numbers), 0.0, kAny) &&
+                 (probes == 0 ? e.sampling_probe() == 0 : e.sampling_probe() < probes),
+             "the errors", "have a value out of their domain");
+}
+
+}  // namespace
+
+Fault sectorFaultOf(const File& file) {
+  Check check;
+  const auto* sector = file.sector();
+  if (!check.that(sector != nullptr, "sector", "is missing") ||
+      !check.that(sector->probes() != nullptr, "the probes", "are missing") ||
+      !check.that(sector->baked_from() != nullptr, "the hash of what it was baked from", "is missing"))
+    return check.fault;
+  check.that(file.settings() != nullptr, "settings", "are missing");
+  check.that(isPlace(sector->x(), sector->z()), "the sector", "must be -15624 to 15624 on each axis");
+  check.that(sector->sun() <= SunTransfer::MAX, "sun", "must be none, sh or directional");
+  check.that(within(sector->low_y(), -kFarthest_m, kFarthest_m) && within(sector->cell_height_m(), 1e-3, kFarthest_m),
+             "the grid", "has a height out of its domain");
+  checkProbes(check, *sector->probes(), sector->sun());
+  if (check.fault.what != nullptr) return check.fault;
+  const auto grid = spanOf(sector->grid());
+  const std::uint32_t probes = probesOf(*sector);
+  check.that(grid.size() == kGridCells, "the grid", "must have 4096 cells");
+  check.that(std::all_of(grid.begin(), grid.end(), [=](std::uint8_t c) { return c == kNoProbe || c < probes; }),
+             "the grid", "names a probe that is not there");
+  if (sector->error() != nullptr) checkError(check, *sector->error(), probes);
+  return check.fault;
+}
+
+Fault levelFaultOf(const File& file) {
+  Check check;
+  const auto* level = file.level();
+  if (!check.that(level != nullptr, "level", "is missing") ||
+      !check.that(level->sky_checksum() != nullptr, "the checksum of the sky", "is missing"))
+    return check.fault;
+  check.that(file.settings() != nullptr, "settings", "are missing");
+  check.that(level->sun() <= SunTransfer::MAX, "sun", "must be none, sh or directional");
+  check.that(within(level->sun_bounce_scale(), 0.0, kAny) && within(level->sky_scale(), 0.0, kAny), "scale",
+             "has a value out of its domain");
+  for (const auto& [path, name] : {std::pair(level->sun_path(), "sun"), std::pair(level->moon_path(), "moon")})
+    if (path != nullptr) {
+      const char* fault = faultOf(*path);
+      check.that(fault == nullptr, name, fault);
+    }
+  check.that((level->sun_path() != nullptr) == (level->sun() == SunTransfer::directional), "sun",
+             "must have a path where its transfer is directional, and only there");
+  if (check.fault.what != nullptr || level->sectors() == nullptr) return check.fault;
+  const SectorEntry* before = nullptr;
+  for (const auto* s : *level->sectors()) {
+    if (!check.that(s->checksum() != nullptr && s->baked_from() != nullptr, "a sector", "has no checksum")) break;
+    check.that(isPlace(s->x(), s->z()), "a sector", "must be -15624 to 15624 on each axis");
+    check.that(before == nullptr || before->x() < s->x() || (before->x() == s->x() && before->z() < s->z()),
+               "the sectors", "must ascend");
+    before = s;
+  }
+  return check.fault;
+}
+
+}  // namespace welkin::format
