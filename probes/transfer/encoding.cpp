@@ -17,6 +17,7 @@ constexpr std::size_t kUp = 3;                     ///< directions that see the 
 constexpr std::size_t kSky = kDirections * 4 * 3;  ///< numbers a probe
 constexpr std::size_t kColours = kDirections * 3;  ///< likewise
 constexpr double kLargest = 3e38;
+constexpr double kMostSun = 1e6;  ///< far above what a light of normal irradiance 1 can give
 
 [[noreturn]] void refuse(SectorId id, std::size_t probe, const std::string& what) {
   throw Error(ExitStatus::content, fmt::format("sector {}_{}: probe {}: {}", id.x, id.z, probe, what));
@@ -26,10 +27,9 @@ constexpr double kLargest = 3e38;
 class Checked {
  public:
   Checked(SectorId id, std::size_t probe) : id_(id), probe_(probe) {}
-  double of(double value, const char* what, double low = -kLargest, double high = kLargest) const {
+  void of(double value, const char* what, double low = -kLargest, double high = kLargest) const {
     if (!(value >= low && value <= high))
       refuse(id_, probe_, fmt::format("{}: {}; allowed: {} to {}", what, value, low, high));
-    return value;
   }
 
  private:
@@ -45,35 +45,56 @@ std::array<double, kSky> skyNumbers(const ProbeTransfer& t) {
   return number;
 }
 
-template <typename Colour>
-std::array<double, kColours> colourNumbers(const Colour& colour_of) {
+std::array<double, kColours> emittedNumbers(const ProbeTransfer& t) {
   std::array<double, kColours> number;
   for (std::size_t b = 0; b < kDirections; ++b)
-    for (int c = 0; c < 3; ++c) number[b * 3 + static_cast<std::size_t>(c)] = colour_of(b)[c];
+    for (int c = 0; c < 3; ++c) number[b * 3 + static_cast<std::size_t>(c)] = t.emitted[b][c];
   return number;
 }
 
 /// Appends a scale and the numbers over it.
-template <typename Integer, std::size_t n>
-void append(const std::array<double, n>& number, std::vector<std::uint16_t>& scales, std::vector<Integer>& steps) {
+template <typename Integer>
+void append(std::span<const double> number, std::vector<std::uint16_t>& scales, std::vector<Integer>& steps) {
   double largest = 0.0;
   for (const double x : number) largest = std::max(largest, std::abs(x));
   scales.push_back(scaleFor(largest));
   for (const double x : number) steps.push_back(toFixed<Integer>(x, scaleOf(scales.back())));
 }
 
-void encodeModes(const SunModes& modes, EncodedProbes& encoded) {
+double largestOf(std::span<const Number3> colours) {
+  double largest = 0.0;
+  for (const Number3& x : colours) largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return largest;
+}
+
+void encodeModes(const SectorProbes& probes, EncodedProbes& encoded) {
+  const SunModes& modes = probes.modes;
   for (const double time : modes.sun_time_h) encoded.sun_time_h.push_back(static_cast<float>(time));
   for (const double time : modes.moon_time_h) encoded.moon_time_h.push_back(static_cast<float>(time));
   const std::size_t knots = modes.knots();
   for (std::size_t m = 0; m < modes.count(); ++m) {
     const auto row = std::span(modes.value).subspan(m * knots, knots);
-    double largest = 0.0;
-    for (const double x : row) largest = std::max(largest, std::abs(x));
-    const double scale = scaleOf(scaleFor(largest));
+    const double scale = scaleOf(scaleFor(largestOf(row)));
     encoded.mode_scale.push_back(static_cast<float>(scale));
-    for (const double x : row) encoded.mode.push_back(toFixed<std::int16_t>(x, scale));
+    for (const Number3& x : row)
+      for (int c = 0; c < 3; ++c) encoded.mode.push_back(toFixed<std::int8_t>(x[c], scale));
+    double coefficient = 0.0;
+    for (const SunCoefficients& sun : probes.sun)
+      for (const auto& direction : sun) coefficient = std::max(coefficient, std::abs(direction[m]));
+    encoded.coefficient_scale.push_back(static_cast<float>(scaleOf(scaleFor(coefficient))));
   }
+}
+
+/// Of a probe over the modes' scales.
+void encodeSun(const SunCoefficients& sun, EncodedProbes& encoded) {
+  if (encoded.modes() == 0) return;
+  std::vector<double> number;
+  for (const auto& direction : sun)
+    for (std::size_t m = 0; m < direction.size(); ++m) {
+      const double scale = double{encoded.coefficient_scale[m]};
+      number.push_back(scale > 0.0 ? direction[m] / scale : 0.0);
+    }
+  append<std::int8_t>(number, encoded.sun_scale, encoded.sun);
 }
 
 /// Lowest and highest as floats that enclose them.
@@ -98,17 +119,16 @@ std::size_t bytesOf(const std::vector<T>& array) {
 std::size_t EncodedProbes::bytesAProbe() const {
   if (probes() == 0) return 0;
   const std::size_t all = bytesOf(position) + bytesOf(visibility) + bytesOf(sky_scale) + bytesOf(sky) +
-                          bytesOf(sun_scale) + bytesOf(sun8) + bytesOf(sun16) + bytesOf(emitted_scale) +
-                          bytesOf(emitted);
+                          bytesOf(sun_scale) + bytesOf(sun) + bytesOf(emitted_scale) + bytesOf(emitted);
   return all / probes();
 }
 
 std::size_t EncodedProbes::bytes() const {
-  return probes() * bytesAProbe() + bytesOf(sun_time_h) + bytesOf(moon_time_h) + bytesOf(mode_scale) + bytesOf(mode) +
-         sizeof low_y + sizeof high_y;
+  return probes() * bytesAProbe() + bytesOf(sun_time_h) + bytesOf(moon_time_h) + bytesOf(coefficient_scale) +
+         bytesOf(mode_scale) + bytesOf(mode) + sizeof low_y + sizeof high_y;
 }
 
-EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits) {
+EncodedProbes encodeProbes(const SectorProbes& probes) {
   EncodedProbes encoded;
   const Number3 corner(kSector_m * probes.id.x, 0.0, kSector_m * probes.id.z);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
@@ -121,8 +141,8 @@ EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits) {
     for (const double x : skyNumbers(t)) checked.of(x, "transfer of the sky");
     for (std::size_t b = 0; b < kDirections; ++b) {
       for (int c = 0; c < 3; ++c) checked.of(t.emitted[b][c], "emitted light", 0.0);
-      for (const Number3& coefficient : t.sun[b])
-        for (int c = 0; c < 3; ++c) checked.of(coefficient[c], "transfer of the sun");
+      for (const double coefficient : probes.sun[i][b])
+        checked.of(coefficient, "transfer of the sun", -kMostSun, kMostSun);
     }
   }
   setHeights(probes.position, encoded);
@@ -131,7 +151,7 @@ EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits) {
   const bool emissive = std::any_of(probes.transfer.begin(), probes.transfer.end(), [](const ProbeTransfer& t) {
     return std::any_of(t.emitted.begin(), t.emitted.end(), [](const Number3& e) { return !(e == Number3(0.0)); });
   });
-  encodeModes(probes.modes, encoded);
+  encodeModes(probes, encoded);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     const ProbeTransfer& t = probes.transfer[i];
     const Number3 place = probes.position[i] - corner;
@@ -139,16 +159,9 @@ EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits) {
     encoded.position.push_back(toFixed<std::uint16_t>(place.y - low, height));
     encoded.position.push_back(toFixed<std::uint16_t>(place.z, kSector_m));
     for (std::size_t b = 0; b < kUp; ++b) encoded.visibility.push_back(toFixed<std::uint16_t>(t.visibility[b], 1.0));
-    append(skyNumbers(t), encoded.sky_scale, encoded.sky);
-    for (std::size_t m = 0; m < probes.modes.count(); ++m) {
-      const auto number = colourNumbers([&](std::size_t b) { return t.sun[b][m]; });
-      if (sun_bits == SunBits::eight)
-        append(number, encoded.sun_scale, encoded.sun8);
-      else
-        append(number, encoded.sun_scale, encoded.sun16);
-    }
-    if (emissive)
-      append(colourNumbers([&](std::size_t b) { return t.emitted[b]; }), encoded.emitted_scale, encoded.emitted);
+    append<std::int16_t>(skyNumbers(t), encoded.sky_scale, encoded.sky);
+    encodeSun(probes.sun[i], encoded);
+    if (emissive) append<std::uint16_t>(emittedNumbers(t), encoded.emitted_scale, encoded.emitted);
   }
   return encoded;
 }
@@ -157,19 +170,21 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
   const std::size_t n = e.probes();
   const std::size_t modes = e.modes();
   const std::size_t knots = e.sun_time_h.size() + e.moon_time_h.size();
-  const bool sixteen = !e.sun16.empty();
   const bool emissive = !e.emitted_scale.empty();
   if (e.position.size() != n * 3 || e.visibility.size() != n * kUp || e.sky.size() != n * kSky ||
-      e.sun_scale.size() != n * modes || e.sun8.size() + e.sun16.size() != n * modes * kColours ||
-      (sixteen && !e.sun8.empty()) || e.mode.size() != modes * knots || (emissive && e.emitted_scale.size() != n) ||
-      e.emitted.size() != (emissive ? n * kColours : 0))
+      e.sun_scale.size() != (modes > 0 ? n : 0) || e.sun.size() != n * modes * kDirections ||
+      e.coefficient_scale.size() != modes || e.mode.size() != modes * knots * 3 ||
+      (emissive && e.emitted_scale.size() != n) || e.emitted.size() != (emissive ? n * kColours : 0))
     throw Error(ExitStatus::content, fmt::format("sector {}_{}: its arrays do not fit each other", id.x, id.z));
   SectorProbes probes;
   probes.id = id;
   probes.modes.sun_time_h.assign(e.sun_time_h.begin(), e.sun_time_h.end());
   probes.modes.moon_time_h.assign(e.moon_time_h.begin(), e.moon_time_h.end());
-  for (std::size_t i = 0; i < e.mode.size(); ++i)
-    probes.modes.value.push_back(fromFixed(e.mode[i], double{e.mode_scale[i / knots]}));
+  for (std::size_t i = 0; i < e.mode.size(); i += 3) {
+    const double scale = double{e.mode_scale[i / (3 * knots)]};
+    probes.modes.value.emplace_back(fromFixed(e.mode[i], scale), fromFixed(e.mode[i + 1], scale),
+                                    fromFixed(e.mode[i + 2], scale));
+  }
   const double low = double{e.low_y};
   const double height = double{e.high_y} - low;
   for (std::size_t i = 0; i < n; ++i) {
@@ -177,20 +192,19 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
                                  low + fromFixed(e.position[3 * i + 1], height),
                                  kSector_m * id.z + fromFixed(e.position[3 * i + 2], kSector_m));
     ProbeTransfer& t = probes.transfer.emplace_back();
+    SunCoefficients& sun = probes.sun.emplace_back();
     for (std::size_t b = 0; b < kUp; ++b) t.visibility[b] = fromFixed(e.visibility[kUp * i + b], 1.0);
     for (std::size_t b = 0; b < kDirections; ++b) {
-      t.sun[b].resize(modes);
+      for (std::size_t m = 0; m < modes; ++m)
+        sun[b].push_back(fromFixed(e.sun[(i * kDirections + b) * modes + m], scaleOf(e.sun_scale[i])) *
+                         double{e.coefficient_scale[m]});
       for (int c = 0; c < 3; ++c) {
-        const std::size_t colour = b * 3 + static_cast<std::size_t>(c);
         for (std::size_t k = 0; k < 4; ++k)
           t.sky[b][k][c] =
               fromFixed(e.sky[kSky * i + (b * 4 + k) * 3 + static_cast<std::size_t>(c)], scaleOf(e.sky_scale[i]));
-        for (std::size_t m = 0; m < modes; ++m) {
-          const std::size_t at = (i * modes + m) * kColours + colour;
-          const double scale = scaleOf(e.sun_scale[i * modes + m]);
-          t.sun[b][m][c] = sixteen ? fromFixed(e.sun16[at], scale) : fromFixed(e.sun8[at], scale);
-        }
-        if (emissive) t.emitted[b][c] = fromFixed(e.emitted[kColours * i + colour], scaleOf(e.emitted_scale[i]));
+        if (emissive)
+          t.emitted[b][c] =
+              fromFixed(e.emitted[kColours * i + b * 3 + static_cast<std::size_t>(c)], scaleOf(e.emitted_scale[i]));
       }
     }
   }
@@ -203,7 +217,7 @@ EncodingError encodingError(const SectorProbes& probes, const SectorProbes& deco
     worst = std::max(worst, std::abs(a - b) / over);
   };
   const auto mode_at = [](const SunModes& modes, std::size_t knot) {
-    std::vector<double> value;
+    std::vector<Number3> value;
     for (std::size_t m = 0; m < modes.count(); ++m) value.push_back(modes.value[m * modes.knots() + knot]);
     return value;
   };
@@ -226,8 +240,8 @@ EncodingError encodingError(const SectorProbes& probes, const SectorProbes& deco
     const auto decoded_mode = mode_at(decoded.modes, knot);
     for (std::size_t i = 0; i < probes.position.size(); ++i)
       for (std::size_t d = 0; d < kDirections; ++d) {
-        const Number3 a = sunTransfer(probes.transfer[i].sun[d], mode);
-        const Number3 b = sunTransfer(decoded.transfer[i].sun[d], decoded_mode);
+        const Number3 a = sunTransfer(probes.sun[i][d], mode);
+        const Number3 b = sunTransfer(decoded.sun[i][d], decoded_mode);
         for (int c = 0; c < 3; ++c) worse(error.sun, a[c], b[c]);
       }
   }

@@ -6,17 +6,18 @@
 //     low_y visibility   3 x u16   in 1 / 65535, of the directions up; that of down is 0 sky_scale        u16   the
 //     first 16 bits of a float32 >= 0 sky         48 x i16   in sky_scale / 32767: [direction][coefficient][channel]
 //
-// and for each mode of the sun 2 + 12 bytes with 8 bits a coefficient, 2 + 24 with 16:
+// with n modes of the sun 2 + 4 n more, 152 with 10:
 //
-//     sun_scale        u16   as above, [probe][mode]
-//     sun         12 x i8    in sun_scale / 127, or i16 in sun_scale / 32767: [probe][mode][direction][channel]
+//     sun_scale        u16   as above, times the mode's coefficient_scale
+//     sun         4n x i8    in sun_scale coefficient_scale / 127: [direction][mode]
 //
 // and where the level has emissive surfaces 26 more:
 //
 //     emitted_scale    u16   as above
 //     emitted     12 x u16   in emitted_scale / 65535: [direction][channel]
 //
-// Once a sector: the modes' knots as float32 hours, and every mode as i16 at each knot with a float32 scale.
+// Once a sector: the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at each knot in mode_scale / 127, and
+// two float32 scales a mode.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +29,14 @@
 
 namespace welkin::probes {
 
-/// The probes of a sector as numbers. `transfer[i].sun` holds coefficients of the modes, [direction][mode].
+/// The probes of a sector as numbers. ProbeTransfer::sun is not among them: `sun` and `modes` stand for it.
 struct SectorProbes {
   SectorId id;
   std::vector<Number3> position;  ///< metres; x and z within the sector
   std::vector<ProbeTransfer> transfer;
+  std::vector<SunCoefficients> sun;
   SunModes modes;
 };
-
-enum class SunBits : std::uint8_t { eight = 8, sixteen = 16 };
 
 /// Arrays as a file holds them: one entry after the other in the order above, probe by probe.
 struct EncodedProbes {
@@ -46,15 +46,15 @@ struct EncodedProbes {
   std::vector<std::uint16_t> visibility;
   std::vector<std::uint16_t> sky_scale;
   std::vector<std::int16_t> sky;
-  std::vector<std::uint16_t> sun_scale;
-  std::vector<std::int8_t> sun8;  ///< one of the two is empty
-  std::vector<std::int16_t> sun16;
-  std::vector<std::uint16_t> emitted_scale;  ///< empty where nothing reaches a probe
+  std::vector<std::uint16_t> sun_scale;  ///< empty without modes
+  std::vector<std::int8_t> sun;
+  std::vector<std::uint16_t> emitted_scale;  ///< empty where no emitted light reaches a probe
   std::vector<std::uint16_t> emitted;
   std::vector<float> sun_time_h;  ///< knots
   std::vector<float> moon_time_h;
-  std::vector<float> mode_scale;   ///< [mode]
-  std::vector<std::int16_t> mode;  ///< in mode_scale / 32767: [mode][knot], the sun's knots first
+  std::vector<float> coefficient_scale;  ///< [mode]
+  std::vector<float> mode_scale;         ///< [mode]
+  std::vector<std::int8_t> mode;         ///< [mode][knot][channel], the sun's knots first
 
   std::size_t probes() const { return sky_scale.size(); }
   std::size_t modes() const { return mode_scale.size(); }
@@ -64,7 +64,7 @@ struct EncodedProbes {
 
 /// Throws Error(content) for numbers that are not finite, a visibility outside [0, 1], emitted light below 0 and a
 /// position outside the sector.
-EncodedProbes encodeProbes(const SectorProbes& probes, SunBits sun_bits);
+EncodedProbes encodeProbes(const SectorProbes& probes);
 
 /// Throws Error(content) where arrays do not fit each other.
 SectorProbes decodedProbes(const EncodedProbes& encoded, SectorId id);

@@ -41,7 +41,7 @@ Relight relightAt(double time_h, const std::array<Number3, 4>& sky_sh, const Lig
   return result;
 }
 
-ProbeIrradiance relit(const ProbeTransfer& transfer, const Relight& light) {
+ProbeIrradiance relit(const ProbeTransfer& transfer, const SunCoefficients& sun, const Relight& light) {
   const auto basis = transferBasis();
   ProbeIrradiance result;
   for (std::size_t b = 0; b < kDirections; ++b) {
@@ -53,8 +53,7 @@ ProbeIrradiance relit(const ProbeTransfer& transfer, const Relight& light) {
       result.sun_bounce[b] = product(transfer.sky[b], light.light_sh) * light.scale.sun_bounce;
     if (light.sun_transfer == SunTransfer::directional)
       for (std::size_t i = 0; i < 2; ++i)
-        result.sun_bounce[b] +=
-            sunTransfer(transfer.sun[b], light.mode[i]) * light.light_irradiance[i] * light.scale.sun_bounce;
+        result.sun_bounce[b] += sunTransfer(sun[b], light.mode[i]) * light.light_irradiance[i] * light.scale.sun_bounce;
     result.local[b] = transfer.emitted[b];
   }
   return result;

@@ -36,7 +36,7 @@ struct Relight {
   std::array<Number3, 4> sky{};
   SunTransfer sun_transfer = SunTransfer::none;
   std::array<Number3, 4> light_sh{};          ///< sh: of sun and moon
-  std::array<std::vector<double>, 2> mode;    ///< directional: modesAt of sun and moon
+  std::array<std::vector<Number3>, 2> mode;   ///< directional: modesAt of sun and moon
   std::array<Number3, 2> light_irradiance{};  ///< directional: of sun and moon; 0 below the horizon
   RelightScale scale;
 };
@@ -53,7 +53,7 @@ struct ProbeIrradiance {
   std::array<Number3, kDirections> total() const;
 };
 
-/// `transfer.sun` holds coefficients of the modes, [direction][mode].
-ProbeIrradiance relit(const ProbeTransfer& transfer, const Relight& light);
+/// `sun`: coefficients of the modes; they count for `directional` only.
+ProbeIrradiance relit(const ProbeTransfer& transfer, const SunCoefficients& sun, const Relight& light);
 
 }  // namespace welkin::probes

@@ -9,33 +9,29 @@
 namespace welkin::probes {
 namespace {
 
-/// A row for every probe, direction and channel, in this order; a column for every knot.
+/// A row for every probe and direction, a column for every knot and channel.
 std::vector<double> rowsOf(std::span<const ProbeTransfer* const> probes, std::size_t knots) {
   std::vector<double> rows;
-  rows.reserve(probes.size() * kDirections * 3 * knots);
+  rows.reserve(probes.size() * kDirections * knots * 3);
   for (const ProbeTransfer* probe : probes)
     for (const auto& sun : probe->sun)
-      for (int c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < knots; ++i) rows.push_back(sun[i][c]);
+      for (std::size_t i = 0; i < knots; ++i) rows.insert(rows.end(), {sun[i].x, sun[i].y, sun[i].z});
   return rows;
 }
 
-SunModesError errorOf(const std::vector<double>& rows, const sh::Modes& modes, std::size_t count,
-                      const std::vector<double>& coefficient) {
+/// Adds one more mode to what was rebuilt from those before, and compares.
+SunModesError errorOf(std::span<const double> rows, std::size_t columns, std::span<const double> rebuilt) {
   SunModesError error;
-  const std::size_t knots = modes.dimension;
   double sum = 0.0;
-  for (std::size_t row = 0; row * knots < rows.size(); ++row) {
+  for (std::size_t row = 0; row < rows.size(); row += columns) {
     double square = 0.0;
-    for (std::size_t i = 0; i < knots; ++i) {
-      double rebuilt = 0.0;
-      for (std::size_t m = 0; m < count; ++m) rebuilt += coefficient[row * modes.count() + m] * modes.row(m)[i];
-      const double difference = std::max(rebuilt, 0.0) - rows[row * knots + i];
+    for (std::size_t i = row; i < row + columns; ++i) {
+      const double difference = std::max(rebuilt[i], 0.0) - rows[i];
       square += difference * difference;
       error.worst = std::max(error.worst, std::abs(difference));
     }
     sum += square;
-    error.worst_row = std::max(error.worst_row, std::sqrt(square / static_cast<double>(knots)));
+    error.worst_row = std::max(error.worst_row, std::sqrt(square / static_cast<double>(columns)));
   }
   if (!rows.empty()) error.rms = std::sqrt(sum / static_cast<double>(rows.size()));
   return error;
@@ -49,24 +45,30 @@ SunModesFit fitSunModes(std::span<const ProbeTransfer* const> probes, const Ligh
   fit.modes.sun_time_h = sun.time_h;
   fit.modes.moon_time_h = moon.time_h;
   fit.coefficient.resize(probes.size());
-  const std::size_t knots = fit.modes.knots();
-  const std::vector<double> rows = rowsOf(probes, knots);
-  const sh::Modes modes = sh::leadingModes({rows, knots}, {}, count);
-  fit.modes.value = modes.vector;
+  const std::size_t columns = 3 * fit.modes.knots();
+  const std::vector<double> rows = rowsOf(probes, fit.modes.knots());
+  const sh::Modes modes = sh::leadingModes({rows, columns}, {}, count);
+  for (std::size_t i = 0; i < modes.vector.size(); i += 3)
+    fit.modes.value.emplace_back(modes.vector[i], modes.vector[i + 1], modes.vector[i + 2]);
 
-  std::vector<double> coefficient(rows.size() / std::max<std::size_t>(knots, 1) * modes.count());
-  std::vector<double> residual(knots);
-  std::size_t row = 0;
+  std::vector<double> residual(columns);
   for (std::size_t p = 0; p < probes.size(); ++p)
-    for (auto& direction : fit.coefficient[p]) {
-      direction.resize(modes.count());
-      for (int c = 0; c < 3 && knots > 0; ++c, ++row) {
-        const auto of_row = std::span(coefficient).subspan(row * modes.count(), modes.count());
-        sh::projectOntoModes(modes, std::span(rows).subspan(row * knots, knots), of_row, residual);
-        for (std::size_t m = 0; m < modes.count(); ++m) direction[m][c] = of_row[m];
-      }
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      std::vector<double>& coefficient = fit.coefficient[p][b];
+      coefficient.resize(modes.count());
+      if (modes.count() == 0) continue;
+      const auto row = std::span(rows).subspan((p * kDirections + b) * columns, columns);
+      sh::projectOntoModes(modes, row, coefficient, residual);
     }
-  for (std::size_t m = 0; m <= modes.count(); ++m) fit.error.push_back(errorOf(rows, modes, m, coefficient));
+  std::vector<double> rebuilt(rows.size(), 0.0);
+  fit.error.push_back(errorOf(rows, columns, rebuilt));
+  for (std::size_t m = 0; m < modes.count(); ++m) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::size_t row = i / columns;
+      rebuilt[i] += fit.coefficient[row / kDirections][row % kDirections][m] * modes.row(m)[i % columns];
+    }
+    fit.error.push_back(errorOf(rows, columns, rebuilt));
+  }
   return fit;
 }
 
@@ -79,28 +81,28 @@ std::size_t modesFor(const SunModesFit& fit, double max_error) {
 SunModesFit firstModes(SunModesFit fit, std::size_t count) {
   count = std::min(count, fit.modes.count());
   fit.modes.value.resize(count * fit.modes.knots());
-  for (auto& probe : fit.coefficient)
+  for (SunCoefficients& probe : fit.coefficient)
     for (auto& direction : probe) direction.resize(count);
   fit.error.resize(count + 1);
   return fit;
 }
 
-std::vector<double> modesAt(const SunModes& modes, LightOf light, double time_h) {
-  std::vector<double> result(modes.count(), 0.0);
+std::vector<Number3> modesAt(const SunModes& modes, LightOf light, double time_h) {
+  std::vector<Number3> result(modes.count(), Number3(0.0));
   const auto& times = light == LightOf::sun ? modes.sun_time_h : modes.moon_time_h;
   if (times.empty()) return result;
   const TrackPlace place = placeOnTrack(times, time_h);
   const std::size_t first = light == LightOf::sun ? 0 : modes.sun_time_h.size();
   for (std::size_t m = 0; m < result.size(); ++m) {
-    const double* row = modes.value.data() + m * modes.knots() + first;
+    const Number3* row = modes.value.data() + m * modes.knots() + first;
     result[m] = row[place.before] * (1.0 - place.share) + row[place.after] * place.share;
   }
   return result;
 }
 
-Number3 sunTransfer(std::span<const Number3> coefficient, std::span<const double> mode) {
+Number3 sunTransfer(std::span<const double> coefficient, std::span<const Number3> mode) {
   Number3 sum(0.0);
-  for (std::size_t m = 0; m < mode.size(); ++m) sum += coefficient[m] * mode[m];
+  for (std::size_t m = 0; m < mode.size(); ++m) sum += mode[m] * coefficient[m];
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 

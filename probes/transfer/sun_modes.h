@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transfer of the sun and the moon along their own paths, of low rank in time: a few functions of time that a
-// sector shares, and a few coefficients per probe, direction and channel. One set of coefficients serves both lights.
+// The transfer of the sun and the moon along their own paths, of low rank: a few coloured functions of time that a
+// sector shares, and for each of them one number per probe and direction. The numbers serve both lights.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -11,33 +12,35 @@
 
 namespace welkin::probes {
 
-inline constexpr std::size_t kMostSunModes = 8;
+inline constexpr std::size_t kMostSunModes = 16;
 
 enum class LightOf { sun, moon };
 
-/// Modes of time, orthonormal over the knots, the most energetic first.
+/// Modes of time and colour, orthonormal over knots and channels, the most energetic first.
 struct SunModes {
   std::vector<double> sun_time_h;   ///< knots, ascending in [0, 24)
   std::vector<double> moon_time_h;  ///< likewise; none: no moon
-  std::vector<double> value;        ///< [mode][knot], the sun's knots first
+  std::vector<Number3> value;       ///< [mode][knot], the sun's knots first
 
   std::size_t knots() const { return sun_time_h.size() + moon_time_h.size(); }
   std::size_t count() const { return knots() == 0 ? 0 : value.size() / knots(); }
 };
 
+/// A probe's coefficients of the modes: [direction][mode].
+using SunCoefficients = std::array<std::vector<double>, kDirections>;
+
 /// How far the transfers, rebuilt from the first n modes and clamped at 0, are from those that they were made of:
 /// irradiance of a light of normal irradiance 1.
 struct SunModesError {
-  double rms = 0.0;        ///< over probes, directions, channels and knots
-  double worst_row = 0.0;  ///< root of the mean square over the knots, of the worst probe, direction and channel
-  double worst = 0.0;      ///< of one knot
+  double rms = 0.0;        ///< over probes, directions, knots and channels
+  double worst_row = 0.0;  ///< root of the mean square over knots and channels, of the worst probe and direction
+  double worst = 0.0;      ///< of one number
 };
 
 struct SunModesFit {
   SunModes modes;
-  /// Coefficients: [probe][direction][mode].
-  std::vector<std::array<std::vector<Number3>, kDirections>> coefficient;
-  std::vector<SunModesError> error;  ///< by number of modes, from 0
+  std::vector<SunCoefficients> coefficient;  ///< by probe
+  std::vector<SunModesError> error;          ///< by number of modes, from 0
 };
 
 /// The `count` leading modes of the probes' ProbeTransfer::sun, of which the first knots are the sun's and the others
@@ -53,9 +56,9 @@ SunModesFit firstModes(SunModesFit fit, std::size_t count);
 
 /// The modes at a finite time for a light that is up: linear between knots. Empty without modes; 0 for a light without
 /// knots.
-std::vector<double> modesAt(const SunModes& modes, LightOf light, double time_h);
+std::vector<Number3> modesAt(const SunModes& modes, LightOf light, double time_h);
 
-/// Irradiance of a light of normal irradiance 1 from coefficients and modes at a time, not below 0.
-Number3 sunTransfer(std::span<const Number3> coefficient, std::span<const double> mode);
+/// Irradiance of a light of normal irradiance 1 from coefficients and as many modes at a time, not below 0.
+Number3 sunTransfer(std::span<const double> coefficient, std::span<const Number3> mode);
 
 }  // namespace welkin::probes

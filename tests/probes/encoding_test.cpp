@@ -21,15 +21,16 @@ SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
   };
   for (std::size_t i = 0; i < 30; ++i) s.modes.sun_time_h.push_back(5.0 + 0.5 * static_cast<double>(i) * 0.9);
   s.modes.moon_time_h = {0.25, 1.0 / 3.0};
-  for (std::size_t i = 0; i < modes * s.modes.knots(); ++i) s.modes.value.push_back((2 * random.unit() - 1) / 4);
+  for (std::size_t i = 0; i < modes * s.modes.knots(); ++i) s.modes.value.push_back(colour(0.25));
   for (std::size_t p = 0; p < count; ++p) {
     s.position.emplace_back(-128 + 64 * random.unit(), -30 + 90 * random.unit(), 192 + 64 * random.unit());
     ProbeTransfer& t = s.transfer.emplace_back();
+    SunCoefficients& sun = s.sun.emplace_back();
     const double scale = std::pow(1000.0, static_cast<double>(p % 2));
     for (std::size_t b = 0; b < kDirections; ++b) {
       if (b < 3) t.visibility[b] = random.unit();
       for (Number3& k : t.sky[b]) k = colour(scale);
-      for (std::size_t m = 0; m < modes; ++m) t.sun[b].push_back(colour(scale / (1.0 + static_cast<double>(m))));
+      for (std::size_t m = 0; m < modes; ++m) sun[b].push_back(colour(scale / std::pow(10.0, m)).x);
       const Number3 e = colour(scale);
       if (emissive) t.emitted[b] = {std::abs(e.x), std::abs(e.y), std::abs(e.z)};
     }
@@ -64,44 +65,42 @@ TEST_CASE("Encoding, FixedPointIsWithinHalfAStep") {
 }
 
 TEST_CASE("Encoding, EveryNumberComesBack") {
-  for (const SunBits bits : {SunBits::eight, SunBits::sixteen})
-    for (const bool emissive : {false, true}) {
-      const SectorProbes probes = someProbes(5, 3, emissive);
-      const SectorProbes decoded = decodedProbes(encodeProbes(probes, bits), probes.id);
-      REQUIRE(decoded.position.size() == 5);
-      REQUIRE(decoded.modes.count() == 3);
-      // Half a step; the scale is up to 1/128 above the largest.
-      constexpr double kHalf = 0.5 * (1.0 + 1.0 / 128);
-      const double sun_step = bits == SunBits::eight ? 1.0 / 127 : 1.0 / 32767;
-      for (std::size_t p = 0; p < 5; ++p) {
-        const ProbeTransfer& a = probes.transfer[p];
-        const ProbeTransfer& b = decoded.transfer[p];
-        CHECK(std::abs(decoded.position[p].x - probes.position[p].x) <= 0.5 * 64 / 65535 + 1e-12);
-        CHECK(std::abs(decoded.position[p].y - probes.position[p].y) <= 0.5 * 90 / 65535);
-        CHECK(std::abs(decoded.position[p].z - probes.position[p].z) <= 0.5 * 64 / 65535 + 1e-12);
-        CHECK(b.visibility[3] == 0.0);
-        for (std::size_t d = 0; d < kDirections; ++d) {
-          CHECK(std::abs(a.visibility[d] - b.visibility[d]) <= 0.5 / 65535 + 1e-15);
-          for (int c = 0; c < 3; ++c) {
-            for (std::size_t k = 0; k < 4; ++k)
-              CHECK(std::abs(a.sky[d][k][c] - b.sky[d][k][c]) <= kHalf / 32767 * largestOf(a));
-            for (std::size_t m = 0; m < 3; ++m) {
-              double largest = 0.0;
-              for (const auto& sun : a.sun)
-                largest = std::max({largest, std::abs(sun[m].x), std::abs(sun[m].y), std::abs(sun[m].z)});
-              CHECK(std::abs(a.sun[d][m][c] - b.sun[d][m][c]) <= kHalf * sun_step * largest);
-            }
-            CHECK(b.emitted[d][c] == Approx(a.emitted[d][c]).margin(1e-5 * largestOf(a)));
-          }
+  for (const bool emissive : {false, true}) {
+    const SectorProbes probes = someProbes(5, 3, emissive);
+    const SectorProbes decoded = decodedProbes(encodeProbes(probes), probes.id);
+    REQUIRE(decoded.position.size() == 5);
+    REQUIRE(decoded.modes.count() == 3);
+    // Half a step; the scale is up to 1/128 above the largest.
+    constexpr double kHalf = 0.5 * (1.0 + 1.0 / 128);
+    for (std::size_t p = 0; p < 5; ++p) {
+      const ProbeTransfer& a = probes.transfer[p];
+      const ProbeTransfer& b = decoded.transfer[p];
+      CHECK(std::abs(decoded.position[p].x - probes.position[p].x) <= 0.5 * 64 / 65535 + 1e-12);
+      CHECK(std::abs(decoded.position[p].y - probes.position[p].y) <= 0.5 * 90 / 65535);
+      CHECK(std::abs(decoded.position[p].z - probes.position[p].z) <= 0.5 * 64 / 65535 + 1e-12);
+      CHECK(b.visibility[3] == 0.0);
+      for (std::size_t d = 0; d < kDirections; ++d) {
+        CHECK(std::abs(a.visibility[d] - b.visibility[d]) <= 0.5 / 65535 + 1e-15);
+        // A mode's numbers are within a step of the largest of the sector's, a probe's of its own.
+        for (std::size_t m = 0; m < 3; ++m) {
+          const double scale = (p % 2 == 0 ? 1.0 : 1000.0) / std::pow(10.0, m);
+          CHECK(std::abs(probes.sun[p][d][m] - decoded.sun[p][d][m]) <= 1.3 * kHalf / 127 * scale);
+        }
+        for (int c = 0; c < 3; ++c) {
+          for (std::size_t k = 0; k < 4; ++k)
+            CHECK(std::abs(a.sky[d][k][c] - b.sky[d][k][c]) <= kHalf / 32767 * largestOf(a));
+          CHECK(b.emitted[d][c] == Approx(a.emitted[d][c]).margin(1e-5 * largestOf(a)));
         }
       }
-      for (std::size_t i = 0; i < probes.modes.value.size(); ++i)
-        CHECK(std::abs(decoded.modes.value[i] - probes.modes.value[i]) <= 0.25 * kHalf / 32767);
-      CHECK(decoded.modes.sun_time_h[7] == Approx(probes.modes.sun_time_h[7]).epsilon(1e-7));
-      CHECK(decoded.modes.moon_time_h[1] == Approx(1.0 / 3).epsilon(1e-7));
-      // What was decoded is encoded alike.
-      CHECK(encodeProbes(decoded, bits).sky == encodeProbes(probes, bits).sky);
     }
+    for (std::size_t i = 0; i < probes.modes.value.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        CHECK(std::abs(decoded.modes.value[i][c] - probes.modes.value[i][c]) <= 0.25 * kHalf / 127);
+    CHECK(decoded.modes.sun_time_h[7] == Approx(probes.modes.sun_time_h[7]).epsilon(1e-7));
+    CHECK(decoded.modes.moon_time_h[1] == Approx(1.0 / 3).epsilon(1e-7));
+    // What was decoded is encoded alike.
+    CHECK(encodeProbes(decoded).sky == encodeProbes(probes).sky);
+  }
 }
 
 TEST_CASE("Encoding, ErrorIsThatOfTheNumbers") {
@@ -117,9 +116,8 @@ TEST_CASE("Encoding, ErrorIsThatOfTheNumbers") {
   CHECK(error.sky == Approx(0.25));
   CHECK(error.sun == 0.0);
   CHECK(error.emitted > 0.0);
-  const EncodingError own = encodingError(probes, decodedProbes(encodeProbes(probes, SunBits::sixteen), probes.id));
+  const EncodingError own = encodingError(probes, decodedProbes(encodeProbes(probes), probes.id));
   CHECK(own.sky <= 1.0 / 65000);
-  CHECK(own.sun <= 2.0 / 30000);
   CHECK(own.sun > 0.0);
   CHECK(own.position_m <= 0.001);
 }
@@ -127,43 +125,44 @@ TEST_CASE("Encoding, ErrorIsThatOfTheNumbers") {
 TEST_CASE("Encoding, BytesAreWithinTheBudget") {
   // At most 152 bytes a probe, and with the grid 15 KB for a sector of 70.
   constexpr std::size_t kGrid = 4096;
-  CHECK(encodeProbes(someProbes(70, 0, false), SunBits::eight).bytesAProbe() == 110);
-  const EncodedProbes three = encodeProbes(someProbes(70, 3, false), SunBits::eight);
-  CHECK(three.bytesAProbe() == 152);
-  CHECK(three.bytes() + kGrid <= 15 * 1024);
-  CHECK(encodeProbes(someProbes(70, 1, false), SunBits::sixteen).bytesAProbe() == 136);
-  CHECK(encodeProbes(someProbes(70, 0, true), SunBits::eight).bytesAProbe() == 136);
+  CHECK(encodeProbes(someProbes(70, 0, false)).bytesAProbe() == 110);
+  CHECK(encodeProbes(someProbes(70, 0, true)).bytesAProbe() == 136);
+  CHECK(encodeProbes(someProbes(70, 10, false)).bytesAProbe() == 152);
+  const EncodedProbes eight = encodeProbes(someProbes(70, 8, false));
+  CHECK(eight.bytesAProbe() == 144);
+  CHECK(eight.bytes() == 70 * 144 + 8 + 32 * 4 + 8 * (2 * 4 + 3 * 32));
+  CHECK(eight.bytes() + kGrid <= 15 * 1024);
 }
 
 TEST_CASE("Encoding, EdgesOfTheSectorAndNoProbes") {
   SectorProbes probes = someProbes(2, 0, false);
   probes.position = {{-128, 7, 256}, {-64, 7, 192}};  // its corners, all at one height
-  const SectorProbes decoded = decodedProbes(encodeProbes(probes, SunBits::eight), probes.id);
+  const SectorProbes decoded = decodedProbes(encodeProbes(probes), probes.id);
   for (std::size_t i = 0; i < 2; ++i) CHECK(decoded.position[i] == probes.position[i]);
   SectorProbes none;
   none.id = {1, 1};
-  const EncodedProbes encoded = encodeProbes(none, SunBits::eight);
+  const EncodedProbes encoded = encodeProbes(none);
   CHECK(encoded.bytesAProbe() == 0);
   CHECK(decodedProbes(encoded, none.id).position.empty());
   // A dark probe is exactly dark.
   probes.transfer[0] = ProbeTransfer{};
-  CHECK(decodedProbes(encodeProbes(probes, SunBits::eight), probes.id).transfer[0].sky[2][1] == Number3(0.0));
+  CHECK(decodedProbes(encodeProbes(probes), probes.id).transfer[0].sky[2][1] == Number3(0.0));
 }
 
 TEST_CASE("Encoding, WhatItCannotHoldIsRefused") {
   const auto refused = [](auto&& change) {
     SectorProbes probes = someProbes(2, 1, true);
     change(probes);
-    CHECK_THROWS_AS(encodeProbes(probes, SunBits::eight), Error);
+    CHECK_THROWS_AS(encodeProbes(probes), Error);
   };
   refused([](SectorProbes& s) { s.position[1].x = -63.9; });
   refused([](SectorProbes& s) { s.position[0].y = std::nan(""); });
   refused([](SectorProbes& s) { s.transfer[1].visibility[0] = 1.001; });
   refused([](SectorProbes& s) { s.transfer[1].visibility[3] = 0.001; });
   refused([](SectorProbes& s) { s.transfer[0].sky[1][2].y = std::nan(""); });
-  refused([](SectorProbes& s) { s.transfer[0].sun[1][0].z = INFINITY; });
+  refused([](SectorProbes& s) { s.sun[0][1][0] = INFINITY; });
   refused([](SectorProbes& s) { s.transfer[0].emitted[1].x = -0.1; });
-  EncodedProbes cut = encodeProbes(someProbes(2, 1, true), SunBits::eight);
+  EncodedProbes cut = encodeProbes(someProbes(2, 1, true));
   cut.sky.pop_back();
   CHECK_THROWS_AS(decodedProbes(cut, {0, 0}), Error);
 }

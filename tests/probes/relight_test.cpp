@@ -12,8 +12,8 @@ namespace {
 const double kUniformConstant = std::sqrt(det::kPi);
 const double kUniformLinear = std::sqrt(3.0 * det::kPi) / 2.0;
 
-/// The transfer of a probe over an infinite plane, in closed form, with one knot a light.
-ProbeTransfer planeTransfer(const Number3& albedo, const std::vector<Number3>& lights) {
+/// The transfer of a probe over an infinite plane, in closed form.
+ProbeTransfer planeTransfer(const Number3& albedo) {
   ProbeTransfer t;
   const auto basis = transferBasis();
   for (std::size_t b = 0; b < kDirections; ++b) {
@@ -21,18 +21,26 @@ ProbeTransfer planeTransfer(const Number3& albedo, const std::vector<Number3>& l
     t.visibility[b] = b < 3 ? 1.0 : 0.0;
     t.sky[b][0] = albedo * (below * det::kPi * det::kShConstant);
     t.sky[b][1] = albedo * (below * det::kTwoPi / 3.0 * det::kShLinear);
-    for (const Number3& light : lights) t.sun[b].push_back(albedo * (below * light.y));
   }
   return t;
 }
 
-/// Modes that are the knots themselves: coefficients are transfers.
+/// Of a grey plane: modes below are grey, too.
+SunCoefficients planeSun(double albedo, const std::vector<Number3>& lights) {
+  SunCoefficients sun;
+  const auto basis = transferBasis();
+  for (std::size_t b = 0; b < kDirections; ++b)
+    for (const Number3& light : lights) sun[b].push_back(albedo * (1.0 - basis[b].y) / 2.0 * light.y);
+  return sun;
+}
+
+/// Grey modes that are the knots themselves: coefficients are transfers.
 SunModes knotsAsModes(const std::vector<double>& sun_time_h, const std::vector<double>& moon_time_h = {}) {
   SunModes modes;
   modes.sun_time_h = sun_time_h;
   modes.moon_time_h = moon_time_h;
   const std::size_t n = modes.knots();
-  for (std::size_t i = 0; i < n * n; ++i) modes.value.push_back(i / n == i % n ? 1.0 : 0.0);
+  for (std::size_t i = 0; i < n * n; ++i) modes.value.emplace_back(i / n == i % n ? 1.0 : 0.0);
   return modes;
 }
 
@@ -42,7 +50,7 @@ TEST_CASE("Relight, PlaneUnderAUniformSky") {
   const Number3 rho(0.2, 0.5, 0.0);
   const std::array<Number3, 4> sky{Number3(1, 2, 3) * kUniformConstant, Number3(1, 2, 3) * kUniformLinear};
   const ProbeIrradiance e =
-      relit(planeTransfer(rho, {}), relightAt(12, sky, {}, {}, SunTransfer::directional, SunModes{}));
+      relit(planeTransfer(rho), {}, relightAt(12, sky, {}, {}, SunTransfer::directional, SunModes{}));
   const auto total = e.total();
   for (std::size_t b = 0; b < 3; ++b) CHECK(total[b].x / det::kPi == Approx(0.83094).margin(5e-6));
   CHECK(total[3].x / det::kPi == Approx(0.2));
@@ -56,22 +64,23 @@ TEST_CASE("Relight, PlaneUnderAUniformSky") {
 
 TEST_CASE("Relight, PlaneUnderASunBothWays") {
   // By 2 bands a ground patch gets 1/4 + sin(e)/2 of the sun; by its own transfer, sin(e).
-  const Number3 rho(0.2, 0.5, 0.8);
+  const double rho = 0.3;
   const Number3 irradiance(3, 2, 1);
   for (const double elevation : {1e-6, 0.3, 1.0, det::kPi / 2}) {
     const Number3 direction = tests::towards(1.1, elevation);
-    const ProbeTransfer t = planeTransfer(rho, {direction});
+    const ProbeTransfer t = planeTransfer(Number3(rho));
+    const SunCoefficients c = planeSun(rho, {direction});
     const SunModes modes = knotsAsModes({9.0});
     const LightAt sun{direction, irradiance};
-    const auto sh = relit(t, relightAt(9, {}, sun, {}, SunTransfer::sh, modes)).sun_bounce;
-    const auto directional = relit(t, relightAt(9, {}, sun, {}, SunTransfer::directional, modes)).sun_bounce;
-    const auto none = relit(t, relightAt(9, {}, sun, {}, SunTransfer::none, modes)).sun_bounce;
+    const auto sh = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::sh, modes)).sun_bounce;
+    const auto directional = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::directional, modes)).sun_bounce;
+    const auto none = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::none, modes)).sun_bounce;
     for (std::size_t b = 0; b < kDirections; ++b)
-      for (int c = 0; c < 3; ++c) {
-        const double full = rho[c] * irradiance[c] * (1.0 - transferBasis()[b].y) / 2.0;
-        CHECK(sh[b][c] == Approx(full * (0.25 + std::sin(elevation) / 2.0)));
-        CHECK(directional[b][c] == Approx(full * std::sin(elevation)).margin(1e-15));
-        CHECK(none[b][c] == 0.0);
+      for (int i = 0; i < 3; ++i) {
+        const double full = rho * irradiance[i] * (1.0 - transferBasis()[b].y) / 2.0;
+        CHECK(sh[b][i] == Approx(full * (0.25 + std::sin(elevation) / 2.0)));
+        CHECK(directional[b][i] == Approx(full * std::sin(elevation)).margin(1e-15));
+        CHECK(none[b][i] == 0.0);
       }
   }
 }
@@ -79,21 +88,23 @@ TEST_CASE("Relight, PlaneUnderASunBothWays") {
 TEST_CASE("Relight, EveryTermCountsOnce") {
   // Unlike numbers everywhere: a wrong direction, coefficient, channel or light shows.
   ProbeTransfer t;
+  SunCoefficients c_sun;
   Random random(11);
   const auto colour = [&] { return Number3(random.unit(), random.unit(), random.unit()); };
   for (std::size_t b = 0; b < kDirections; ++b) {
     t.visibility[b] = random.unit();
     for (Number3& k : t.sky[b]) k = colour();
-    t.sun[b] = {colour(), colour(), colour()};
+    c_sun[b] = {random.unit(), random.unit(), random.unit()};
     t.emitted[b] = colour();
   }
   const std::array<Number3, 4> sky{colour(), colour(), colour(), colour()};
   const LightAt sun{unit(Number3(0.3, 0.8, -0.4)), colour()};
   const LightAt moon{unit(Number3(-0.7, 0.2, 0.1)), colour()};
-  const SunModes modes = knotsAsModes({6.0, 8.0}, {6.5});
+  SunModes modes = knotsAsModes({6.0, 8.0}, {6.5});
+  for (Number3& value : modes.value) value = value * colour();
   const RelightScale scale{0.5, 3.0};
-  const auto e = relit(t, relightAt(6.5, sky, sun, moon, SunTransfer::directional, modes, scale));
-  const auto sh = relit(t, relightAt(6.5, sky, sun, moon, SunTransfer::sh, modes, scale));
+  const auto e = relit(t, c_sun, relightAt(6.5, sky, sun, moon, SunTransfer::directional, modes, scale));
+  const auto sh = relit(t, c_sun, relightAt(6.5, sky, sun, moon, SunTransfer::sh, modes, scale));
   for (std::size_t b = 0; b < kDirections; ++b)
     for (int c = 0; c < 3; ++c) {
       const Number3 n = transferBasis()[b];
@@ -113,18 +124,22 @@ TEST_CASE("Relight, EveryTermCountsOnce") {
       CHECK(e.sky[b][c] == Approx(0.5 * (t.visibility[b] * direct + bounced)));
       CHECK(sh.sky[b][c] == e.sky[b][c]);
       CHECK(sh.sun_bounce[b][c] == Approx(3.0 * lights));
-      CHECK(e.sun_bounce[b][c] == Approx(3.0 * ((0.75 * t.sun[b][0][c] + 0.25 * t.sun[b][1][c]) * sun.irradiance[c] +
-                                                t.sun[b][2][c] * moon.irradiance[c])));
+      const double sun_transfer =
+          0.75 * c_sun[b][0] * modes.value[0][c] + 0.25 * c_sun[b][1] * modes.value[4][c];  // a quarter of the way
+      const double moon_transfer = c_sun[b][2] * modes.value[8][c];
+      CHECK(e.sun_bounce[b][c] ==
+            Approx(3.0 * (sun_transfer * sun.irradiance[c] + moon_transfer * moon.irradiance[c])));
       CHECK(e.local[b][c] == t.emitted[b][c]);
       CHECK(e.total()[b][c] == Approx(e.sky[b][c] + e.sun_bounce[b][c] + e.local[b][c]));
     }
 }
 
 TEST_CASE("Relight, ALightBelowTheHorizonGivesNothing") {
-  const ProbeTransfer t = planeTransfer(Number3(0.5), {Number3(0, 1, 0)});
+  const ProbeTransfer t = planeTransfer(Number3(0.5));
+  const SunCoefficients c = planeSun(0.5, {Number3(0, 1, 0)});
   const LightAt sun{unit(Number3(1, -1e-9, 0)), Number3(7.0)};
   for (const SunTransfer way : {SunTransfer::sh, SunTransfer::directional})
-    CHECK(relit(t, relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] == Number3(0.0));
+    CHECK(relit(t, c, relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] == Number3(0.0));
 }
 
 }  // namespace welkin::probes
