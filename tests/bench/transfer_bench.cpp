@@ -10,6 +10,7 @@
 
 #include "probes/directions.h"
 #include "probes/transfer/probe_paths.h"
+#include "town.h"
 
 namespace {
 
@@ -48,42 +49,6 @@ class Recorder {
   const Tracer& tracer_;
   mutable std::vector<Ray> ray_;
 };
-
-void addTriangles(Surfaces& s, std::initializer_list<Number3> corner, std::uint32_t material) {
-  const auto first = static_cast<std::uint32_t>(s.position.size());
-  for (const Number3& p : corner)
-    s.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-  s.triangle.push_back({{first, first + 1, first + 2}, material, 0});
-  s.triangle.push_back({{first, first + 2, first + 3}, material, 0});
-}
-
-/// Hills of 1 m triangles over 160 m and a house in most squares of 12 m.
-Surfaces town() {
-  Surfaces s;
-  s.object.push_back({"town", Role::fixed});
-  s.material.resize(2);
-  s.material[0].albedo = {0.3, 0.35, 0.2};
-  s.material[1].albedo = {0.6, 0.55, 0.5};
-  const auto height = [](double x, double z) { return 2.0 * std::sin(0.07 * x) * std::cos(0.05 * z + 1.0); };
-  const auto at = [&](double x, double z) { return Number3(x, height(x, z), z); };
-  for (int i = -80; i < 80; ++i)
-    for (int j = -80; j < 80; ++j) addTriangles(s, {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)}, 0);
-  Random random(5);
-  for (double x = -76; x < 76; x += 12)
-    for (double z = -76; z < 76; z += 12) {
-      const double w = 3.0 + 5.0 * random.unit();
-      const double h = height(x, z) + 3.0 + 9.0 * random.unit();
-      if (random.unit() < 0.2) continue;
-      const Number3 a(x, -3, z), b(x + w, -3, z), c(x + w, -3, z + w), d(x, -3, z + w);
-      const Number3 up(0, h + 3, 0);
-      addTriangles(s, {a, a + up, b + up, b}, 1);
-      addTriangles(s, {b, b + up, c + up, c}, 1);
-      addTriangles(s, {c, c + up, d + up, d}, 1);
-      addTriangles(s, {d, d + up, a + up, a}, 1);
-      addTriangles(s, {a + up, d + up, c + up, b + up}, 1);
-    }
-  return s;
-}
 
 RTCScene bareScene(RTCDevice device, const Surfaces& s) {
   RTCScene scene = rtcNewScene(device);
@@ -154,15 +119,9 @@ int main(int argc, char** argv) {
     const double hour = det::kPi * (i + 0.5) / kLights;
     settings.light_directions.push_back(unit(Number3(std::cos(hour), std::sin(hour), 0.3 * std::sin(hour))));
   }
-  const Surfaces surfaces = town();
+  const Surfaces surfaces = bench::town();
   const Tracer tracer(surfaces);
-  std::vector<Number3> position;
-  Random random(1);
-  for (int i = 0; i < count; ++i) {
-    const Number3 above(-30 + 60 * random.unit(), 50, -30 + 60 * random.unit());
-    const auto hit = tracer.closest(above, {0, -1, 0}, 100);
-    if (hit) position.push_back(hit->position + Number3(0, 1, 0));
-  }
+  const std::vector<Number3> position = bench::probesIn(tracer, count);
   const TransferTracer transfer(tracer, settings);
   const CircleTable circle;
   RTCDevice device = rtcNewDevice(fmt::format("isa={},hugepages=0", Tracer::kIsa).c_str());
