@@ -27,22 +27,35 @@ std::optional<double> parseNumber(std::string_view text) {
 
 }  // namespace
 
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    const auto number = parseNumber(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+f64::Number3 parsePosition(const std::string& option, const std::string& text) {
+  const auto v = parseNumbers(text);
+  if (!v || v->size() != 3)
+    throw Error(ExitStatus::usage,
+                fmt::format("{}: \"{}\" is not a position: three finite numbers X,Y,Z in metres", option, text));
+  return {(*v)[0], (*v)[1], (*v)[2]};
+}
+
 f64::Number3 parseDirection(const std::string& option, const std::string& text) {
   const auto refuse = [&] {
     return Error(
         ExitStatus::usage,
         fmt::format("{}: \"{}\" is not a direction: three finite numbers X,Y,Z that are not all zero", option, text));
   };
-  f64::Number3 v;
-  std::string_view rest = text;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-    if (comma == std::string_view::npos) throw refuse();
-    const auto number = parseNumber(rest.substr(0, comma));
-    if (!number) throw refuse();
-    v[i] = *number;
-    rest = i < 2 ? rest.substr(comma + 1) : std::string_view();
-  }
+  const auto numbers = parseNumbers(text);
+  if (!numbers || numbers->size() != 3) throw refuse();
+  f64::Number3 v((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0.0)) throw refuse();
   v = v / largest;  // the square of a huge or tiny component leaves double's range
@@ -60,7 +73,7 @@ std::vector<std::string> joinSignedValues(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     const bool takes_numbers = argument == "--time" || argument == "--direction" || argument == "--normal" ||
-                               argument == "--position" || argument == "--camera";
+                               argument == "--position" || argument == "--camera" || argument == "--light";
     if (takes_numbers && i + 1 < argc && argv[i + 1][0] == '-' && argv[i + 1][1] != '-')
       joined.push_back(argument + "=" + argv[++i]);
     else

@@ -5,7 +5,9 @@
 #include <welkin/welkin.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shared.h"
@@ -14,6 +16,12 @@ namespace welkin::tools {
 
 /// "X,Y,Z" as a unit vector. Throws Error(usage) for anything but three finite numbers that are not all zero.
 f64::Number3 parseDirection(const std::string& option, const std::string& text);
+
+/// Three finite numbers "X,Y,Z", metres. Throws Error(usage).
+f64::Number3 parsePosition(const std::string& option, const std::string& text);
+
+/// The finite numbers that the text lists with commas between; nothing where it is anything else.
+std::optional<std::vector<double>> parseNumbers(std::string_view text);
 
 /// A finite number of hours. Throws Error(usage).
 double parseTime(const std::string& text);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin reference: irradiance in a level, path traced, with its standard error.
+#include "probes/reference/reference.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "probes/level/surfaces_of.h"
+#include "sky/error.h"
+#include "sky/sky_file.h"
+#include "welkin/arguments.h"
+#include "welkin/commands.h"
+#include "welkin/progress.h"
+
+namespace welkin::tools {
+namespace {
+
+struct Options {
+  std::string file, time, position, normal, progress = "auto";
+  std::vector<std::string> lights;
+  std::size_t samples = 65536;
+  int bounces = 2;
+  std::uint64_t seed = 0;
+  int threads = 0;
+  bool json = false;
+};
+
+/// "X,Y,Z,R,G,B" or "X,Y,Z,R,G,B,RADIUS". Throws Error(usage).
+probes::LocalLight parseLight(const std::string& text) {
+  const auto refuse = [&] {
+    return Error(ExitStatus::usage,
+                 fmt::format("--light: \"{}\" is not a light: X,Y,Z,R,G,B or X,Y,Z,R,G,B,RADIUS, finite numbers, the "
+                             "intensity and the radius in metres at least 0",
+                             text));
+  };
+  const auto v = parseNumbers(text);
+  if (!v || v->size() < 6 || v->size() > 7) throw refuse();
+  for (std::size_t i = 3; i < v->size(); ++i)
+    if ((*v)[i] < 0.0) throw refuse();
+  const auto& n = *v;
+  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n.size() == 7 ? n[6] : 0.0};
+}
+
+void reference(const Options& options) {
+  catchInterrupts();
+  const f64::Number3 normal = parseDirection("--normal", options.normal);
+  const f64::Number3 position = parsePosition("--position", options.position);
+  const double time_h = parseTime(options.time);
+  std::vector<probes::LocalLight> lights;
+  for (const std::string& light : options.lights) lights.push_back(parseLight(light));
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const probes::LevelFile level = probes::readLevelFile(options.file);
+  const sky::SkyFile sky = sky::readSkyFile(level.sky);
+  probes::Surfaces surfaces = probes::readSurfaces(level);
+  for (probes::Material& material : surfaces.material)  // a file's cd/m2 in scene units
+    material.emission = material.emission / sky.sky.luminance_unit;
+  const probes::Tracer tracer(surfaces);
+  const probes::ReferenceSettings settings{options.samples, options.bounces, options.seed};
+  probes::ReferenceIrradiance result;
+  {
+    ProgressReport progress(ProgressReport::styleOf(options.progress), "paths", probes::referenceBatches(settings));
+    result = probes::traceReference(tracer, probes::DistantLight(sky.sky, time_h), lights, position, normal, settings,
+                                    [&] { return progress.step(); });
+  }
+  const auto json = [](const f64::Number3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"irradiance", json(result.total.value)},
+                                              {"components",
+                                               {{"sky", json(result.sky.value)},
+                                                {"sun_bounce", json(result.sun_bounce.value)},
+                                                {"local", json(result.local.value)}}},
+                                              {"standard_error", json(result.total.standard_error)},
+                                              {"component_standard_error",
+                                               {{"sky", json(result.sky.standard_error)},
+                                                {"sun_bounce", json(result.sun_bounce.standard_error)},
+                                                {"local", json(result.local.standard_error)}}},
+                                              {"samples", result.samples},
+                                              {"bounces", options.bounces}}
+                           .dump(2));
+    return;
+  }
+  const auto line = [](const char* name, const probes::Estimate& e) {
+    fmt::print("{:<10} {:.6g} {:.6g} {:.6g} +- {:.2g} {:.2g} {:.2g}\n", name, e.value.x, e.value.y, e.value.z,
+               e.standard_error.x, e.standard_error.y, e.standard_error.z);
+  };
+  line("irradiance", result.total);
+  line("sky", result.sky);
+  line("sun_bounce", result.sun_bounce);
+  line("local", result.local);
+}
+
+}  // namespace
+
+void addReference(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("reference", "Irradiance in a level, path traced, with its standard error");
+  command->add_option("LEVEL", options->file, "level.toml")->required();
+  command->add_option("--time", options->time, "Hours")->required();
+  command->add_option("--position", options->position, "X,Y,Z in metres; it may lie on a surface")->required();
+  command->add_option("--normal", options->normal, "X,Y,Z of the surface")->required();
+  command->add_option("--light", options->lights,
+                      "X,Y,Z,R,G,B[,RADIUS]: a dynamic light, its radiant intensity and the radius of its sphere in "
+                      "metres; as many as there are");
+  command->add_option("--samples", options->samples, "Paths")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
+      ->capture_default_str();
+  command->add_option("--bounces", options->bounces, "Surfaces that light bounces off at most")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Other seeds draw independent paths")->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
+      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { reference(*options); });
+}
+
+}  // namespace welkin::tools
