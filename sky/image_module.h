@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Welkin asks of OpenImageIO and libwebp. It lives in a module of its own, loaded when the first image is read or written:
-// linking OpenImageIO pulls in some two hundred libraries, whose loading costs more than most bakes.
+// What Welkin asks of OpenImageIO and libwebp. It lives in a module of its own, loaded when the first image is read or
+// written: linking OpenImageIO pulls in some two hundred libraries, whose loading costs more than most bakes.
 #pragma once
 
 #include <cstddef>

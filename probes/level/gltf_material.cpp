@@ -60,6 +60,9 @@ GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::
     placed.uv_set = other_set >= 0 ? other_set : pbr.baseColorTexture.texCoord;
     if (placed.uv_set < 0) reader_.refuse(what, fmt::format("texCoord {} is negative", placed.uv_set));
   }
+  if (material.extensions.count("KHR_materials_pbrSpecularGlossiness") != 0)
+    builder_.scene().warnings.push_back(fmt::format(
+        "{}: {}: KHR_materials_pbrSpecularGlossiness is left out, its diffuse colour too", reader_.file(), name));
   readAlpha(material, name, surface);
   readEmission(material, name, result);
   placed.material = builder_.addMaterial(std::move(result));
