@@ -22,6 +22,17 @@ std::size_t strataOf(const ReferenceSettings& settings) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(each)), std::size_t{1}, kMostStrata);
 }
 
+/// The point as a path starts from it: as far off the surface that it lies on as a ray that found that surface.
+Hit startAt(const Tracer& tracer, const Number3& position, const Number3& normal) {
+  constexpr double kOnSurface_m = 0.01;
+  Hit start;
+  start.position = position;
+  start.normal = normal;
+  if (const auto under = tracer.closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
+    start.coarsest_m = under->coarsest_m;
+  return start;
+}
+
 LightShares meanOfBatch(const PathScene& scene, const Hit& start, std::size_t strata, std::uint64_t seed,
                         std::size_t batch) {
   LightShares sum;
@@ -67,9 +78,7 @@ ReferenceIrradiance traceReference(const Tracer& tracer, const DistantLight& dis
                                    const ReferenceSettings& settings, const ReferenceProgress& progress) {
   const PathScene scene{tracer, distant, lights, settings.bounces};
   const std::size_t strata = strataOf(settings);
-  Hit start;
-  start.position = position;
-  start.normal = normal;
+  const Hit start = startAt(tracer, position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
     batches[i] = meanOfBatch(scene, start, strata, settings.seed, i);

@@ -41,6 +41,23 @@ inline sky::Sky clearSky(double azimuth_rad, double elevation_rad) {
   return sky;
 }
 
+/// No light from outside.
+inline probes::DistantLight darkness() {
+  static const sky::Sky sky = uniformSky(0.0);
+  return {sky, 12.0};
+}
+
+/// sum of albedo^i, i from `first` to `last`.
+inline f64::Number3 bounces(const f64::Number3& albedo, int first, int last) {
+  f64::Number3 sum(0.0);
+  f64::Number3 power(1.0);
+  for (int i = 0; i <= last; ++i) {
+    if (i >= first) sum += power;
+    power = power * albedo;
+  }
+  return sum;
+}
+
 inline constexpr double kStandardErrors = 3.0;
 inline constexpr double kRounding = 1e-12;  ///< relative: of sums of many doubles
 
