@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "probes/directions.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 constexpr std::size_t kRays = 64;
 constexpr auto kMostBackRays = static_cast<std::size_t>(kMostBacks * double{kRays});
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kFar_m = 64.0;
 
 /// Even in height, golden in azimuth.
 const std::array<Number3, kRays>& fixedDirections() {
@@ -33,7 +32,7 @@ bool isFree(const Tracer& tracer, const Number3& position, double clearance_m) {
   std::size_t backs = 0;
   const Surfaces& s = tracer.surfaces();
   for (const Number3& direction : fixedDirections()) {
-    const auto hit = tracer.closest(position, direction, kNowhere);
+    const auto hit = tracer.closest(position, direction, kFar_m);
     if (!hit) continue;
     if (hit->back && ++backs > kMostBackRays) return false;
     if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) return false;
@@ -48,7 +47,7 @@ Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m)
   bool close = false;
   const Surfaces& s = tracer.surfaces();
   for (const Number3& direction : fixedDirections()) {
-    const auto hit = tracer.closest(position, direction, kNowhere);
+    const auto hit = tracer.closest(position, direction, kFar_m);
     if (!hit) continue;
     if (hit->back) ++backs;
     if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) close = true;
@@ -60,7 +59,7 @@ Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m)
 bool insideGeometry(const Tracer& tracer, const Number3& position) {
   std::size_t backs = 0;
   for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
-    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kNowhere);
+    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kFar_m);
     if (hit && hit->back) ++backs;
   }
   return backs > kMostBackRays;

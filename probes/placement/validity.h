@@ -15,7 +15,8 @@ inline constexpr double kMostBacks = 0.25;
 
 enum class Place { free, inside, too_close };
 
-/// By 64 fixed directions over the sphere; backs of every surface with one side count.
+/// By 64 fixed directions over the sphere, to 64 m; backs of every surface with one side count.
+/// Of two surfaces in one plane, back to back, a ray meets either: such walls need two sides or a thickness.
 bool insideGeometry(const Tracer& tracer, const Number3& position);
 
 /// The same, and whether static geometry is within clearance_m along those directions.

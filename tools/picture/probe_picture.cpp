@@ -127,9 +127,10 @@ std::string drawSection(const probes::Tracer& tracer, const std::vector<PlacedSe
   for (const PlacedSector& s : row) {
     constexpr double kStep_m = 0.125;
     const double top_y = probes::topOver(tracer.surfaces(), s.id).value_or(0.0);
+    const double middle_x = kSector_m * (s.id.x + 0.5);
+    pen.line({frame.at(middle_x, -low_y), frame.at(middle_x, -high_y)}, grey(0.75), kSector_m * frame.scale());
     for (double x = kSector_m * s.id.x + 0.5 * kStep_m; x < kSector_m * (s.id.x + 1.0); x += kStep_m) {
       const double width = kStep_m * frame.scale() + 0.5;
-      pen.line({frame.at(x, -low_y), frame.at(x, -high_y)}, grey(0.75), width);
       for (const probes::Span& span : probes::spansAt(tracer, x, z, top_y))
         if (!span.inside && span.high_y > low_y && span.low_y < high_y)
           pen.line({frame.at(x, -std::max(span.low_y, low_y)), frame.at(x, -std::min(span.high_y, high_y))}, grey(1.0),
