@@ -4,12 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 
 #include "probes/directions.h"
+#include "probes/level/surfaces_of.h"
 #include "probes/placement/column.h"
 #include "probes/placement/grid_cells.h"
 #include "probes/placement/placement.h"
@@ -21,36 +20,13 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Positions and faces of an OBJ file, which is all that these levels have.
-Surfaces readShape(const std::string& path, double scale) {
-  Surfaces s;
-  s.material.emplace_back();
-  s.object.push_back({"level", Role::fixed});
-  std::ifstream file(path);
-  REQUIRE(file);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      double x = 0, y = 0, z = 0;
-      words >> x >> y >> z;
-      s.position.push_back(
-          {static_cast<float>(x * scale), static_cast<float>(y * scale), static_cast<float>(z * scale)});
-    } else if (kind == "f") {
-      std::vector<std::uint32_t> corner;
-      for (std::string word; words >> word;) corner.push_back(static_cast<std::uint32_t>(std::stoul(word) - 1));
-      for (std::size_t i = 2; i < corner.size(); ++i) {
-        const auto at = [&](std::size_t n) {
-          const auto& p = s.position[corner[n]];
-          return Number3(double{p[0]}, double{p[1]}, double{p[2]});
-        };
-        const Number3 normal = cross(at(i - 1) - at(0), at(i) - at(0));
-        if (dot(normal, normal) > 0.0) s.triangle.push_back({{corner[0], corner[i - 1], corner[i]}, 0, 0});
-      }
-    }
-  }
-  return s;
+Surfaces readLevel(const std::string& path, double scale) {
+  GeometryEntry entry;
+  entry.path = path;
+  entry.transform = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, {}};
+  LevelFile level;
+  level.geometry = {entry};
+  return readSurfaces(level);
 }
 
 /// Share of backs among random directions, beyond what the fixed ones may have missed.
@@ -128,7 +104,7 @@ TEST_CASE("Placement, RealLevels") {
   for (const Level& level :
        {Level{"/levels/redeclipse/fortitude.obj", 10, 500, 800}, Level{"/levels/test_ctf/test_ctf.obj", 4, 150, 350}}) {
     constexpr double kScale = 0.125;
-    const Surfaces s = readShape(std::string(folder) + level.file, kScale);
+    const Surfaces s = readLevel(std::string(folder) + level.file, kScale);
     const Tracer tracer(s);
     const auto sectors = sectorsOf(s, {});
     CHECK(sectors.size() == level.sectors);
