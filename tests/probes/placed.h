@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sectors of small levels, placed for tests.
+#pragma once
+
+#include <algorithm>
+
+#include "probes/placement/placement.h"
+#include "rooms.h"
+
+namespace welkin::tests {
+
+using probes::PlacedSector;
+using probes::PlacementReport;
+using probes::PlacementSettings;
+using probes::Probe;
+using probes::SectorId;
+using probes::Surfaces;
+
+inline PlacedSector place(const Surfaces& s, const SectorId& id, const PlacementSettings& settings = {},
+                          PlacementReport* report = nullptr) {
+  const probes::Tracer tracer(s);
+  PlacementReport unused;
+  return placeSector(tracer, id, settings, report != nullptr ? *report : unused);
+}
+
+/// Probes whose height is between the two.
+inline std::size_t countBetween(const PlacedSector& sector, double low_y, double high_y) {
+  return static_cast<std::size_t>(std::count_if(sector.probe.begin(), sector.probe.end(), [&](const Probe& p) {
+    return p.position.y > low_y && p.position.y < high_y;
+  }));
+}
+
+}  // namespace welkin::tests

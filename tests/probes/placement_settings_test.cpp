@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Placement by hand, of vegetation and in rooms, which sectors there are, and that threads do not matter.
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "placed.h"
+#include "probes/placement/placement.h"
+#include "probes/placement/validity.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+using tests::countBetween;
+using tests::place;
+
+bool same(const PlacedSector& a, const PlacedSector& b) {
+  return a.id == b.id && a.low_y == b.low_y && a.cell_height_m == b.cell_height_m && a.grid == b.grid &&
+         a.top == b.top &&
+         std::equal(a.probe.begin(), a.probe.end(), b.probe.begin(), b.probe.end(),
+                    [](const Probe& p, const Probe& q) { return p.position == q.position; });
+}
+
+/// Level ground with houses, steps and a hanging slab about the corner of four sectors.
+Surfaces village() {
+  Surfaces s = tests::groundOf({0.5, 0.5, 0.5}, 90.0);
+  for (int i = -3; i < 4; ++i)
+    for (int k = -3; k < 4; ++k)
+      tests::addBoxOutside(s, {19.3 * i - 4, 0, 17.7 * k - 3}, {19.3 * i + 3, 3.0 + i + 0.5 * k, 17.7 * k + 2.5}, 0);
+  tests::addBoxOutside(s, {-9, 6.5, -9}, {9, 7, 9}, 0);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("Placement, ByHand") {
+  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  PlacementSettings settings;
+  settings.add = {{10, 1, 10}, {10.5, 1, 10}, {20, -0.5, 20}, {30, -8, 30}, {100, 1, 10}, {30, 1, 30}};
+  settings.remove = {{{24, 0, 24}, {64, 4, 64}}};
+  PlacementReport report;
+  const PlacedSector sector = place(s, {0, 0}, settings, &report);
+  REQUIRE(sector.probe.size() > 4);
+  CHECK(sector.probe[0].position == Number3(10, 1, 10));
+  CHECK(sector.probe[1].position == Number3(10.5, 1, 10));  // near another, but by hand
+  CHECK(sector.probe[3].position == Number3(30, 1, 30));    // in a box of `remove`, but by hand
+  REQUIRE(report.moved.size() == 1);
+  CHECK(report.moved[0].by_hand);
+  CHECK(report.moved[0].from == Number3(20, -0.5, 20));
+  CHECK(report.moved[0].to == sector.probe[2].position);
+  CHECK(report.moved[0].to.y > 0.19);
+  REQUIRE(report.dropped.size() == 1);
+  CHECK(report.dropped[0].by_hand);
+  CHECK(report.dropped[0].position == Number3(30, -8, 30));
+  CHECK(report.dropped[0].reason == DroppedProbe::Reason::inside);
+  CHECK(report.removed == 100);
+  for (std::size_t i = 4; i < sector.probe.size(); ++i) {
+    CHECK_FALSE(contains(settings.remove[0], sector.probe[i].position));
+    CHECK(distanceOf(sector.probe[i].position, {10, 1, 10}) >= 7.0);
+  }
+  CHECK(place(s, {1, 0}, settings).probe[0].position == Number3(100, 1, 10));
+}
+
+TEST_CASE("Placement, ThoseByHandOutliveThinning") {
+  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  PlacementSettings settings;
+  settings.minimum_separation_m = 0.0;
+  for (int i = 0; i < 20; ++i) settings.add.push_back({1.0 + 3 * i, 1.5, 33});
+  PlacementReport report;
+  const PlacedSector sector = place(s, {0, 0}, settings, &report);
+  CHECK(sector.probe.size() == kMostProbes);
+  CHECK(report.dropped.size() == 256 + 20 - kMostProbes);
+  for (const DroppedProbe& d : report.dropped) CHECK_FALSE(d.by_hand);
+  for (std::size_t i = 0; i < 20; ++i) CHECK(sector.probe[i].position == settings.add[i]);
+}
+
+TEST_CASE("Placement, AboveTheBoxesOfVegetation") {
+  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  const auto leaf = tests::addMaterial(s, {0.1, 0.4, 0.1}, true);
+  const auto tree = [&](const Number3& low, const Number3& high) {
+    s.object.push_back({"tree", Role::vegetation});
+    const std::size_t first = s.triangle.size();
+    tests::addQuad(s, low, {high.x - low.x, 0, 0}, {0, 0.5 * (high.y - low.y), 0}, leaf);
+    tests::addQuad(s, {low.x, high.y, low.z}, {high.x - low.x, 0, 0}, {0, 0, high.z - low.z}, leaf);
+    for (std::size_t i = first; i < s.triangle.size(); ++i)
+      s.triangle[i].object = static_cast<std::uint32_t>(s.object.size() - 1);
+  };
+  tree({0, 0, 0}, {16, 20, 16});    // lines at 4 and 12
+  tree({10, 0, 10}, {14, 30, 14});  // higher, at (12, 12)
+  tree({33, 0, 33}, {35, 12, 35});  // no line meets it
+  tree({65, 0, 0}, {90, 50, 60});   // the next sector's
+  const PlacedSector sector = place(s, {0, 0});
+  CHECK(countBetween(sector, 0, 1.5) == 64);  // leaves are no ground, and stop no ray
+  CHECK(countBetween(sector, 20.9, 21.1) == 3);
+  CHECK(countBetween(sector, 30.9, 31.1) == 1);
+  CHECK(countBetween(sector, 12.9, 13.1) == 1);
+  CHECK(sector.probe.size() == 69);
+}
+
+TEST_CASE("Placement, SectorsOfALevel") {
+  Surfaces s;
+  const auto stone = tests::addMaterial(s, {0.5, 0.5, 0.5});
+  tests::addQuad(s, {-70, 0, 10}, {0, 0, 20}, {80, 0, 0}, stone);   // three sectors along x
+  tests::addQuad(s, {200, 0, 200}, {1, 0, 0}, {0, 0, 1}, stone);    // between the lines
+  tests::addQuad(s, {300, 0, 300}, {20, 0, 0}, {0, 0, 20}, stone);  // looks down
+  tests::addQuad(s, {400, 0, 0}, {0, 9, 0}, {0, 0, 20}, stone);     // a wall
+  PlacementSettings settings;
+  CHECK(sectorsOf(s, settings) == std::vector<SectorId>{{-2, 0}, {-1, 0}, {0, 0}});
+  settings.add = {{-1, 5, -1000}};
+  CHECK(sectorsOf(s, settings) == std::vector<SectorId>{{-2, 0}, {-1, -16}, {-1, 0}, {0, 0}});
+  s.object.push_back({"tree", Role::vegetation});
+  tests::addQuad(s, {500, 0, 0}, {1, 0, 0}, {0, 9, 1}, stone);
+  for (std::size_t i = s.triangle.size() - 2; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
+  CHECK(sectorsOf(s, settings).back() == SectorId{7, 0});
+  CHECK(sectorsOf({}, {}).empty());
+}
+
+TEST_CASE("Placement, SectorsAreThoseThatGetProbes") {
+  const Surfaces s = village();
+  const auto sectors = sectorsOf(s, {});
+  CHECK(sectors.size() == 16);
+  for (int x = -3; x < 3; ++x)
+    for (int z = -3; z < 3; ++z) {
+      const bool named = std::find(sectors.begin(), sectors.end(), SectorId{x, z}) != sectors.end();
+      CHECK(place(s, {x, z}).probe.empty() == !named);
+    }
+}
+
+TEST_CASE("Placement, SameBytesForAnyThreadsAndForASectorAlone") {
+  const Surfaces all = village();
+  Surfaces near = all;  // what comes near the sector only, in another order
+  std::erase_if(near.triangle, [&](const Triangle& t) {
+    double high = -1e9;
+    for (const auto v : t.vertex) high = std::max(high, double{near.position[v][0]});
+    return high < -64.0;
+  });
+  std::reverse(near.triangle.begin(), near.triangle.end());
+  for (const SectorId id : {SectorId{0, 0}, SectorId{0, -1}}) {
+    PlacedSector one;
+    PlacedSector four;
+    {
+      const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
+      one = place(all, id);
+    }
+    {
+      const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+      four = place(all, id);
+    }
+    CHECK(one.probe.size() > 40);
+    CHECK(same(one, four));
+    CHECK(same(one, place(near, id)));
+  }
+}
+
+TEST_CASE("Placement, RoomsHaveProbesOfTheirOwn") {
+  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  PlacementSettings settings;
+  settings.room = {{{0, -1, 0}, {9, 4, 9}}};
+  const PlacedSector sector = place(s, {0, 0}, settings);
+  for (int k = 0; k < kCells; ++k)
+    for (int j = 0; j < kCells; ++j)
+      for (int i = 0; i < kCells; ++i) {
+        const std::uint8_t probe = sector.grid[static_cast<std::size_t>(i + kCells * (j + kCells * k))];
+        const Number3 middle{4 * i + 2.037, 4 * j + 2.0, 4 * k + 2.021};
+        REQUIRE(probe != kNoProbe);
+        CHECK(roomOf(settings, sector.probe[probe].position) == roomOf(settings, middle));
+      }
+}
+
+TEST_CASE("Placement, SettingsOutOfRangeAreErrors") {
+  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  PlacementSettings settings;
+  settings.spacing_m = 0.0;
+  CHECK_THROWS_WITH(sectorsOf(s, settings), Catch::Contains("spacing_m = 0"));
+  settings = {};
+  settings.remove = {{{0, 0, 0}, {1, -1, 1}}};
+  CHECK_THROWS_WITH(place(s, {0, 0}, settings), Catch::Contains("remove"));
+}
+
+}  // namespace welkin::probes
