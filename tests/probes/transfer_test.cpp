@@ -287,4 +287,34 @@ TEST_CASE("Transfer, BacksAreBlack") {
   }
 }
 
+TEST_CASE("Transfer, EmissionLeavesTheRestAlone") {
+  // Panels in the air, so that paths leave downward after any bounce; the same paths whether something shines or not.
+  const auto level = [](double emission) {
+    Surfaces s;
+    const auto panel = tests::addMaterial(s, {0.8, 0.6, 0.4}, true, Number3(emission));
+    tests::addQuad(s, {-4, -3, 2}, {8, 0, 0}, {0, 9, 1}, panel);
+    tests::addQuad(s, {-4, -3, -3}, {8, 0, 0}, {0, 8, -1}, panel);
+    return s;
+  };
+  TransferSettings settings = settingsOf(2);
+  settings.ground_albedo = Number3(0.5);
+  settings.light_directions = {tests::towards(0.4, 0.3), tests::towards(0.4, -0.3)};
+  const Surfaces dark = level(0);
+  const Surfaces bright = level(1);
+  const Tracer dark_tracer(dark);
+  const Tracer bright_tracer(bright);
+  const ProbeTransfer a = traceTransfer(dark_tracer, {0, 1, 0}, settings, {0, 0}, 0);
+  const ProbeTransfer b = traceTransfer(bright_tracer, {0, 1, 0}, settings, {0, 0}, 0);
+  CHECK(a.emitted[0] == Number3(0.0));
+  CHECK(b.emitted[0].x > 1.0);
+  for (std::size_t d = 0; d < kDirections; ++d) {
+    CHECK(a.visibility[d] == b.visibility[d]);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(a.sky[d][k] == b.sky[d][k]);
+    CHECK(a.sun[d][0].x > 0.0);
+    CHECK(a.sun[d][0] == b.sun[d][0]);
+    // From below the horizon it would shine on the panels.
+    CHECK(a.sun[d][1] == Number3(0.0));
+  }
+}
+
 }  // namespace welkin::probes
