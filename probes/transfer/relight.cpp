@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/transfer/relight.h"
 
+#include <cmath>
+
 #include "sh/deterministic.h"
 
 namespace welkin::probes {
@@ -16,6 +18,12 @@ Number3 product(const std::array<Number3, 4>& a, const std::array<Number3, 4>& b
 
 }  // namespace
 
+std::array<Number3, 4> fittedToHemisphere(const std::array<Number3, 4>& sh) {
+  // Inner products: 1/2 of each function with itself, sqrt(3)/4 of the constant with that of y, else 0.
+  const double mixed = 4.0 * std::sqrt(3.0);
+  return {sh[0] * 8.0 - sh[1] * mixed, sh[1] * 8.0 - sh[0] * mixed, sh[2] * 2.0, sh[3] * 2.0};
+}
+
 std::array<Number3, kDirections> ProbeIrradiance::total() const {
   std::array<Number3, kDirections> sum;
   for (std::size_t b = 0; b < kDirections; ++b) sum[b] = sky[b] + sun_bounce[b] + local[b];
@@ -23,9 +31,10 @@ std::array<Number3, kDirections> ProbeIrradiance::total() const {
 }
 
 Relight relightAt(double time_h, const std::array<Number3, 4>& sky_sh, const LightAt& sun, const LightAt& moon,
-                  SunTransfer sun_transfer, const SunModes& modes, const RelightScale& scale) {
+                  SunTransfer sun_transfer, const SunModes& modes, const RelightScale& scale, SkyBounce sky_bounce) {
   Relight result;
   result.sky = sky_sh;
+  result.bounced_sky = sky_bounce == SkyBounce::fitted ? fittedToHemisphere(sky_sh) : sky_sh;
   result.sun_transfer = sun_transfer;
   result.scale = scale;
   std::size_t i = 0;
@@ -48,7 +57,7 @@ ProbeIrradiance relit(const ProbeTransfer& transfer, const SunCoefficients& sun,
     const auto at = twoBands(basis[b]);
     Number3 open = light.sky[0] * (det::cosineLobe(0) * at[0]);
     for (std::size_t k = 1; k < 4; ++k) open += light.sky[k] * (det::cosineLobe(1) * at[k]);
-    result.sky[b] = (open * transfer.visibility[b] + product(transfer.sky[b], light.sky)) * light.scale.sky;
+    result.sky[b] = (open * transfer.visibility[b] + product(transfer.sky[b], light.bounced_sky)) * light.scale.sky;
     if (light.sun_transfer == SunTransfer::sh)
       result.sun_bounce[b] = product(transfer.sky[b], light.light_sh) * light.scale.sun_bounce;
     if (light.sun_transfer == SunTransfer::directional)

@@ -30,10 +30,22 @@ struct RelightScale {
   double sun_bounce = 1.0;
 };
 
+/// The radiance over the upper hemisphere that its 2 bands stand for, where the bounced light of the sky is concerned.
+enum class SkyBounce {
+  projected,  ///< the bands' own sum, as in the talk: of a uniform sky it is 1/2 + 3 y / 4
+  fitted      ///< the sum of the four functions that is nearest to it over the upper hemisphere alone
+};
+
+/// Coefficients a of the sum of Y_k nearest in the mean square, over the upper hemisphere, to the radiance there of
+/// which `sh` are the coefficients, the lower hemisphere black: `sh` times the inverse of the functions' inner products
+/// over the hemisphere. Exact for every radiance that is linear in the direction.
+std::array<Number3, 4> fittedToHemisphere(const std::array<Number3, 4>& sh);
+
 /// What all probes of a sector share at one time.
 struct Relight {
   /// Radiance of the sky, 2 bands, index l (l + 1) + m: upper hemisphere only, without ground, desaturated.
   std::array<Number3, 4> sky{};
+  std::array<Number3, 4> bounced_sky{};  ///< by SkyBounce
   SunTransfer sun_transfer = SunTransfer::none;
   std::array<Number3, 4> light_sh{};          ///< sh: of sun and moon
   std::array<std::vector<Number3>, 2> mode;   ///< directional: modesAt of sun and moon
@@ -43,7 +55,8 @@ struct Relight {
 
 /// At a finite time. `modes` counts for `directional` only.
 Relight relightAt(double time_h, const std::array<Number3, 4>& sky_sh, const LightAt& sun, const LightAt& moon,
-                  SunTransfer sun_transfer, const SunModes& modes, const RelightScale& scale = {});
+                  SunTransfer sun_transfer, const SunModes& modes, const RelightScale& scale = {},
+                  SkyBounce sky_bounce = SkyBounce::projected);
 
 /// Irradiance by direction of the transfer basis, pi included.
 struct ProbeIrradiance {

@@ -64,8 +64,6 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
                      const std::vector<Number3>& light_direction) {
   // Irradiance over pi of the plane, by coefficient of the distant light: all of the upper hemisphere, by its cosine.
   constexpr std::array<double, 4> kPlane{det::kShConstant, det::kShLinear * 2.0 / 3.0, 0.0, 0.0};
-  const double uniform_constant = std::sqrt(det::kPi);
-  const double uniform_linear = std::sqrt(3.0 * det::kPi) / 2.0;
   const auto basis = transferBasis();
   double highest = 0.0;
   for (const Number3& light : light_direction) highest = std::max(highest, light.y);
@@ -88,9 +86,8 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
         result.transfer.sky[b][k][c] = estimator.of([&](std::size_t r, std::size_t h) { return sky(k, r, h); }).value;
       result.transfer.emitted[b][c] =
           estimator.of([&](std::size_t r, std::size_t h) { return sums[r][h].emitted[b][channel]; }).value;
-      const Estimate uniform = estimator.of([&](std::size_t r, std::size_t h) {
-        return sums[r][h].open[b] + uniform_constant * sky(0, r, h) + uniform_linear * sky(1, r, h);
-      });
+      const Estimate uniform = estimator.of(
+          [&](std::size_t r, std::size_t h) { return sums[r][h].open[b] + sky(0, r, h) / det::kShConstant; });
       const double sky_error = std::sqrt(uniform.variance);
       result.effort.sky_error[b][c] = sky_error;
       result.effort.error = std::max(result.effort.error, kStudent * sky_error / det::kPi);

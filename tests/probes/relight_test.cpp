@@ -142,4 +142,32 @@ TEST_CASE("Relight, ALightBelowTheHorizonGivesNothing") {
     CHECK(relit(t, c, relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] == Number3(0.0));
 }
 
+TEST_CASE("Relight, FittedSkyIsExactForLinearRadiance") {
+  // Coefficients of a + g . w over the upper hemisphere, by the midpoint rule; and what they are fitted to.
+  const double a = 1.5;
+  const Number3 g(0.3, 0.8, -0.4);
+  std::array<double, 4> sh{};
+  constexpr int kRows = 400;
+  constexpr int kColumns = 800;
+  for (int i = 0; i < kRows; ++i)
+    for (int j = 0; j < kColumns; ++j) {
+      const Number3 w = tests::towards(det::kTwoPi * (j + 0.5) / kColumns, std::asin((i + 0.5) / kRows));
+      const auto y = f64::shBasis(w);
+      for (std::size_t k = 0; k < 4; ++k) sh[k] += (a + dot(g, w)) * y.v[k] * det::kTwoPi / (double{kRows} * kColumns);
+    }
+  const auto fitted = fittedToHemisphere({Number3(sh[0]), Number3(sh[1]), Number3(sh[2]), Number3(sh[3])});
+  CHECK(fitted[0].x == Approx(a / det::kShConstant).epsilon(1e-5));
+  CHECK(fitted[1].y == Approx(g.y / det::kShLinear).epsilon(1e-5));
+  CHECK(fitted[2].z == Approx(g.z / det::kShLinear).epsilon(1e-5));
+  CHECK(fitted[3].x == Approx(g.x / det::kShLinear).epsilon(1e-5));
+  // Over a plane the fit is exact for every sky: its irradiance is the coefficient of y, the cosine of level ground.
+  const std::array<Number3, 4> sky{Number3(1.0), Number3(0.6), Number3(0.2), Number3(-0.3)};
+  const ProbeTransfer plane = planeTransfer(Number3(0.5));
+  const auto projected = relit(plane, {}, relightAt(0, sky, {}, {}, SunTransfer::none, {}));
+  const auto by_fit = relit(plane, {}, relightAt(0, sky, {}, {}, SunTransfer::none, {}, {}, SkyBounce::fitted));
+  const double open = det::kPi * sky[0].x * det::kShConstant + det::kTwoPi / 3 * sky[1].x * det::kShLinear;
+  CHECK(projected.sky[3].x == Approx(0.5 * open));
+  CHECK(by_fit.sky[3].x == Approx(0.5 * sky[1].x / det::kShLinear));
+}
+
 }  // namespace welkin::probes

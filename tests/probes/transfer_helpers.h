@@ -41,7 +41,7 @@ inline void checkMeasured(const Measured& m, double expected, double bound = 1e-
 /// Irradiance under a uniform sky of radiance 1, direct and bounced, green.
 inline double uniformSky(const probes::ProbeTransfer& t, std::size_t b) {
   const double open = det::kPi * (1.0 + probes::transferBasis()[b].y) / 2.0;
-  return t.visibility[b] * open + std::sqrt(det::kPi) * t.sky[b][0].y + std::sqrt(3.0 * det::kPi) / 2.0 * t.sky[b][1].y;
+  return t.visibility[b] * open + t.sky[b][0].y / det::kShConstant;
 }
 
 /// What four directions give for a normal.
