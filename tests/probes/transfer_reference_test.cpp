@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
+#include "probes/transfer/relight.h"
 #include "skies.h"
 #include "transfer_helpers.h"
 
@@ -21,6 +22,49 @@ Surfaces yard() {
   tests::addQuad(s, {-6, 4, -5}, {5, 0, 0}, {0, 0.5, 5}, red);
   tests::addQuad(s, {-5, 0.5, -4.9}, {4, 0, 0}, {0, 3, 0}, lamp);
   return s;
+}
+
+/// Coefficients of the sky's radiance, 2 bands, by the midpoint rule.
+std::array<Number3, 4> coefficientsOf(const DistantLight& light) {
+  std::array<Number3, 4> sh{};
+  constexpr int kRows = 200;
+  constexpr int kColumns = 400;
+  for (int i = 0; i < kRows; ++i)
+    for (int j = 0; j < kColumns; ++j) {
+      const Number3 w = tests::towards(det::kTwoPi * (j + 0.5) / kColumns, std::asin((i + 0.5) / kRows));
+      const auto y = f64::shBasis(w);
+      for (std::size_t k = 0; k < 4; ++k)
+        sh[k] += light.skyRadiance(w) * (y.v[k] * det::kTwoPi / (double{kRows} * kColumns));
+    }
+  return sh;
+}
+
+/// Root of the mean square error of the sky's bounced light at two probes, by direction and channel, over its root mean
+/// square.
+double bounceError(const Surfaces& surfaces, const sky::Sky& sky, SkyBounce way) {
+  const Tracer tracer(surfaces);
+  const DistantLight light(sky, 12.0);
+  TransferSettings settings;
+  settings.rays = 1U << 14;
+  settings.ground_albedo = sky.ground_albedo;
+  const Relight relight = relightAt(12.0, coefficientsOf(light), {}, {}, SunTransfer::none, {}, {}, way);
+  double squares = 0.0;
+  double all = 0.0;
+  for (const Number3& at : {Number3(-3, 1, -2.5), Number3(2, 2.5, 1)}) {
+    ProbeTransfer t = traceTransfer(tracer, at, settings, {0, 0}, 0);
+    t.visibility = {};  // the bounce alone
+    const ProbeIrradiance e = relit(t, {}, relight);
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      const auto all_of = traceReference(tracer, light, {}, at, transferBasis()[b], {1U << 15, 2, 0});
+      const auto direct = traceReference(tracer, light, {}, at, transferBasis()[b], {1U << 15, 0, 0});
+      for (int c = 0; c < 3; ++c) {
+        const double truth = all_of.sky.value[c] - direct.sky.value[c];
+        squares += (e.sky[b][c] - truth) * (e.sky[b][c] - truth);
+        all += truth * truth;
+      }
+    }
+  }
+  return std::sqrt(squares / all);
 }
 
 }  // namespace
@@ -65,6 +109,26 @@ TEST_CASE("TransferReference, AgreesInAYard") {
           agrees(truth.local, [&](const ProbeTransfer& t) { return t.emitted[b][c]; });
         }
       }
+  }
+}
+
+TEST_CASE("TransferReference, TheSkysBounceIsNearerByTheFit") {
+  // The rest of the fit's error under a uniform sky is noise.
+  const Surfaces surfaces = yard();
+  sky::Sky uniform = tests::uniformSky(1.0);
+  uniform.ground_albedo = {0.3, 0.6, 0.2};
+  const double uniform_projected = bounceError(surfaces, uniform, SkyBounce::projected);
+  const double uniform_fitted = bounceError(surfaces, uniform, SkyBounce::fitted);
+  CAPTURE(uniform_projected, uniform_fitted);
+  CHECK(uniform_projected > 0.05);
+  CHECK(uniform_fitted < 0.03);
+  for (const double elevation : {0.15, 0.6, 1.2}) {
+    sky::Sky clear = tests::clearSky(2.2, elevation);
+    clear.ground_albedo = uniform.ground_albedo;
+    const double projected = bounceError(surfaces, clear, SkyBounce::projected);
+    const double fitted = bounceError(surfaces, clear, SkyBounce::fitted);
+    CAPTURE(elevation, projected, fitted);
+    CHECK(fitted < projected);
   }
 }
 
