@@ -61,7 +61,7 @@ sky::Domain rows() {
        1.0,
        "above the surface; half of the free height where that is less"},
       {"probes", "headroom_m", "", Kind::number, kMetre, {0.01, 64.0}, 1.2, "free height that makes a surface ground"},
-      {"probes", "clearance_m", "", Kind::number, kMetre, {0.001, 64.0}, 0.25, "between a probe and any surface"},
+      {"probes", "clearance_m", "", Kind::number, kMetre, {0.001, 64.0}, 0.2, "between a probe and any surface"},
       {"probes", "coverage_m", "", Kind::number, kMetre, kSpacing, 8.0,
        "every walkable point sees a probe that is as near"},
       {"probes", "add", "", Kind::points, kMetre, kMetres, "none", "probes by hand"},
