@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "probes/directions.h"
@@ -99,7 +100,8 @@ struct Tracer::Scene {
   std::array<Part, 4> part;
 
   explicit Scene(const Surfaces& s) : surfaces(&s) {
-    if (!__builtin_cpu_supports(kIsa)) refuse(fmt::format("this processor has no {}", kIsa));
+    static_assert(std::string_view(kIsa) == "avx2", "what the processor is asked for below");
+    if (!__builtin_cpu_supports("avx2")) refuse(fmt::format("this processor has no {}", kIsa));
     device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
     if (device == nullptr) refuse("no Embree device");
     scene = rtcNewScene(device);

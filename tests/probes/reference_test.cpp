@@ -118,18 +118,18 @@ TEST_CASE("Reference, LightAndEyeMayChangePlaces") {
   const Number3 b(2.9, 1.4, -3.1);
   const auto fromAllSides = [&](const Number3& from, const Number3& at) {
     const LocalLight light[] = {{from, Number3(1.0)}};
-    constexpr int kNormals = 1000;
+    constexpr int kSides = 1000;
     Number3 sum(0.0);
     Number3 squares(0.0);
-    for (int i = 0; i < kNormals; ++i) {
-      const Number3 normal = sphereDirection((i + 0.5) / kNormals, i * 0.6180339887498949);
+    for (int i = 0; i < kSides; ++i) {
+      const Number3 normal = sphereDirection((i + 0.5) / kSides, i * 0.6180339887498949);
       const auto seed = static_cast<std::uint64_t>(i);
       const auto e = traceReference(tracer, darkness(), light, at, normal, {64, 2, seed}).local;
       sum += e.value;
       squares += e.standard_error * e.standard_error;
     }
-    Estimate mean{sum / kNormals, {}};
-    for (int c = 0; c < 3; ++c) mean.standard_error[c] = std::sqrt(squares[c]) / kNormals;
+    Estimate mean{sum / kSides, {}};
+    for (int c = 0; c < 3; ++c) mean.standard_error[c] = std::sqrt(squares[c]) / kSides;
     return mean;
   };
   const Estimate there = fromAllSides(a, b);
