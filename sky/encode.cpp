@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/encode.h"
 
-#include "format/container.h"
-
 namespace welkin::sky {
 namespace {
 
@@ -14,9 +12,7 @@ Offset<format::Curve> encodeCurve(FlatBufferBuilder& b, const Curve& curve) {
 }
 
 Offset<format::Light> encodeLight(FlatBufferBuilder& b, const Light& light) {
-  const LightPath& p = light.path;
-  const auto path = format::CreateLightPathDirect(b, p.latitude_rad, p.declination_rad, p.transit_h, p.north_offset_rad,
-                                                  &p.key_time_h, &p.key_azimuth_rad, &p.key_elevation_rad);
+  const auto path = encodePath(b, light.path);
   const auto illuminance = encodeCurve(b, light.illuminance);
   const auto colour = encodeCurve(b, light.colour);
   return format::CreateLight(b, path, illuminance, colour, light.disc_radius_rad);
@@ -74,6 +70,11 @@ Offset<format::Certificate> encodeCertificate(FlatBufferBuilder& b, const Certif
 }
 
 }  // namespace
+
+Offset<format::LightPath> encodePath(FlatBufferBuilder& b, const LightPath& p) {
+  return format::CreateLightPathDirect(b, p.latitude_rad, p.declination_rad, p.transit_h, p.north_offset_rad,
+                                       &p.key_time_h, &p.key_azimuth_rad, &p.key_elevation_rad);
+}
 
 std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<Cubemap>& cubemaps,
                                  Encoding encoding, const Certificate* certificate) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "format/container.h"
 #include "sky/certificate.h"
 #include "sky/cubemap.h"
 #include "sky/day_encoding.h"
@@ -16,5 +17,8 @@ namespace welkin::sky {
 /// numbers, or null when nothing was measured.
 std::vector<std::byte> encodeSky(const SkyFile& file, const DayTable& table, const std::vector<Cubemap>& cubemaps,
                                  Encoding encoding = Encoding::float32, const Certificate* certificate = nullptr);
+
+/// A path as table LightPath, into a file that is being built.
+flatbuffers::Offset<format::LightPath> encodePath(flatbuffers::FlatBufferBuilder& builder, const LightPath& path);
 
 }  // namespace welkin::sky

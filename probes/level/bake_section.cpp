@@ -144,7 +144,8 @@ BakeSection readBakeSection(const std::filesystem::path& path) {
   section.probes.room = readRooms(name, top);
   section.transfer = readTransfer(Section(top, "transfer", levelDomain()));
   Section scale(top, "scale", levelDomain());
-  section.scale = {scale.number("sun_bounce"), scale.number("sky")};
+  section.scale.sun_bounce = scale.number("sun_bounce");
+  section.scale.sky = scale.number("sky");
   scale.table().finish();
   return section;
 }
@@ -162,8 +163,7 @@ std::string settingsText(const BakeSection& section) {
       fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}}})",
                   t.rays ? fmt::format("{}", *t.rays) : "\"auto\"", t.bounces, nameOf(t.sun),
                   lightsText(t.local_lights), t.reach_m);
-  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}, "scale": {{"sun_bounce": {}, "sky": {}}}}})",
-                     probes, boxesText(p.room), transfer, section.scale.sun_bounce, section.scale.sky);
+  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}}})", probes, boxesText(p.room), transfer);
 }
 
 }  // namespace welkin::probes

@@ -2,18 +2,15 @@
 // What level.toml says of its bake: [probes], [[room]], [transfer] and [scale]. docs/level_file.md describes every key.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "probes/placement/settings.h"
+#include "probes/transfer/relight.h"
 
 namespace welkin::probes {
-
-/// How the bounced light of sun and moon is baked.
-enum class SunTransfer : std::uint8_t { none, sh, directional };
 
 /// As in level.toml.
 const char* nameOf(SunTransfer sun);
@@ -32,22 +29,16 @@ struct TransferSection {
   double reach_m = 64.0;
 };
 
-/// Multipliers, which the runtime may change.
-struct ScaleSection {
-  double sun_bounce = 1.0;
-  double sky = 1.0;
-};
-
 struct BakeSection {
   PlacementSettings probes;  ///< [probes] and [[room]]
   TransferSection transfer;
-  ScaleSection scale;
+  RelightScale scale;  ///< which the runtime may change
 };
 
 /// Reads and checks these sections of a level file; what is absent has its default. Throws Error as readLevelFile.
 BakeSection readBakeSection(const std::filesystem::path& path);
 
-/// The settings as JSON, keys in a fixed order: what a baked file holds of them.
+/// The settings as JSON, keys in a fixed order, without the scales: what a baked file holds of them.
 std::string settingsText(const BakeSection& section);
 
 }  // namespace welkin::probes

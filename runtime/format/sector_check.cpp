@@ -85,8 +85,8 @@ void checkProbes(Check& check, const Probes& p, SunTransfer sun) {
 }
 
 void checkError(Check& check, const SectorError& e, std::size_t probes) {
-  const double numbers[] = {e.sampling(), e.position_m(), e.visibility(), e.sky(),
-                            e.sun(),      e.emitted(),    e.modes_rms(),  e.modes_worst()};
+  const double numbers[] = {e.sampling(), e.position_m(), e.visibility(),      e.sky(),        e.sun(),
+                            e.emitted(),  e.modes_rms(),  e.modes_worst_row(), e.modes_worst()};
   check.that(within(std::span<const double>(numbers), 0.0, kAny) &&
                  (probes == 0 ? e.sampling_probe() == 0 : e.sampling_probe() < probes),
              "the errors", "have a value out of their domain");
@@ -121,7 +121,7 @@ Fault levelFaultOf(const File& file) {
   Check check;
   const auto* level = file.level();
   if (!check.that(level != nullptr, "level", "is missing") ||
-      !check.that(level->sky_checksum() != nullptr, "the checksum of the sky", "is missing"))
+      !check.that(level->all_sectors() != nullptr, "the hash of all sectors", "is missing"))
     return check.fault;
   check.that(file.settings() != nullptr, "settings", "are missing");
   check.that(level->sun() <= SunTransfer::MAX, "sun", "must be none, sh or directional");
@@ -135,10 +135,12 @@ Fault levelFaultOf(const File& file) {
   check.that((level->sun_path() != nullptr) == (level->sun() == SunTransfer::directional), "sun",
              "must have a path where its transfer is directional, and only there");
   if (check.fault.what != nullptr || level->sectors() == nullptr) return check.fault;
+  if (!check.that(reinterpret_cast<std::uintptr_t>(level->sectors()->Data()) % alignof(SectorEntry) == 0, "the sectors",
+                  "are misaligned"))
+    return check.fault;
   const SectorEntry* before = nullptr;
   for (const auto* s : *level->sectors()) {
-    if (!check.that(s->checksum() != nullptr && s->baked_from() != nullptr, "a sector", "has no checksum")) break;
-    check.that(isPlace(s->x(), s->z()), "a sector", "must be -15624 to 15624 on each axis");
+    check.that(isPlace(s->x(), s->z()) && s->probes() <= kMostProbes, "a sector", "has a number out of its domain");
     check.that(before == nullptr || before->x() < s->x() || (before->x() == s->x() && before->z() < s->z()),
                "the sectors", "must ascend");
     before = s;

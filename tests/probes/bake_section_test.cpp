@@ -133,7 +133,6 @@ sky = 2.5
   CHECK(json["room"][1] == std::vector<double>{10, 11, 12, 13, 14, 15});
   CHECK(json["transfer"]["local_lights"] == std::vector<std::string>{"-1_0", "3_-4"});
   CHECK(json["transfer"]["rays"] == "auto");
-  CHECK(json["scale"]["sky"] == 2.5);
 }
 
 TEST_CASE("BakeSection, EveryNumberAtTheEndsOfItsRange") {

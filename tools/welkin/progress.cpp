@@ -57,8 +57,8 @@ ProgressReport::~ProgressReport() {
   print(done_, true);
 }
 
-bool ProgressReport::step() {
-  const std::size_t done = ++done_;
+bool ProgressReport::step(std::size_t pieces) {
+  const std::size_t done = done_ += pieces;
   const auto now = Clock::now();
   const double pause = style_ == Style::bar ? 0.1 : 2.0;
   const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -69,6 +69,12 @@ bool ProgressReport::step() {
   return !stop_wanted;
 }
 
+void ProgressReport::note(std::string text, std::string json) {
+  const std::lock_guard lock(mutex_);
+  note_ = std::move(text);
+  json_note_ = std::move(json);
+}
+
 void ProgressReport::print(std::size_t done, bool last) {
   const double elapsed = seconds(Clock::now() - start_);
   const std::size_t total = std::max(total_, done);  // work whose extent shows as it goes has 0
@@ -76,17 +82,17 @@ void ProgressReport::print(std::size_t done, bool last) {
   switch (style_) {
     case Style::bar: {
       const std::size_t filled = total > 0 ? done * 30 / total : 30;
-      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left   {}", what_, "", filled, "", 30 - filled, done,
-                       total, left, last ? "\n" : ""));
+      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left  {} {}", what_, "", filled, "", 30 - filled, done,
+                       total, left, note_, last ? "\n" : ""));
       break;
     }
     case Style::plain:
-      show(fmt::format("{}: {}/{}, {:.1f} s\n", what_, done, total, elapsed));
+      show(fmt::format("{}: {}/{}, {:.1f} s{}{}\n", what_, done, total, elapsed, note_.empty() ? "" : ", ", note_));
       break;
     case Style::json:
       show(fmt::format(
-          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}}}\n", what_,
-          done, total, elapsed, left));
+          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}{}}}\n", what_,
+          done, total, elapsed, left, json_note_));
       break;
     case Style::none:
       break;

@@ -24,8 +24,10 @@ class ProgressReport {
   ProgressReport(Style style, std::string what, std::size_t total);
   ~ProgressReport();
 
-  /// One more piece is done; from any thread. False when the work should stop.
-  bool step();
+  /// So many more pieces are done; from any thread. False when the work should stop.
+  bool step(std::size_t pieces = 1);
+  /// What it shows beside: text, and members of the JSON object, each after ", ".
+  void note(std::string text, std::string json);
 
  private:
   void print(std::size_t done, bool last);
@@ -36,6 +38,7 @@ class ProgressReport {
   std::atomic<std::size_t> done_ = 0;
   std::chrono::steady_clock::time_point start_, printed_;
   std::mutex mutex_;
+  std::string note_, json_note_;
 };
 
 }  // namespace welkin::tools

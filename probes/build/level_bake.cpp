@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/level_bake.h"
+
+#include <algorithm>
+
+#include "probes/placement/placement.h"
+#include "probes/sector_name.h"
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr std::size_t kLargestSectorFile = std::size_t{16} << 20;
+
+LightTrack trackAlong(const sky::LightPath& path) {
+  return trackOf([&](double time_h) { return path.directionAt(time_h); }, kKnotsADay);
+}
+
+/// How a file that is there differs from what it must be.
+std::string difference(const SectorFile& file, SectorId sector, const BakedFrom& from) {
+  if (file.id != sector) return "is of sector " + nameOf(file.id);
+  std::string what;
+  const auto add = [&](bool differs, const char* name) {
+    if (differs) what += (what.empty() ? "" : ", ") + std::string(name);
+  };
+  add(file.baked_from.surfaces != from.surfaces, "geometry or textures within reach");
+  add(file.baked_from.settings != from.settings, "settings");
+  add(file.baked_from.light_paths != from.light_paths, "light paths");
+  if (what.empty() && file.baked_from.all != from.all) what = "method or format";
+  return what.empty() ? "" : "changed: " + what;
+}
+
+}  // namespace
+
+std::filesystem::path sectorPath(const std::filesystem::path& folder, SectorId sector) {
+  return folder / "sectors" / fileNameOf(sector);
+}
+
+LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky,
+                     std::optional<double> max_error)
+    : surfaces_(std::move(surfaces)),
+      section_(section),
+      max_error_(max_error.value_or(0.0)),
+      ground_albedo_(sky.ground_albedo),
+      sun_path_(sky.sun.path) {
+  if (!section.transfer.rays && !max_error)
+    throw Error(ExitStatus::content,
+                "[transfer] rays = \"auto\": needs a budget, --max-error, --quality or max_error of the sky file");
+  for (Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
+  for (PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
+  if (sky.moon) moon_path_ = sky.moon->path;
+  if (section.transfer.sun == SunTransfer::directional) {
+    sun_ = trackAlong(sun_path_);
+    if (moon_path_) moon_ = trackAlong(*moon_path_);
+  }
+  texture_hash_ = textureHashes(surfaces_);
+  sectors_ = sectorsOf(surfaces_, section_.probes);
+  std::sort(sectors_.begin(), sectors_.end());
+}
+
+SectorSettings LevelBake::settingsOf(SectorId sector) const {
+  return {sectionOf(sector, section_), max_error_, ground_albedo_, sun_, moon_};
+}
+
+SectorState LevelBake::state(const std::filesystem::path& folder, SectorId sector) const {
+  SectorState state{sector, {}, {}, {}, {}};
+  const Column column = columnOf(sector, section_.transfer.reach_m);
+  state.from = bakedFrom(sector, surfacesWithin(surfaces_, column), texture_hash_, settingsOf(sector));
+  const std::filesystem::path path = sectorPath(folder, sector);
+  std::error_code none;
+  if (folder.empty() || !std::filesystem::exists(path, none)) {
+    state.stale = "missing";
+    return state;
+  }
+  try {
+    state.bytes = readFile(path, kLargestSectorFile);
+    state.file = decodeSector(state.bytes, "it");
+    state.stale = difference(*state.file, sector, state.from);
+  } catch (const Error& e) {
+    if (e.status() != ExitStatus::content) throw;
+    state.stale = std::string("unreadable: ") + e.what();
+  }
+  if (!state.stale.empty()) state.bytes.clear();
+  return state;
+}
+
+SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const {
+  NearSurfaces near = surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m));
+  const SectorSettings settings = settingsOf(sector);
+  const BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
+  return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
+}
+
+LevelIndex LevelBake::index() const {
+  LevelIndex index;
+  index.sun = section_.transfer.sun;
+  if (index.sun == SunTransfer::directional) {
+    index.sun_path = sun_path_;
+    index.moon_path = moon_path_;
+  }
+  index.scale = section_.scale;
+  index.settings = settingsText(section_);
+  return index;
+}
+
+SectorEntry entryOf(const SectorFile& file, std::span<const std::byte> bytes) {
+  return {file.id, file.probes.probes(), bytes.size(), hashOf(bytes), file.baked_from.all};
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bake of a level, sector by sector: which there are, which of their files are out of date and why, and each one's
+// bake.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "probes/build/sector_bake.h"
+#include "probes/level_index.h"
+#include "sky/sky.h"
+
+namespace welkin::probes {
+
+/// DIR/sectors/sector_X_Z.welkin
+std::filesystem::path sectorPath(const std::filesystem::path& folder, SectorId sector);
+
+/// What a bake finds in a sector's place.
+struct SectorState {
+  SectorId id;
+  BakedFrom from;                  ///< what the sector must be baked from
+  std::optional<SectorFile> file;  ///< that is there, if it can be read
+  std::string stale;               ///< why it is to be baked; empty: it is up to date
+  std::vector<std::byte> bytes;    ///< of the file, when it is up to date
+};
+
+/// Immutable after construction.
+class LevelBake {
+ public:
+  /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
+  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget, and what sectorsOf throws.
+  LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky, std::optional<double> max_error);
+
+  /// Ascending.
+  const std::vector<SectorId>& sectors() const { return sectors_; }
+
+  /// The state of a sector's file under `folder`.
+  SectorState state(const std::filesystem::path& folder, SectorId sector) const;
+
+  /// Throws as bakeSector.
+  SectorFile bake(SectorId sector, const BakeProgress& progress) const;
+
+  /// The index without its sectors and the sky's checksum.
+  LevelIndex index() const;
+
+ private:
+  SectorSettings settingsOf(SectorId sector) const;
+
+  Surfaces surfaces_;
+  BakeSection section_;
+  double max_error_ = 0.0;
+  Number3 ground_albedo_{0.0};
+  sky::LightPath sun_path_;
+  std::optional<sky::LightPath> moon_path_;
+  LightTrack sun_, moon_;
+  std::vector<Hash128> texture_hash_;
+  std::vector<SectorId> sectors_;
+};
+
+/// The entry of a sector's file.
+SectorEntry entryOf(const SectorFile& file, std::span<const std::byte> bytes);
+
+}  // namespace welkin::probes

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/sector_bake.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+
+#include "format/container.h"
+#include "probes/placement/placement.h"
+#include "probes/transfer/trace_transfer.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+/// Paths of a probe under a budget, at most.
+constexpr std::size_t kMostPaths = std::size_t{1} << 20;
+
+void add(Hasher& hasher, const Number3& v) {
+  for (const double number : {v.x, v.y, v.z}) hasher.add(number);
+}
+
+void add(Hasher& hasher, const LightTrack& track) {
+  hasher.addAll(std::span(track.time_h));
+  for (const Number3& direction : track.direction) add(hasher, direction);
+}
+
+Hash128 hashOfSettings(SectorId sector, const SectorSettings& s) {
+  Hasher hasher;
+  hasher.add(sector.x);
+  hasher.add(sector.z);
+  hasher.add(settingsText(s.section));
+  hasher.add(s.section.transfer.rays ? 0.0 : s.max_error);
+  add(hasher, s.ground_albedo);
+  return hasher.digest();
+}
+
+TransferSettings transferSettings(const SectorSettings& s) {
+  TransferSettings t;
+  t.rays = s.section.transfer.rays ? static_cast<std::size_t>(*s.section.transfer.rays) : kMostPaths;
+  t.bounces = s.section.transfer.bounces;
+  t.ground_albedo = s.ground_albedo;
+  t.light_directions = s.sun.direction;
+  t.light_directions.insert(t.light_directions.end(), s.moon.direction.begin(), s.moon.direction.end());
+  t.max_error = s.section.transfer.rays ? 0.0 : s.max_error;
+  return t;
+}
+
+[[noreturn]] void stop() {
+  throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+}
+
+std::vector<TracedProbe> trace(const Tracer& tracer, const PlacedSector& placed, const SectorSettings& settings,
+                               const BakeProgress& progress) {
+  const TransferTracer transfer(tracer, transferSettings(settings));
+  std::vector<TracedProbe> traced(placed.probe.size());
+  std::atomic<bool> go = true;
+  tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
+    if (!go) return;
+    traced[i] = transfer.trace(placed.probe[i].position, placed.id, i);
+    if (!progress(traced[i].effort.rays)) go = false;
+  });
+  if (!go) stop();
+  return traced;
+}
+
+PlacementCounts countsOf(const PlacementReport& r) {
+  const auto dropped = [&](DroppedProbe::Reason reason) {
+    return static_cast<std::size_t>(
+        std::count_if(r.dropped.begin(), r.dropped.end(), [=](const DroppedProbe& d) { return d.reason == reason; }));
+  };
+  using Reason = DroppedProbe::Reason;
+  return {r.columns,
+          r.ground,
+          r.walkable,
+          r.moved.size(),
+          dropped(Reason::inside),
+          dropped(Reason::too_close),
+          dropped(Reason::thinned),
+          r.uncovered.size(),
+          r.cells_without};
+}
+
+/// The traced probes as numbers, the sun's transfer in modes.
+SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>& traced,
+                      const SectorSettings& settings, SunModesError& error) {
+  std::vector<const ProbeTransfer*> transfers;
+  for (const TracedProbe& t : traced) transfers.push_back(&t.transfer);
+  SunModesFit fit = fitSunModes(transfers, settings.sun, settings.moon, kMostSunModes);
+  const bool budget = !settings.section.transfer.rays;
+  fit = firstModes(std::move(fit), budget ? modesFor(fit, settings.max_error) : kSunModes);
+  error = fit.error.back();
+  SectorProbes probes;
+  probes.id = placed.id;
+  for (std::size_t i = 0; i < traced.size(); ++i) {
+    probes.position.push_back(placed.probe[i].position);
+    probes.transfer.push_back(traced[i].transfer);
+    probes.transfer.back().sun = fit.coefficient[i];
+  }
+  probes.modes = std::move(fit.modes);
+  return probes;
+}
+
+}  // namespace
+
+BakeSection sectionOf(SectorId sector, const BakeSection& level) {
+  BakeSection section = level;
+  const Column column = columnOf(sector, level.transfer.reach_m);
+  std::erase_if(section.probes.add, [&](const Number3& p) { return !column.holds(p); });
+  for (auto* boxes : {&section.probes.remove, &section.probes.room})
+    std::erase_if(*boxes, [&](const Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
+  using Where = LocalLights::Where;
+  LocalLights& lights = section.transfer.local_lights;
+  if (lights.where == Where::listed) {
+    const bool is_listed = std::binary_search(lights.sector.begin(), lights.sector.end(), sector);
+    lights = {is_listed ? Where::everywhere : Where::nowhere, {}};
+  }
+  return section;
+}
+
+BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector<Hash128>& texture_hash,
+                    const SectorSettings& settings) {
+  BakedFrom from;
+  Hasher surfaces;
+  addTo(surfaces, near, texture_hash);
+  from.surfaces = surfaces.digest();
+  from.settings = hashOfSettings(sector, settings);
+  Hasher lights;
+  add(lights, settings.sun);
+  add(lights, settings.moon);
+  from.light_paths = lights.digest();
+  Hasher all;
+  all.add(kBakeVersion);
+  all.add(format::kVersion);
+  all.add(std::string_view(Tracer::kIsa));
+  for (const Hash128& part : {from.surfaces, from.settings, from.light_paths}) all.add(part);
+  from.all = all.digest();
+  return from;
+}
+
+SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSettings& settings, const BakedFrom& from,
+                      const BakeProgress& progress) {
+  const Tracer tracer(near);
+  if (!progress(0)) stop();
+  PlacementReport report;
+  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report);
+  if (!progress(0)) stop();
+  const std::vector<TracedProbe> traced = trace(tracer, placed, settings, progress);
+  SectorFile file;
+  file.id = sector;
+  file.low_y = placed.low_y;
+  file.cell_height_m = placed.cell_height_m;
+  file.grid = placed.grid;
+  file.sun = settings.section.transfer.sun;
+  file.settings = settingsText(settings.section);
+  file.baked_from = from;
+  file.placement = countsOf(report);
+  for (std::size_t i = 0; i < traced.size(); ++i) {
+    file.rays += traced[i].effort.rays;
+    if (traced[i].effort.error > file.error.sampling) {
+      file.error.sampling = traced[i].effort.error;
+      file.error.sampling_probe = i;
+    }
+  }
+  const SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
+  file.probes = encodeProbes(probes, SunBits::eight);
+  file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
+  return file;
+}
+
+}  // namespace welkin::probes

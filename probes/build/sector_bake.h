@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bake of one sector: surfaces within reach and settings in, its file out. Nothing of its neighbours takes part.
+#pragma once
+
+#include <functional>
+
+#include "probes/level/bake_section.h"
+#include "probes/reach.h"
+#include "probes/sector_file.h"
+#include "probes/transfer/light_track.h"
+
+namespace welkin::probes {
+
+/// Of the method: one more whenever the same input gives other bytes.
+inline constexpr std::uint32_t kBakeVersion = 1;
+
+/// Knots of a light's path that its transfer is traced at, when it is up all day.
+inline constexpr int kKnotsADay = 48;
+
+/// Modes of the sun without a budget: with them and 8 bits a probe takes the talk's 152 bytes.
+inline constexpr std::size_t kSunModes = 3;
+
+/// What a sector's bake is told besides its surfaces.
+struct SectorSettings {
+  BakeSection section;     ///< of the sector: only what lies within reach of it
+  double max_error = 0.0;  ///< for as many rays as it takes; 0: no budget
+  Number3 ground_albedo{0.0};
+  LightTrack sun, moon;  ///< without knots where their transfer is not directional
+};
+
+/// The settings with those places only that lie within reach of the sector.
+BakeSection sectionOf(SectorId sector, const BakeSection& level);
+
+BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector<Hash128>& texture_hash,
+                    const SectorSettings& settings);
+
+/// Called now and then, from any thread, with rays traced since; false ends the bake.
+using BakeProgress = std::function<bool(std::uint64_t rays)>;
+
+/// On all threads of the caller's arena; the same for any number of them. Throws Error(interrupted) when told to end,
+/// and what placing and tracing throw.
+SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSettings& settings, const BakedFrom& from,
+                      const BakeProgress& progress);
+
+}  // namespace welkin::probes

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/sector_file.h"
+
+#include <algorithm>
+
+#include "format/domain_check.h"
+#include "format/sector_check.h"
+#include "probes/checked_file.h"
+
+namespace welkin::probes {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+using format::spanOf;
+
+template <typename T>
+Offset<flatbuffers::Vector<T>> vectorOf(FlatBufferBuilder& b, const std::vector<T>& values) {
+  return values.empty() ? 0 : b.CreateVector(values);
+}
+
+template <typename T>
+std::vector<T> copyOf(const flatbuffers::Vector<T>* vector) {
+  const std::span<const T> values = spanOf(vector);
+  return {values.begin(), values.end()};
+}
+
+Offset<format::Probes> encode(FlatBufferBuilder& b, const EncodedProbes& p) {
+  const auto position = vectorOf(b, p.position);
+  const auto visibility = vectorOf(b, p.visibility);
+  const auto sky_scale = vectorOf(b, p.sky_scale);
+  const auto sky = vectorOf(b, p.sky);
+  const auto sun_scale = vectorOf(b, p.sun_scale);
+  const auto sun8 = vectorOf(b, p.sun8);
+  const auto sun16 = vectorOf(b, p.sun16);
+  const auto emitted_scale = vectorOf(b, p.emitted_scale);
+  const auto emitted = vectorOf(b, p.emitted);
+  const auto sun_time_h = vectorOf(b, p.sun_time_h);
+  const auto moon_time_h = vectorOf(b, p.moon_time_h);
+  const auto mode_scale = vectorOf(b, p.mode_scale);
+  const auto mode = vectorOf(b, p.mode);
+  return format::CreateProbes(b, p.low_y, p.high_y, position, visibility, sky_scale, sky, sun_scale, sun8, sun16,
+                              emitted_scale, emitted, sun_time_h, moon_time_h, mode_scale, mode);
+}
+
+EncodedProbes decode(const format::Probes& p) {
+  EncodedProbes e;
+  e.low_y = p.low_y();
+  e.high_y = p.high_y();
+  e.position = copyOf(p.position());
+  e.visibility = copyOf(p.visibility());
+  e.sky_scale = copyOf(p.sky_scale());
+  e.sky = copyOf(p.sky());
+  e.sun_scale = copyOf(p.sun_scale());
+  e.sun8 = copyOf(p.sun8());
+  e.sun16 = copyOf(p.sun16());
+  e.emitted_scale = copyOf(p.emitted_scale());
+  e.emitted = copyOf(p.emitted());
+  e.sun_time_h = copyOf(p.sun_time_h());
+  e.moon_time_h = copyOf(p.moon_time_h());
+  e.mode_scale = copyOf(p.mode_scale());
+  e.mode = copyOf(p.mode());
+  return e;
+}
+
+Offset<format::SectorError> encode(FlatBufferBuilder& b, const SectorError& e) {
+  return format::CreateSectorError(b, e.sampling, static_cast<std::uint8_t>(e.sampling_probe), e.encoding.position_m,
+                                   e.encoding.visibility, e.encoding.sky, e.encoding.sun, e.encoding.emitted,
+                                   e.modes.rms, e.modes.worst_row, e.modes.worst);
+}
+
+SectorError decode(const format::SectorError& e) {
+  return {e.sampling(),
+          e.sampling_probe(),
+          {e.position_m(), e.visibility(), e.sky(), e.sun(), e.emitted()},
+          {e.modes_rms(), e.modes_worst_row(), e.modes_worst()}};
+}
+
+format::Hash encode(const Hash128& hash) {
+  return {hash.low, hash.high};
+}
+
+Hash128 decode(const format::Hash& hash) {
+  return {hash.low(), hash.high()};
+}
+
+Offset<format::Placement> encode(FlatBufferBuilder& b, const PlacementCounts& c) {
+  const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
+  return format::CreatePlacement(b, count(c.columns), count(c.ground), count(c.walkable), count(c.moved),
+                                 count(c.inside), count(c.too_close), count(c.thinned), count(c.uncovered),
+                                 count(c.cells_without));
+}
+
+PlacementCounts decode(const format::Placement& p) {
+  return {p.columns(), p.ground(),    p.walkable(),          p.moved(), p.inside(), p.too_close(),
+          p.thinned(), p.uncovered(), p.cells_without()};
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeSector(const SectorFile& s) {
+  FlatBufferBuilder b(1 << 16);
+  b.ForceVectorAlignment(s.grid.size(), 1, 16);
+  const auto grid = b.CreateVector(s.grid.data(), s.grid.size());
+  const auto probes = encode(b, s.probes);
+  const auto error = encode(b, s.error);
+  const format::BakedFrom baked_from(encode(s.baked_from.all), encode(s.baked_from.surfaces),
+                                     encode(s.baked_from.settings), encode(s.baked_from.light_paths));
+  const auto placement = encode(b, s.placement);
+  const auto sector =
+      format::CreateSector(b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun),
+                           probes, &baked_from, placement, s.rays, error);
+  const auto settings = b.CreateString(s.settings);
+  format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
+  return format::seal({b.GetBufferPointer(), b.GetSize()});
+}
+
+SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& name) {
+  const format::File& file = openChecked(bytes, name, format::sectorFaultOf);
+  const format::Sector& sector = *file.sector();
+  SectorFile s;
+  s.id = {sector.x(), sector.z()};
+  s.low_y = sector.low_y();
+  s.cell_height_m = sector.cell_height_m();
+  std::copy(sector.grid()->begin(), sector.grid()->end(), s.grid.begin());
+  s.sun = static_cast<SunTransfer>(sector.sun());
+  s.probes = decode(*sector.probes());
+  s.settings = file.settings()->str();
+  const format::BakedFrom& from = *sector.baked_from();
+  s.baked_from = {decode(from.all()), decode(from.surfaces()), decode(from.settings()), decode(from.light_paths())};
+  if (sector.placement() != nullptr) s.placement = decode(*sector.placement());
+  s.rays = sector.rays();
+  if (sector.error() != nullptr) s.error = decode(*sector.error());
+  return s;
+}
+
+}  // namespace welkin::probes

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A baked sector as the bytes of a .welkin file (table Sector of runtime/format/welkin.fbs).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "probes/hash.h"
+#include "probes/transfer/encoding.h"
+#include "probes/transfer/relight.h"
+
+namespace welkin::probes {
+
+/// What a sector's numbers are off by.
+struct SectorError {
+  double sampling = 0.0;  ///< TransferEffort::error of the worst probe
+  std::size_t sampling_probe = 0;
+  EncodingError encoding;
+  SunModesError modes;  ///< of leaving out further modes
+};
+
+/// What a sector was baked from: hashes of everything that its bake reads.
+struct BakedFrom {
+  Hash128 all;  ///< the others, and what method and format they went through
+  Hash128 surfaces;
+  Hash128 settings;
+  Hash128 light_paths;
+  bool operator==(const BakedFrom&) const = default;
+};
+
+/// Counts of PlacementReport.
+struct PlacementCounts {
+  std::size_t columns = 0, ground = 0, walkable = 0, moved = 0, inside = 0, too_close = 0, thinned = 0, uncovered = 0,
+              cells_without = 0;
+};
+
+struct SectorFile {
+  SectorId id;
+  double low_y = 0.0;  ///< of the grid, as PlacedSector has it
+  double cell_height_m = kCell_m;
+  std::array<std::uint8_t, kCells * kCells * kCells> grid{};
+  SunTransfer sun = SunTransfer::none;
+  EncodedProbes probes;
+  std::string settings;  ///< JSON: what of level.toml speaks of this sector
+  BakedFrom baked_from;
+  PlacementCounts placement;
+  std::uint64_t rays = 0;
+  SectorError error;
+};
+
+std::vector<std::byte> encodeSector(const SectorFile& sector);
+
+/// Checks and reads a sector; `name` is for messages. Throws Error(content) for bytes that are cut, damaged, foreign or
+/// out of their domain.
+SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& name);
+
+}  // namespace welkin::probes
