@@ -31,16 +31,16 @@ Offset<format::Probes> encode(FlatBufferBuilder& b, const EncodedProbes& p) {
   const auto sky_scale = vectorOf(b, p.sky_scale);
   const auto sky = vectorOf(b, p.sky);
   const auto sun_scale = vectorOf(b, p.sun_scale);
-  const auto sun8 = vectorOf(b, p.sun8);
-  const auto sun16 = vectorOf(b, p.sun16);
+  const auto sun = vectorOf(b, p.sun);
   const auto emitted_scale = vectorOf(b, p.emitted_scale);
   const auto emitted = vectorOf(b, p.emitted);
   const auto sun_time_h = vectorOf(b, p.sun_time_h);
   const auto moon_time_h = vectorOf(b, p.moon_time_h);
+  const auto coefficient_scale = vectorOf(b, p.coefficient_scale);
   const auto mode_scale = vectorOf(b, p.mode_scale);
   const auto mode = vectorOf(b, p.mode);
-  return format::CreateProbes(b, p.low_y, p.high_y, position, visibility, sky_scale, sky, sun_scale, sun8, sun16,
-                              emitted_scale, emitted, sun_time_h, moon_time_h, mode_scale, mode);
+  return format::CreateProbes(b, p.low_y, p.high_y, position, visibility, sky_scale, sky, sun_scale, sun, emitted_scale,
+                              emitted, sun_time_h, moon_time_h, coefficient_scale, mode_scale, mode);
 }
 
 EncodedProbes decode(const format::Probes& p) {
@@ -52,12 +52,12 @@ EncodedProbes decode(const format::Probes& p) {
   e.sky_scale = copyOf(p.sky_scale());
   e.sky = copyOf(p.sky());
   e.sun_scale = copyOf(p.sun_scale());
-  e.sun8 = copyOf(p.sun8());
-  e.sun16 = copyOf(p.sun16());
+  e.sun = copyOf(p.sun());
   e.emitted_scale = copyOf(p.emitted_scale());
   e.emitted = copyOf(p.emitted());
   e.sun_time_h = copyOf(p.sun_time_h());
   e.moon_time_h = copyOf(p.moon_time_h());
+  e.coefficient_scale = copyOf(p.coefficient_scale());
   e.mode_scale = copyOf(p.mode_scale());
   e.mode = copyOf(p.mode());
   return e;
@@ -92,8 +92,8 @@ Offset<format::Placement> encode(FlatBufferBuilder& b, const PlacementCounts& c)
 }
 
 PlacementCounts decode(const format::Placement& p) {
-  return {p.columns(), p.ground(),    p.walkable(),          p.moved(), p.inside(), p.too_close(),
-          p.thinned(), p.uncovered(), p.cells_without()};
+  return {p.columns(),   p.ground(),  p.walkable(),  p.moved(),        p.inside(),
+          p.too_close(), p.thinned(), p.uncovered(), p.cells_without()};
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>
   for (std::size_t i = 0; i < traced.size(); ++i) {
     probes.position.push_back(placed.probe[i].position);
     probes.transfer.push_back(traced[i].transfer);
-    probes.transfer.back().sun = fit.coefficient[i];
   }
+  probes.sun = std::move(fit.coefficient);
   probes.modes = std::move(fit.modes);
   return probes;
 }
@@ -165,7 +165,7 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
     }
   }
   const SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
-  file.probes = encodeProbes(probes, SunBits::eight);
+  file.probes = encodeProbes(probes);
   file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
   return file;
 }

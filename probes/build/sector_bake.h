@@ -15,10 +15,10 @@ namespace welkin::probes {
 inline constexpr std::uint32_t kBakeVersion = 1;
 
 /// Knots of a light's path that its transfer is traced at, when it is up all day.
-inline constexpr int kKnotsADay = 48;
+inline constexpr int kKnotsADay = 24;
 
-/// Modes of the sun without a budget: with them and 8 bits a probe takes the talk's 152 bytes.
-inline constexpr std::size_t kSunModes = 3;
+/// Modes of the sun without a budget: with them a probe takes the talk's 152 bytes.
+inline constexpr std::size_t kSunModes = 10;
 
 /// What a sector's bake is told besides its surfaces.
 struct SectorSettings {

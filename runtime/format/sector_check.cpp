@@ -49,14 +49,16 @@ void checkModes(Check& check, const Probes& p, SunTransfer sun) {
   const auto count = spanOf(p.mode_scale()).size();
   const auto sun_knots = spanOf(p.sun_time_h()).size();
   const auto moon_knots = spanOf(p.moon_time_h()).size();
-  check.that(count <= kMostSunModes, kName, "must be at most 8");
+  check.that(count <= kMostSunModes, kName, "must be at most 16");
   check.that(count == 0 || sun == SunTransfer::directional, kName, "must be none, for the sun is not directional");
   check.that(sun_knots <= kMostKnots && moon_knots <= kMostKnots, kName, "must have at most 8192 knots a light");
-  check.that(spanOf(p.mode()).size() == count * (sun_knots + moon_knots), kName,
-             "must have a number for every mode and knot");
+  check.that(spanOf(p.mode()).size() == 3 * count * (sun_knots + moon_knots), kName,
+             "must have a number for every mode, knot and channel");
+  check.that(spanOf(p.coefficient_scale()).size() == count, kName, "must have two scales each");
   check.that(areHours(spanOf(p.sun_time_h())) && areHours(spanOf(p.moon_time_h())), kName,
              "must have ascending knots in [0, 24)");
-  check.that(within(spanOf(p.mode_scale()), 0.0, kAny), kName, "have a scale out of its domain");
+  check.that(within(spanOf(p.mode_scale()), 0.0, kAny) && within(spanOf(p.coefficient_scale()), 0.0, kAny), kName,
+             "have a scale out of its domain");
 }
 
 void checkProbes(Check& check, const Probes& p, SunTransfer sun) {
@@ -71,11 +73,8 @@ void checkProbes(Check& check, const Probes& p, SunTransfer sun) {
   check.that(spanOf(p.visibility()).size() == 3 * n, kName, "must have a visibility for every direction up");
   check.that(spanOf(p.sky()).size() == kDirections * 4 * 3 * n, kName, "must have every coefficient of the sky");
   checkModes(check, p, sun);
-  const std::size_t numbers = kDirections * 3 * modes * n;
-  const std::size_t eight = spanOf(p.sun8()).size();
-  const std::size_t sixteen = spanOf(p.sun16()).size();
-  check.that(spanOf(p.sun_scale()).size() == modes * n && eight + sixteen == numbers && (eight == 0 || sixteen == 0),
-             kName, "must have a number of the sun for every mode, direction and channel");
+  check.that(spanOf(p.sun_scale()).size() == (modes > 0 ? n : 0) && spanOf(p.sun()).size() == kDirections * modes * n,
+             kName, "must have a number of the sun for every direction and mode");
   const std::size_t emitting = spanOf(p.emitted_scale()).size();
   check.that((emitting == 0 || emitting == n) && spanOf(p.emitted()).size() == kDirections * 3 * emitting, kName,
              "must have emitted light for every direction and channel, or none at all");

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin bake: a sky file into a folder.
+// welkin bake: a sky file, or a level, into a folder. welkin merge: the index of a level that shards have baked.
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
 #include "sky/atomic_file.h"
 #include "sky/error.h"
+#include "welkin/bake_level.h"
 #include "welkin/bake_sky.h"
 #include "welkin/budget_option.h"
 #include "welkin/certificate_text.h"
 #include "welkin/commands.h"
+#include "welkin/level_files.h"
 #include "welkin/subject.h"
 #include "welkin/warnings.h"
 
@@ -21,8 +24,10 @@ namespace {
 
 struct Options {
   std::string file, folder, report, depfile, progress = "auto", certify = "fast";
+  std::string shard, sectors;
   BudgetOption budget;
   int threads = 0;
+  bool force = false;
 };
 
 /// A path in a make rule.
@@ -41,32 +46,62 @@ std::string textOf(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+void requireLevel(const Options& options) {
+  for (const auto& [name, given] : {std::pair("--shard", !options.shard.empty()),
+                                    {"--sectors", !options.sectors.empty()},
+                                    {"--force", options.force}})
+    if (given)
+      throw Error(ExitStatus::usage, fmt::format("{}: {} is no level file: it has no sectors", name, options.file));
+}
+
+std::string reportName(const std::optional<Shard>& shard, const char* what) {
+  return shard ? fmt::format("{}.{}-of-{}.json", what, shard->index, shard->count) : fmt::format("{}.json", what);
+}
+
+void writeRule(const Options& options, const Subject& subject, const std::optional<LevelInput>& level) {
+  const std::filesystem::path folder = options.folder;
+  makeFolder(folder);
+  std::vector<std::filesystem::path> inputs;
+  for (const auto& input : subject.sky.inputs) inputs.push_back(input.path);
+  if (level)
+    for (const auto& file : level->files)
+      if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
+  std::string rule = escaped(folder / "sky.welkin") + ":";
+  for (const auto& input : inputs) rule += " " + escaped(input);
+  writeFile(options.depfile, rule + "\n");
+}
+
 void bake(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   catchInterrupts();
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto shard = options.shard.empty() ? std::nullopt : std::optional(parseShard(options.shard));
   Subject subject = readSubject(options.file);
   sky::SkyFile& file = subject.sky;
   options.budget.applyTo(file.bake);
+  if (!subject.level) requireLevel(options);
+  std::optional<LevelInput> level;
+  if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
+  LevelOptions wanted{options.folder, shard, {}, options.force};
+  if (!options.sectors.empty()) wanted.sectors = parseSectors(options.sectors, level->bake.sectors());
   const Certify how = options.certify == "none"   ? Certify::none
                       : options.certify == "full" ? Certify::full
                                                   : Certify::fast;
+  const auto style = ProgressReport::styleOf(options.progress);
   const std::filesystem::path folder = options.folder;
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
-  if (!options.depfile.empty()) {
-    makeFolder(folder);
-    std::string rule = escaped(folder / "sky.welkin") + ":";
-    for (const auto& input : file.inputs) rule += " " + escaped(input.path);
-    writeFile(options.depfile, rule + "\n");
-  }
+  if (!options.depfile.empty()) writeRule(options, subject, level);
   nlohmann::ordered_json timing;
-  const auto report = bakeSky(file, folder, how, ProgressReport::styleOf(options.progress), timing);
+  nlohmann::ordered_json report = {{"warnings", nlohmann::ordered_json::array()}};
+  if (!shard || shard->index == 0) report = bakeSky(file, folder, how, style, timing);  // else another shard bakes it
+  if (level) bakeSectors(*level, wanted, style, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeFile(folder / "timing.json", textOf(timing));
-  writeFile(options.report.empty() ? folder / "report.json" : std::filesystem::path(options.report), textOf(report));
+  writeFile(folder / reportName(shard, "timing"), textOf(timing));
+  writeFile(options.report.empty() ? folder / reportName(shard, "report") : std::filesystem::path(options.report),
+            textOf(report));
   printWarnings(report["warnings"]);
   if (report.contains("certificate"))
     std::fputs(fmt::format("welkin: {}\n", certificateText(report["certificate"])).c_str(), stderr);
@@ -76,8 +111,10 @@ void bake(const Options& options) {
 
 void addBake(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("bake", "Bake a sky file, or the sky of a level file, into a folder");
-  command->add_option("FILE", options->file, "sky.toml, or level.toml: its sky, with what the level requires")
+  auto* command = app.add_subcommand("bake", "Bake a sky file, or a level file's sky and sectors, into a folder");
+  command
+      ->add_option("FILE", options->file,
+                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
       ->required();
   command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
   command->add_option("--threads", options->threads, "Threads; 0: all. The outputs do not depend on it")
@@ -88,6 +125,10 @@ void addBake(CLI::App& app) {
   command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
       ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
       ->capture_default_str();
+  auto* shard = command->add_option("--shard", options->shard,
+                                    "i/n: every n-th sector from the i-th, 0 <= i < n; shard 0 bakes the sky, too");
+  command->add_option("--sectors", options->sectors, "Only these sectors: X_Z,X_Z,...")->excludes(shard);
+  command->add_flag("--force", options->force, "Bake sectors that are up to date, too");
   options->budget.addTo(*command);
   command
       ->add_option("--certify", options->certify,
@@ -95,6 +136,16 @@ void addBake(CLI::App& app) {
       ->check(CLI::IsMember({"fast", "full", "none"}))
       ->capture_default_str();
   command->callback([options] { bake(*options); });
+}
+
+void addMerge(CLI::App& app) {
+  auto folder = std::make_shared<std::string>();
+  auto* command = app.add_subcommand("merge", "Check that all shards of a level are there and agree; write its index");
+  command->add_option("DIR", *folder, "The folder that the shards were baked into")->required();
+  command->callback([folder] {
+    const probes::LevelIndex index = mergeParts(*folder);
+    fmt::print("{}: {} sectors\n", indexPath(*folder).string(), index.sector.size());
+  });
 }
 
 }  // namespace welkin::tools

@@ -10,6 +10,7 @@ namespace welkin::tools {
 
 void addInit(CLI::App& app);
 void addBake(CLI::App& app);
+void addMerge(CLI::App& app);
 void addPlan(CLI::App& app);
 void addProject(CLI::App& app);
 void addInspect(CLI::App& app);

@@ -7,9 +7,16 @@
 #include <memory>
 #include <welkin/welkin.hpp>
 
+#include "format/container.h"
+#include "probes/level/bake_section.h"
+#include "probes/sector_name.h"
+#include "sky/atomic_file.h"
 #include "sky/sky_file.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
+#include "welkin/level_files.h"
+#include "welkin/sector_json.h"
+#include "welkin/subject.h"
 #include "welkin/warnings.h"
 
 namespace welkin::tools {
@@ -109,8 +116,48 @@ Json skyJson(const Sky& sky) {
           {"settings", Json::parse(settings, nullptr, false)}};
 }
 
+enum class Holds { sky, sector, level };
+
+/// What a file holds; a sky where that cannot be told, whose opening says why.
+Holds whatHolds(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") return Holds::sky;
+  const auto bytes = readFile(path);
+  const format::Opened opened = format::openContainer(bytes);
+  if (opened.file == nullptr) return Holds::sky;
+  return opened.file->sector() != nullptr ? Holds::sector : opened.file->level() != nullptr ? Holds::level : Holds::sky;
+}
+
+void inspectSector(const std::string& path, bool as_json) {
+  const auto bytes = readFile(path);
+  const probes::SectorFile sector = probes::decodeSector(bytes, path);
+  if (as_json) {
+    fmt::print("{}\n", sectorJson(sector, bytes.size()).dump(2));
+    return;
+  }
+  fmt::print("{}: sector {}, {} probes x {} bytes, {} modes of the sun\n", path, probes::nameOf(sector.id),
+             sector.probes.probes(), sector.probes.bytesAProbe(), sector.probes.modes());
+  const Json parts = bytesJson(sector, bytes.size());
+  for (const auto& [name, count] : parts.items()) fmt::print("{:10} {:8} bytes\n", name, count.get<std::size_t>());
+  fmt::print("sampling   within {:.3g} %, worst at probe {}\n", 100.0 * sector.error.sampling,
+             sector.error.sampling_probe);
+}
+
+void inspectLevel(const std::string& path, bool as_json) {
+  const probes::LevelIndex index = readIndex(path);
+  if (as_json) {
+    fmt::print("{}\n", indexJson(index).dump(2));
+    return;
+  }
+  fmt::print("{}: level, {} sectors\n", path, index.sector.size());
+  for (const probes::SectorEntry& s : index.sector)
+    fmt::print("{:>9} {:4} probes {:8} bytes\n", probes::nameOf(s.id), s.probes, s.bytes);
+}
+
 void inspect(const std::string& path, bool as_json) {
   const std::string file = skyFileOf(path);
+  const Holds holds = whatHolds(file);
+  if (holds == Holds::sector) return inspectSector(file, as_json);
+  if (holds == Holds::level) return inspectLevel(file, as_json);
   const Sky sky = openSky(file);
   if (as_json) {
     fmt::print("{}\n", skyJson(sky).dump(2));
@@ -139,13 +186,30 @@ void inspect(const std::string& path, bool as_json) {
   }
 }
 
+void validateFile(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") {
+    const Subject subject = readSubject(path);
+    if (subject.level) probes::readBakeSection(*subject.level);
+    return printWarnings(warningsJson(subject.sky));
+  }
+  const Holds holds = whatHolds(path);
+  if (holds == Holds::sector)
+    probes::decodeSector(readFile(path), path);
+  else if (holds == Holds::level)
+    readIndex(path);
+  else
+    openSky(path);
+}
+
+/// A folder is its sky and, where it has an index, the level that the index names.
 void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
+    std::error_code error;
+    const std::filesystem::path index = indexPath(path);
+    if (std::filesystem::is_directory(path, error) && std::filesystem::exists(index, error))
+      checkLevel(path, readIndex(index));
     const std::string file = skyFileOf(path);
-    if (std::filesystem::path(file).extension() == ".toml")
-      printWarnings(warningsJson(sky::readSkyFile(file)));
-    else
-      openSky(file);
+    validateFile(file);
     fmt::print("{}: ok\n", file);
   }
 }

@@ -21,6 +21,7 @@ Subject readSubject(const std::filesystem::path& path) {
   if (!isLevel(path, bytes)) return {sky::readSkyFile(path)};
   const probes::LevelFile level = probes::readLevelFile(path);
   Subject subject{sky::readSkyFile(level.sky)};
+  subject.level = path;
   subject.sky.inputs.push_back(sky::inputOf(path.filename().string(), path, bytes));
   for (const probes::GeometryEntry& geometry : level.geometry)
     subject.sky.inputs.push_back(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "sky/sky_file.h"
 
@@ -15,6 +16,7 @@ struct Subject {
   sky::SkyFile sky;               ///< its inputs include the level's files
   bool nothing_reflects = false;  ///< a level without a surface of kReflectiveRoughness or less: no cubemaps then,
                                   ///< unless the sky file asks for some
+  std::optional<std::filesystem::path> level = std::nullopt;  ///< the level file, where it is one
 };
 
 /// Reads a sky file or a level file, told apart by their sections. Throws Error.

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "welkin/bake_level.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "probes/level/surfaces_of.h"
+#include "probes/sector_name.h"
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+#include "welkin/level_files.h"
+#include "welkin/sector_json.h"
+
+namespace welkin::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using probes::SectorFile;
+using probes::SectorId;
+using probes::SectorState;
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The sectors of a level that a bake is asked for.
+std::vector<SectorId> wantedOf(const std::vector<SectorId>& all, const LevelOptions& options) {
+  std::vector<SectorId> wanted = options.sectors.empty() ? all : options.sectors;
+  if (!options.shard) return wanted;
+  std::vector<SectorId> mine;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (i % static_cast<std::size_t>(options.shard->count) == static_cast<std::size_t>(options.shard->index))
+      mine.push_back(wanted[i]);
+  return mine;
+}
+
+/// Bakes sectors and shows how far it is.
+class SectorBaker {
+ public:
+  SectorBaker(const LevelInput& level, const LevelOptions& options, ProgressReport::Style style, std::size_t sectors)
+      : level_(level), options_(options), progress_(style, "sectors", sectors) {}
+
+  /// The sector's file, which is baked and written where it is out of date.
+  SectorState bring(SectorId sector) {
+    SectorState state = level_.bake.state(options_.folder, sector);
+    if (!state.stale.empty() || options_.force) {
+      state.file = level_.bake.bake(sector, [&](std::uint64_t rays) { return advance(sector, rays); });
+      state.bytes = probes::encodeSector(*state.file);
+      writeFile(probes::sectorPath(options_.folder, sector), state.bytes);
+      ++baked_;
+    }
+    if (!progress_.step()) throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+    return state;
+  }
+
+  Json timing() const {
+    const double seconds = secondsSince(start_);
+    return {{"sectors_s", seconds},
+            {"sectors_baked", baked_},
+            {"rays", rays_.load()},
+            {"rays_per_s", seconds > 0.0 ? static_cast<double>(rays_) / seconds : 0.0}};
+  }
+
+ private:
+  bool advance(SectorId sector, std::uint64_t rays) {
+    rays_ += rays;
+    const double per_s = static_cast<double>(rays_) / std::max(secondsSince(start_), 1e-9);
+    progress_.note(fmt::format("sector {}, {:.2f} Mrays/s", probes::nameOf(sector), 1e-6 * per_s),
+                   fmt::format(", \"sector\": \"{}\", \"rays_per_s\": {:.0f}", probes::nameOf(sector), per_s));
+    return progress_.step(0);
+  }
+
+  const LevelInput& level_;
+  const LevelOptions& options_;
+  ProgressReport progress_;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::uint64_t> rays_ = 0;
+  std::size_t baked_ = 0;
+};
+
+void addWarnings(const SectorFile& file, Json& warnings) {
+  const auto add = [&](const char* id, std::size_t count, const char* what) {
+    if (count > 0)
+      warnings.push_back({{"id", id},
+                          {"count", count},
+                          {"message", fmt::format("sector {}: {} {}", probes::nameOf(file.id), count, what)}});
+  };
+  add("probes-dropped", file.placement.inside + file.placement.too_close,
+      "places for probes were inside of geometry or too close to it, and none was free nearby");
+  add("probes-thinned", file.placement.thinned, "probes past the 255th were left out, those of least loss");
+  add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");
+}
+
+/// The entries of all sectors; nothing when one that was not brought up to date now is out of date.
+std::optional<std::vector<probes::SectorEntry>> completed(const LevelInput& level, const LevelOptions& options,
+                                                          std::vector<probes::SectorEntry> entries, Json& warnings) {
+  std::string stale;
+  for (const SectorId sector : level.bake.sectors()) {
+    const auto is = [&](const probes::SectorEntry& e) { return e.id == sector; };
+    if (std::any_of(entries.begin(), entries.end(), is)) continue;
+    const SectorState state = level.bake.state(options.folder, sector);
+    if (!state.stale.empty())
+      stale += (stale.empty() ? "" : ", ") + probes::nameOf(sector);
+    else
+      entries.push_back(probes::entryOf(*state.file, state.bytes));
+  }
+  if (!stale.empty()) {
+    warnings.push_back(
+        {{"id", "no-index"}, {"message", fmt::format("level.welkin was not written: out of date are {}", stale)}});
+    return std::nullopt;
+  }
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return entries;
+}
+
+/// What every sector must be baked from, as shards must agree on.
+probes::Hash128 hashOfAll(const LevelInput& level, const LevelOptions& options) {
+  std::vector<probes::SectorEntry> entries;
+  for (const SectorId sector : level.bake.sectors())
+    entries.push_back({sector, 0, 0, {}, level.bake.state(options.folder, sector).from.all});
+  return probes::hashOf(entries);
+}
+
+}  // namespace
+
+LevelInput readLevel(const std::filesystem::path& path, const sky::Sky& sky, std::optional<double> max_error) {
+  const probes::LevelFile file = probes::readLevelFile(path);
+  const probes::BakeSection section = probes::readBakeSection(path);
+  probes::Surfaces surfaces = probes::readSurfaces(file);
+  std::vector<std::filesystem::path> files = surfaces.file;
+  std::vector<std::string> warnings = surfaces.warning;
+  return {probes::LevelBake(std::move(surfaces), section, sky, max_error), std::move(files), std::move(warnings)};
+}
+
+void bakeSectors(const LevelInput& level, const LevelOptions& options, ProgressReport::Style style, Json& report,
+                 Json& timing) {
+  const auto wanted = wantedOf(level.bake.sectors(), options);
+  Json& warnings = report["warnings"];
+  for (const std::string& warning : level.warnings) warnings.push_back({{"id", "geometry"}, {"message", warning}});
+  makeFolder(options.folder / "sectors");
+  std::vector<probes::SectorEntry> entries;
+  Json sectors = Json::array();
+  {
+    SectorBaker baker(level, options, style, wanted.size());
+    for (const SectorId sector : wanted) {
+      const SectorState state = baker.bring(sector);
+      entries.push_back(probes::entryOf(*state.file, state.bytes));
+      sectors.push_back(reportJson(*state.file, entries.back()));
+      addWarnings(*state.file, warnings);
+    }
+    timing.update(baker.timing());
+  }
+  report["sectors"] = std::move(sectors);
+  probes::LevelIndex index = level.bake.index();
+  if (options.shard) {
+    removeParts(options.folder, options.shard->count);
+    index.sector = std::move(entries);
+    index.all_sectors = hashOfAll(level, options);
+    writeFile(partPath(options.folder, *options.shard), probes::encodeLevel(index));
+    return;
+  }
+  auto all = completed(level, options, std::move(entries), warnings);
+  if (!all) return;
+  index.sector = std::move(*all);
+  index.all_sectors = probes::hashOf(index.sector);
+  writeIndex(options.folder, index);
+  removeOtherSectors(options.folder, index);
+  removeParts(options.folder, std::nullopt);
+}
+
+}  // namespace welkin::tools

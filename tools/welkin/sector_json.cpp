@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "welkin/sector_json.h"
+
+#include <fmt/format.h>
+
+#include "format/container.h"
+#include "probes/level/bake_section.h"
+#include "probes/sector_name.h"
+
+namespace welkin::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using probes::kDirections;
+using probes::Number3;
+
+Json vectorJson(const Number3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// {"r": [direction][number], "g":, "b":} of value(direction, number).
+template <typename Value>
+Json channelsJson(std::size_t numbers, const Value& value) {
+  Json json;
+  for (int channel = 0; channel < 3; ++channel) {
+    Json directions = Json::array();
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      Json row = Json::array();
+      for (std::size_t i = 0; i < numbers; ++i) row.push_back(value(b, i)[channel]);
+      directions.push_back(row);
+    }
+    json[std::string(1, "rgb"[channel])] = directions;
+  }
+  return json;
+}
+
+Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const probes::SunCoefficients& sun) {
+  Json json = {{"position", vectorJson(position)},
+               {"visibility", t.visibility},
+               {"transfer", channelsJson(4, [&](std::size_t b, std::size_t k) { return t.sky[b][k]; })},
+               {"sun", sun}};
+  Json emitted = Json::array();
+  for (const Number3& e : t.emitted) emitted.push_back(vectorJson(e));
+  json["emitted"] = emitted;
+  json["local_count"] = 0;
+  return json;
+}
+
+Json errorJson(const probes::SectorError& e) {
+  return {{"sampling", e.sampling},
+          {"sampling_probe", e.sampling_probe},
+          {"encoding",
+           {{"position_m", e.encoding.position_m},
+            {"visibility", e.encoding.visibility},
+            {"sky", e.encoding.sky},
+            {"sun", e.encoding.sun},
+            {"emitted", e.encoding.emitted}}},
+          {"modes", {{"rms", e.modes.rms}, {"worst_row", e.modes.worst_row}, {"worst", e.modes.worst}}}};
+}
+
+Json placementJson(const probes::PlacementCounts& c) {
+  return {{"columns", c.columns}, {"ground", c.ground},       {"walkable", c.walkable},
+          {"moved", c.moved},     {"inside", c.inside},       {"too_close", c.too_close},
+          {"thinned", c.thinned}, {"uncovered", c.uncovered}, {"cells_without", c.cells_without}};
+}
+
+Json fromJson(const probes::BakedFrom& from) {
+  return {{"all", textOf(from.all)},
+          {"surfaces", textOf(from.surfaces)},
+          {"settings", textOf(from.settings)},
+          {"light_paths", textOf(from.light_paths)}};
+}
+
+Json modesJson(const probes::SunModes& m) {
+  Json modes = Json::array();
+  for (std::size_t i = 0; i < m.count(); ++i) {
+    Json mode = Json::array();
+    for (std::size_t k = 0; k < m.knots(); ++k) mode.push_back(vectorJson(m.value[i * m.knots() + k]));
+    modes.push_back(mode);
+  }
+  return {{"sun_time_h", m.sun_time_h}, {"moon_time_h", m.moon_time_h}, {"modes", modes}};
+}
+
+}  // namespace
+
+Json bytesJson(const probes::SectorFile& s, std::size_t total) {
+  const std::size_t header = sizeof(format::Header);
+  const std::size_t probes = s.probes.bytes();
+  const std::size_t grid = s.grid.size();
+  const std::size_t settings = s.settings.size();
+  return {{"probes", probes}, {"grid", grid},
+          {"local", 0},       {"settings", settings},
+          {"header", header}, {"structure", total - header - probes - grid - settings},
+          {"total", total},   {"a_probe", s.probes.bytesAProbe()}};
+}
+
+Json sectorJson(const probes::SectorFile& s, std::size_t total) {
+  const probes::SectorProbes decoded = probes::decodedProbes(s.probes, s.id);
+  const double x = s.id.x * probes::kSector_m;
+  const double z = s.id.z * probes::kSector_m;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < decoded.position.size(); ++i)
+    list.push_back(probeJson(decoded.position[i], decoded.transfer[i], decoded.sun[i]));
+  Json sector = {
+      {"x", s.id.x},
+      {"z", s.id.z},
+      {"bounds",
+       {x, s.low_y, z, x + probes::kSector_m, s.low_y + probes::kCells * s.cell_height_m, z + probes::kSector_m}},
+      {"cell_height_m", s.cell_height_m},
+      {"sun", probes::nameOf(s.sun)},
+      {"bytes", bytesJson(s, total)},
+      {"rays", s.rays},
+      {"error", errorJson(s.error)},
+      {"placement", placementJson(s.placement)},
+      {"baked_from", fromJson(s.baked_from)},
+      {"light", modesJson(decoded.modes)},
+      {"probes", list},
+      {"grid", s.grid}};
+  return {{"sector", sector}, {"settings", Json::parse(s.settings, nullptr, false)}};
+}
+
+Json reportJson(const probes::SectorFile& s, const probes::SectorEntry& entry) {
+  return {{"sector", probes::nameOf(s.id)},
+          {"file", "sectors/" + probes::fileNameOf(s.id)},
+          {"bytes", entry.bytes},
+          {"xxh3_128", textOf(entry.checksum)},
+          {"baked_from", fromJson(s.baked_from)},
+          {"probes", entry.probes},
+          {"probe_bytes", s.probes.bytesAProbe()},
+          {"rays", s.rays},
+          {"error", errorJson(s.error)},
+          {"placement", placementJson(s.placement)}};
+}
+
+Json indexJson(const probes::LevelIndex& index) {
+  Json sectors = Json::array();
+  for (const probes::SectorEntry& s : index.sector)
+    sectors.push_back({{"x", s.id.x},
+                       {"z", s.id.z},
+                       {"probes", s.probes},
+                       {"bytes", s.bytes},
+                       {"xxh3_128", textOf(s.checksum)},
+                       {"baked_from", textOf(s.baked_from)}});
+  Json level = {{"sectors", sectors},
+                {"all_sectors", textOf(index.all_sectors)},
+                {"sky_xxh3_128", index.sky_checksum ? Json(textOf(*index.sky_checksum)) : Json(nullptr)},
+                {"sun", probes::nameOf(index.sun)},
+                {"scale", {{"sky", index.scale.sky}, {"sun_bounce", index.scale.sun_bounce}}}};
+  return {{"level", level}, {"settings", Json::parse(index.settings, nullptr, false)}};
+}
+
+}  // namespace welkin::tools

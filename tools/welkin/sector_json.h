@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// A baked sector as JSON: all of it for inspect, its key numbers for the report.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "probes/level_index.h"
+#include "probes/sector_file.h"
+
+namespace welkin::tools {
+
+/// Bytes of a sector's file by what they hold; they add up to `total`.
+nlohmann::ordered_json bytesJson(const probes::SectorFile& sector, std::size_t total);
+
+/// Everything in it, decoded; `total` bytes.
+nlohmann::ordered_json sectorJson(const probes::SectorFile& sector, std::size_t total);
+
+nlohmann::ordered_json reportJson(const probes::SectorFile& sector, const probes::SectorEntry& entry);
+
+nlohmann::ordered_json indexJson(const probes::LevelIndex& index);
+
+}  // namespace welkin::tools
