@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "probes/placement/lattice.h"
 #include "probes/placement/validity.h"
@@ -74,9 +75,21 @@ struct Column {
   int preference = 0;
   std::size_t buried = 0;
   std::size_t low = 0;
+  std::size_t under_water = 0;
   std::vector<Ground> ground;
   std::vector<Wanted> wanted;  // by ground
 };
+
+/// Whether water is the first but leaves above a point.
+bool isUnderWater(const Tracer& tracer, Number3 point) {
+  const Surfaces& s = tracer.surfaces();
+  while (const auto hit = tracer.closest(point, {0, 1, 0}, std::numeric_limits<double>::infinity())) {
+    const Role role = s.object[s.triangle[hit->triangle].object].role;
+    if (role != Role::vegetation) return role == Role::water;
+    point.y += hit->distance + kFoot_m;
+  }
+  return false;
+}
 
 Column groundAt(const Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line, double top_y) {
   Column result;
@@ -87,6 +100,8 @@ Column groundAt(const Tracer& tracer, const PlacementSettings& settings, const L
       ++result.buried;
     } else if (height < settings.headroom_m) {
       ++result.low;
+    } else if (isUnderWater(tracer, {line.x, span.low_y + kFoot_m, line.z})) {
+      ++result.under_water;
     } else {
       const Number3 above{line.x, span.low_y + std::min(settings.height_m, 0.5 * height), line.z};
       const bool walkable = span.floor_normal_y >= kWalkable_normal_y && !isRemoved(settings, above);
@@ -135,6 +150,7 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
   for (const Column& column : columns) {
     report.buried += column.buried;
     report.low += column.low;
+    report.under_water += column.under_water;
     report.ground += column.ground.size();
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);

@@ -64,6 +64,7 @@ struct PlacementReport {
   std::size_t ground = 0;           ///< surfaces on it that one can stand on
   std::size_t buried = 0;           ///< surfaces inside of closed geometry
   std::size_t low = 0;              ///< surfaces without the headroom
+  std::size_t under_water = 0;      ///< surfaces with water above: no ground
   std::size_t walkable = 0;         ///< points on ground to 60 degrees, of the lattice and of one twice as fine
   std::size_t removed = 0;          ///< candidates within boxes of `remove`
   std::size_t near_others = 0;      ///< candidates left out for the minimum separation

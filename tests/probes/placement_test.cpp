@@ -88,6 +88,30 @@ TEST_CASE("Placement, ACrawlSpaceIsNoGroundAndALowRoomGetsItsMiddle") {
   CHECK(countBetween(sector, 0.0, 2.0) == 32);
 }
 
+TEST_CASE("Placement, GroundUnderWaterIsNone") {
+  // The western half lies 2 m under water, leaves between; a roof over the east, and water on that, change nothing
+  // there.
+  Surfaces s = tests::groundOf(Number3(0.3), 100.0);
+  const auto both = tests::addMaterial(s, Number3(0.5), true);
+  s.object.push_back({"lake", Role::water});
+  s.object.push_back({"palm", Role::vegetation});
+  const auto addAs = [&](std::uint32_t object, const Number3& corner, const Number3& a, const Number3& b) {
+    const std::size_t first = s.triangle.size();
+    tests::addQuad(s, corner, a, b, both);
+    for (std::size_t i = first; i < s.triangle.size(); ++i) s.triangle[i].object = object;
+  };
+  addAs(1, {-100, 2, -100}, {0, 0, 200}, {132, 0, 0});
+  addAs(2, {0, 1.5, 0}, {0, 0, 64}, {64, 0, 0});
+  addAs(0, {40, 9, 0}, {0, 0, 64}, {20, 0, 0});
+  addAs(1, {40, 10, 0}, {0, 0, 64}, {20, 0, 0});
+  PlacementReport report;
+  const PlacedSector placed = tests::place(s, {0, 0}, {}, &report);
+  CHECK(report.under_water == 8 * 16 + 5 * 16);  // of 16 x 16 lines: the lake's half, and the top of the roof
+  CHECK(report.uncovered.empty());
+  REQUIRE(tests::countBetween(placed, 0.9, 1.1) >= 24);
+  for (const Probe& p : placed.probe) CHECK((p.position.x > 32.0 || p.position.y > 2.0));  // above the leaves' box
+}
+
 TEST_CASE("Placement, NothingInsideBodies") {
   Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
   tests::addBoxOutside(s, {8, -1, 8}, {40, 5, 40}, 0);
