@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/level_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sky/projection.h"
+
+namespace welkin::probes {
+namespace {
+
+LightAt lightAt(const sky::Light& light, double time_h) {
+  return {light.path.directionAt(time_h), light.normalIrradianceAt(time_h)};
+}
+
+int floorToInt(double v) {
+  return static_cast<int>(std::floor(v));
+}
+
+}  // namespace
+
+std::array<Number3, 4> skyShAt(const sky::Sky& sky, double time_h) {
+  constexpr double kTolerance = 1e-6;
+  const sky::SkyInstant instant(sky, time_h);
+  const auto moments = sky::SkyProjector(sky.luminance, 2, kTolerance).project(instant);
+  const double saturation = sky.ambient_saturation.at(time_h);
+  std::array<Number3, 4> sh{};
+  for (std::size_t i = 0; i < sh.size(); ++i)
+    sh[i] = det::desaturate(moments.radiance_sh[i] * instant.intensity(), saturation);
+  return sh;
+}
+
+LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const sky::Sky& sky, double time_h,
+                       const RelightScale& scale, SkyBounce sky_bounce) {
+  const std::array<Number3, 4> sky_sh = skyShAt(sky, time_h);
+  const LightAt sun = lightAt(sky.sun, time_h);
+  const LightAt moon = sky.moon ? lightAt(*sky.moon, time_h) : LightAt{};
+  for (const SectorFile& file : sectors) {
+    const SectorProbes probes = decodedProbes(file.probes, file.id);
+    const Relight light = relightAt(time_h, sky_sh, sun, moon, file.sun, probes.modes, scale, sky_bounce);
+    Sector sector{&file, {}};
+    for (std::size_t i = 0; i < probes.transfer.size(); ++i)
+      sector.probe.push_back(
+          relit(probes.transfer[i], i < probes.sun.size() ? probes.sun[i] : SunCoefficients{}, light));
+    sector_.emplace(file.id, std::move(sector));
+  }
+}
+
+const ProbeIrradiance* LevelLight::probeAt(int x, double y, int z) const {
+  const SectorId id{floorToInt(static_cast<double>(x) / kCells), floorToInt(static_cast<double>(z) / kCells)};
+  const auto found = sector_.find(id);
+  if (found == sector_.end()) return nullptr;
+  const SectorFile& file = *found->second.file;
+  const int row = floorToInt((y - file.low_y) / file.cell_height_m);
+  if (row < 0 || row >= kCells) return nullptr;
+  const int cell = x - kCells * id.x + kCells * (row + kCells * (z - kCells * id.z));
+  const std::uint8_t probe = file.grid[static_cast<std::size_t>(cell)];
+  return probe == kNoProbe ? nullptr : &found->second.probe[probe];
+}
+
+std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Number3& normal, double push_m) const {
+  const Number3 p = position + normal * push_m;
+  const double x = p.x / kCell_m - 0.5;
+  const double z = p.z / kCell_m - 0.5;
+  const auto home = sector_.find({floorToInt(p.x / kSector_m), floorToInt(p.z / kSector_m)});
+  if (home == sector_.end()) return std::nullopt;
+  const double height = home->second.file->cell_height_m;
+  const double low_y = home->second.file->low_y;
+  const double y = (p.y - low_y) / height - 0.5;
+  const auto weight = shadingWeights(normal);
+  LevelIrradiance sum;
+  double total = 0.0;
+  for (const int dz : {0, 1})
+    for (const int dy : {0, 1})
+      for (const int dx : {0, 1}) {
+        const auto share = [](double v, int d) { return d == 1 ? v - std::floor(v) : 1.0 - (v - std::floor(v)); };
+        const double w = share(x, dx) * share(y, dy) * share(z, dz);
+        const ProbeIrradiance* probe =
+            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz);
+        if (probe == nullptr || !(w > 0.0)) continue;
+        total += w;
+        for (std::size_t b = 0; b < kDirections; ++b) {
+          sum.sky += probe->sky[b] * (w * weight[b]);
+          sum.sun_bounce += probe->sun_bounce[b] * (w * weight[b]);
+          sum.local += probe->local[b] * (w * weight[b]);
+        }
+      }
+  if (!(total > 0.0)) return std::nullopt;
+  const auto positive = [&](const Number3& v) {
+    return Number3(std::max(v.x, 0.0), std::max(v.y, 0.0), std::max(v.z, 0.0)) / total;
+  };
+  return LevelIrradiance{positive(sum.sky), positive(sum.sun_bounce), positive(sum.local)};
+}
+
+}  // namespace welkin::probes

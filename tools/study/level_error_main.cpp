@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The error of a baked level against the path tracer, at random points of its surfaces and at 8 hours:
+//   level_error LEVEL.toml DIR [POINTS [SAMPLES]]
+// Errors are of luminance, over the horizontal irradiance of the open sky at that hour.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "probes/build/level_bake.h"
+#include "probes/directions.h"
+#include "probes/level/surfaces_of.h"
+#include "probes/level_light.h"
+#include "probes/placement/validity.h"
+#include "probes/random.h"
+#include "probes/reference/reference.h"
+#include "sky/atomic_file.h"
+#include "sky/error.h"
+#include "sky/projection.h"
+#include "sky/sky_file.h"
+
+namespace welkin::probes {
+namespace {
+
+struct Place {
+  Number3 position, normal;
+};
+
+/// Places spread over the fronts of static surfaces by area, in air, within the sectors.
+std::vector<Place> placesOn(const Surfaces& s, const Tracer& tracer, const LevelLight& light, std::size_t count,
+                            std::size_t& without) {
+  std::vector<double> sum;
+  for (const Triangle& t : s.triangle) {
+    const auto load = [&](int i) {
+      const auto& p = s.position[t.vertex[static_cast<std::size_t>(i)]];
+      return Number3(double{p[0]}, double{p[1]}, double{p[2]});
+    };
+    const Number3 normal = cross(load(1) - load(0), load(2) - load(0));
+    const bool is_static = s.object[t.object].role == Role::fixed;
+    sum.push_back((sum.empty() ? 0.0 : sum.back()) + (is_static ? std::sqrt(dot(normal, normal)) : 0.0));
+  }
+  Random random(20261124);
+  std::vector<Place> places;
+  for (int tries = 0; places.size() < count && tries < 1000000; ++tries) {
+    const auto found = std::upper_bound(sum.begin(), sum.end(), random.unit() * sum.back());
+    const Triangle& t = s.triangle[static_cast<std::size_t>(found - sum.begin())];
+    const auto load = [&](std::size_t i) {
+      const auto& p = s.position[t.vertex[i]];
+      return Number3(double{p[0]}, double{p[1]}, double{p[2]});
+    };
+    const double u = std::sqrt(random.unit());
+    const double v = random.unit();
+    const Number3 position = load(0) * (1.0 - u) + load(1) * (u * (1.0 - v)) + load(2) * (u * v);
+    const Number3 normal = unit(cross(load(1) - load(0), load(2) - load(0)));
+    constexpr double kOff_m = 0.05;
+    const Number3 off = position + normal * kOff_m;
+    const auto above = tracer.closest(off, {0, 1, 0}, 1e9);
+    const bool wet = above && s.object[s.triangle[above->triangle].object].role == Role::water;
+    if (wet || insideGeometry(tracer, off)) continue;
+    if (!light.at(position, normal)) {
+      ++without;
+      continue;
+    }
+    places.push_back({position, normal});
+  }
+  return places;
+}
+
+struct Spread {
+  double square = 0.0, bias = 0.0, worst = 0.0;
+  std::size_t count = 0;
+  void add(double e) {
+    square += e * e;
+    bias += e;
+    worst = std::max(worst, std::abs(e));
+    ++count;
+  }
+  std::string text() const {
+    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
+    return fmt::format("{:5.1f} {:+5.1f} {:5.1f}", 100.0 * std::sqrt(square / n), 100.0 * bias / n, 100.0 * worst);
+  }
+};
+
+void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t points,
+         std::size_t samples) {
+  const LevelFile level = readLevelFile(file);
+  const sky::SkyFile sky = sky::readSkyFile(level.sky);
+  const BakeSection section = readBakeSection(file);
+  Surfaces surfaces = readSurfaces(level);
+  for (Material& material : surfaces.material) material.emission = material.emission / sky.sky.luminance_unit;
+  const Tracer tracer(surfaces);
+  std::vector<SectorFile> sectors;
+  std::size_t bytes = 0;
+  std::size_t probes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "sectors")) {
+    const auto data = readFile(entry.path());
+    sectors.push_back(decodeSector(data, entry.path().string()));
+    bytes += data.size();
+    probes += sectors.back().probes.probes();
+  }
+  std::size_t without = 0;
+  const auto places = placesOn(surfaces, tracer, LevelLight(sectors, sky.sky, 12.0), points, without);
+  fmt::print("{} sectors, {} probes, {} bytes; {} points, {} more had no probe\n", sectors.size(), probes, bytes,
+             places.size(), without);
+  fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\n");
+  fmt::print("{:>5}  {:^17}  {:^17}  {:^17}\n", "hour", "sky", "sun bounce", "total");
+  Spread all[3];
+  for (int i = 0; i < 8; ++i) {
+    const double time_h = 3.0 * i;
+    const LevelLight light(sectors, sky.sky, time_h, section.scale);
+    const DistantLight distant(sky.sky, time_h);
+    const double open =
+        det::luminanceOf(
+            sky::SkyProjector(sky.sky.luminance, 2, 1e-6).irradiance(sky::SkyInstant(sky.sky, time_h), {0, 1, 0})) *
+        sky::SkyInstant(sky.sky, time_h).intensity();
+    Spread error[3];
+    for (const Place& place : places) {
+      const auto got = light.at(place.position, place.normal);
+      const auto want = traceReference(tracer, distant, {}, place.position, place.normal,
+                                       {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
+      const Number3 off[3] = {got->sky - want.sky.value, got->sun_bounce - want.sun_bounce.value,
+                              got->total() - want.total.value};
+      for (int k = 0; k < 3; ++k) {
+        const double e = det::luminanceOf(off[k]) / open;
+        error[k].add(e);
+        all[k].add(e);
+      }
+    }
+    fmt::print("{:>5}  {}  {}  {}\n", time_h, error[0].text(), error[1].text(), error[2].text());
+  }
+  fmt::print("{:>5}  {}  {}  {}\n", "all", all[0].text(), all[1].text(), all[2].text());
+}
+
+}  // namespace
+}  // namespace welkin::probes
+
+int main(int count, char** arguments) {
+  if (count < 3 || count > 5) {
+    fmt::print(stderr, "level_error LEVEL.toml DIR [POINTS [SAMPLES]]\n");
+    return 1;
+  }
+  try {
+    welkin::probes::run(arguments[1], arguments[2], count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 200,
+                        count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 4096);
+  } catch (const welkin::Error& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return static_cast<int>(e.status());
+  }
+  return 0;
+}
