@@ -92,6 +92,12 @@ SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const 
   return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
+std::size_t LevelBake::countProbes(SectorId sector) const {
+  const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
+  PlacementReport report;
+  return placeSector(Tracer(near), sector, settingsOf(sector).section.probes, report).probe.size();
+}
+
 LevelIndex LevelBake::index() const {
   LevelIndex index;
   index.sun = section_.transfer.sun;

@@ -42,6 +42,9 @@ class LevelBake {
   /// Throws as bakeSector.
   SectorFile bake(SectorId sector, const BakeProgress& progress) const;
 
+  /// Places a sector's probes and says how many. Throws what placeSector throws.
+  std::size_t countProbes(SectorId sector) const;
+
   /// The index without its sectors and the sky's checksum.
   LevelIndex index() const;
 

@@ -6,7 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "sky/sky_file.h"
+#include "probes/sector_name.h"
+#include "sky/error.h"
+#include "welkin/bake_level.h"
 #include "welkin/budget_option.h"
 #include "welkin/commands.h"
 #include "welkin/sky_plan.h"
@@ -30,8 +32,42 @@ std::string highestText(const sky::LightPath& path) {
                      top.time_h, top.elevation_rad / kDegree);
 }
 
+/// What a bake into `folder` (none: a new one) would do with every sector. Bytes of one that is out of date are about
+/// those that it will have.
+nlohmann::ordered_json sectorsJson(const LevelInput& level, const std::string& folder) {
+  constexpr std::size_t kProbeBytes = 152;
+  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
+  auto sectors = nlohmann::ordered_json::array();
+  for (const probes::SectorId sector : level.bake.sectors()) {
+    if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted");
+    const probes::SectorState state = level.bake.state(folder, sector);
+    const bool fresh = state.stale.empty();
+    const std::size_t count = fresh ? state.file->probes.probes() : level.bake.countProbes(sector);
+    sectors.push_back({{"sector", probes::nameOf(sector)},
+                       {"bake", !fresh},
+                       {"why", fresh ? "up to date" : state.stale},
+                       {"probes", count},
+                       {"bytes", fresh ? state.bytes.size() : kOtherBytes + kProbeBytes * count}});
+  }
+  return sectors;
+}
+
+void printSectors(const nlohmann::ordered_json& sectors) {
+  std::size_t stale = 0;
+  std::size_t probes = 0;
+  std::size_t bytes = 0;
+  for (const auto& s : sectors) {
+    stale += s["bake"].get<bool>() ? 1 : 0;
+    probes += s["probes"].get<std::size_t>();
+    bytes += s["bytes"].get<std::size_t>();
+    fmt::print("sector     {:>9} {:4} probes {:7} bytes  {}\n", s["sector"].get<std::string>(),
+               s["probes"].get<std::size_t>(), s["bytes"].get<std::size_t>(), s["why"].get<std::string>());
+  }
+  fmt::print("sectors    {}, {} to bake; {} probes, about {} bytes\n", sectors.size(), stale, probes, bytes);
+}
+
 struct Options {
-  std::string file, progress = "auto";
+  std::string file, folder, progress = "auto";
   bool json = false;
   BudgetOption budget;
 };
@@ -41,30 +77,33 @@ void plan(const Options& options) {
   Subject subject = readSubject(options.file);
   sky::SkyFile& file = subject.sky;
   options.budget.applyTo(file.bake);
+  std::optional<LevelInput> level;
+  if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
   const auto style = options.json ? ProgressReport::Style::none : ProgressReport::styleOf(options.progress);
   const SkyPlan plan = SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0));
   const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
   const std::size_t bytes = plan.table_bytes + plan.gradient_bytes + star_bytes + plan.cubemap_bytes;
   nlohmann::ordered_json inputs = nlohmann::json::array();
   for (const auto& input : file.inputs) inputs.push_back(input.name);
-  const nlohmann::ordered_json json = {{"inputs", inputs},
-                                       {"table", planJson(plan, file.bake.max_error)},
-                                       {"gradients",
-                                        {{"format", sky::nameOf(plan.gradient_format)},
-                                         {"bytes", plan.gradient_bytes},
-                                         {"dome_error", plan.dome_error}}},
-                                       {"stars", {{"bytes", star_bytes}}},
-                                       {"cubemaps",
-                                        {{"count", plan.cubemap_time_h.size()},
-                                         {"size", plan.cubemap_size},
-                                         {"format", format::nameOf(plan.cubemap_format)},
-                                         {"bytes", plan.cubemap_bytes}}},
-                                       {"moon", file.sky.moon.has_value()},
-                                       {"sun_path", highestJson(file.sky.sun.path)},
-                                       {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
-                                       {"left_out", leftOutJson(plan)},
-                                       {"bytes", bytes},
-                                       {"warnings", warningsJson(file)}};
+  nlohmann::ordered_json json = {{"inputs", inputs},
+                                 {"table", planJson(plan, file.bake.max_error)},
+                                 {"gradients",
+                                  {{"format", sky::nameOf(plan.gradient_format)},
+                                   {"bytes", plan.gradient_bytes},
+                                   {"dome_error", plan.dome_error}}},
+                                 {"stars", {{"bytes", star_bytes}}},
+                                 {"cubemaps",
+                                  {{"count", plan.cubemap_time_h.size()},
+                                   {"size", plan.cubemap_size},
+                                   {"format", format::nameOf(plan.cubemap_format)},
+                                   {"bytes", plan.cubemap_bytes}}},
+                                 {"moon", file.sky.moon.has_value()},
+                                 {"sun_path", highestJson(file.sky.sun.path)},
+                                 {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
+                                 {"left_out", leftOutJson(plan)},
+                                 {"bytes", bytes},
+                                 {"warnings", warningsJson(file)}};
+  if (level) json["sectors"] = sectorsJson(*level, options.folder);
   printWarnings(json["warnings"]);
   if (options.json) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -87,6 +126,7 @@ void plan(const Options& options) {
   for (const LeftOut& l : plan.left_out)
     fmt::print("left out   {}: {}{}\n", l.what, l.why, l.bytes > 0 ? fmt::format("; saves {} bytes", l.bytes) : "");
   fmt::print("sky.welkin about {} bytes\n", bytes);
+  if (level) printSectors(json["sectors"]);
 }
 
 }  // namespace
@@ -94,8 +134,11 @@ void plan(const Options& options) {
 void addPlan(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("plan", "Say what a bake would make, and how large");
-  command->add_option("FILE", options->file, "sky.toml, or level.toml: its sky, with what the level requires")
+  command
+      ->add_option("FILE", options->file,
+                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
       ->required();
+  command->add_option("-o", options->folder, "The folder of a bake: which of its sectors are out of date, and why");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
       ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))

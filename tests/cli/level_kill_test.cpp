@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bake of a level that is killed, told to stop, or has no room: finished sectors stay whole, and the same command
+// does what is missing.
+#include <signal.h>
+
+#include <catch2/catch.hpp>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "level_text.h"
+#include "two_bakes.h"
+
+using namespace welkin::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Sectors that are there, all of them whole.
+int wholeSectors(const SmallLevel& level, const std::string& out) {
+  int count = 0;
+  if (!fs::exists(level.path() / out / "sectors")) return 0;
+  for (const auto& name : filesUnder(level.path() / out / "sectors")) {
+    if (name.ends_with(".tmp")) continue;
+    INFO(name);
+    REQUIRE(readBytes(level.path() / out / "sectors" / name) == readBytes(level.path() / "whole" / "sectors" / name));
+    ++count;
+  }
+  return count;
+}
+
+/// The same command bakes what is missing, and leaves what a bake leaves that nobody disturbed.
+void requireResumes(const SmallLevel& level, const std::string& out) {
+  const int there = wholeSectors(level, out);
+  REQUIRE(level.bake(out) == kSectors - there);
+  for (const auto& name : filesUnder(level.path() / "whole"))
+    if (name != "timing.json") {
+      INFO(name);
+      REQUIRE(readBytes(level.path() / out / name) == readBytes(level.path() / "whole" / name));
+    }
+  REQUIRE(filesUnder(level.path() / out) == filesUnder(level.path() / "whole"));
+}
+
+}  // namespace
+
+TEST_CASE("LevelKill, AtEveryCallThatChangesTheDisk") {
+  const SmallLevel level;
+  level.bake("whole");
+  for (int call = 1;; ++call) {
+    fs::remove_all(level / "out");
+    const Run run = runTool(level.command("out"), on({"kill", std::to_string(call), ""}));
+    INFO("killed at call " << call << ": " << run.err);
+    if (run.status == 0) {
+      REQUIRE(call > 5 * (kSectors + 3));
+      break;
+    }
+    REQUIRE(run.status == -SIGKILL);
+    requireResumes(level, "out");
+  }
+}
+
+TEST_CASE("LevelKill, AtAnyTime") {
+  constexpr int kKills = 50;
+  const SmallLevel level(1024);
+  level.bake("whole");
+  fs::remove_all(level / "out");
+  const double whole_s = runTool(level.command("out")).seconds;
+  int killed = 0;
+  for (int i = 0; i < kKills; ++i) {
+    fs::remove_all(level / "out");
+    Tool tool(level.command("out"));
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.25 * whole_s * i / (kKills - 1)));
+    tool.send(SIGKILL);
+    const Run run = tool.wait();
+    INFO("killed after " << i << "/" << kKills << " of the sweep: " << run.err);
+    REQUIRE((run.status == 0 || run.status == -SIGKILL));
+    killed += run.status != 0;
+    requireResumes(level, "out");
+  }
+  REQUIRE(killed > 0);
+}
+
+TEST_CASE("LevelKill, InterruptKeepsFinishedSectors") {
+  const SmallLevel level;
+  level.bake("whole");
+  level.writeLevel("rays = 262144");
+  Setting setting;
+  setting.err_path = level / "err";
+  auto words = level.command("out");
+  *(std::find(words.begin(), words.end(), "none")) = "json";
+  Tool tool(words, setting);
+  while (!fs::exists(level / "out/sky.welkin")) REQUIRE_FALSE(tool.endsWithin(0.01));
+  REQUIRE_FALSE(tool.endsWithin(1.0));
+  tool.send(SIGINT);
+  REQUIRE(tool.endsWithin(10.0));
+  REQUIRE(tool.wait().status == 130);
+  REQUIRE(readBytes(level / "err").find("interrupted; finished sectors are kept") != std::string::npos);
+  REQUIRE_FALSE(fs::exists(level / "out/level.welkin"));
+}
+
+TEST_CASE("LevelKill, NoRoomIsAnErrorOfTheDisk") {
+  const SmallLevel level;
+  level.bake("whole");
+  for (int call = 1;; ++call) {
+    fs::remove_all(level / "out");
+    const Run run = runTool(level.command("out"), on({call % 2 == 0 ? "ENOSPC" : "EROFS", std::to_string(call), ""}));
+    INFO("at call " << call << ": " << run.err);
+    if (run.status == 0) break;
+    REQUIRE(run.status == 2);
+    REQUIRE(run.said(std::strerror(call % 2 == 0 ? ENOSPC : EROFS)));
+    requireResumes(level, "out");
+  }
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bake of a level: what an edit makes stale, and the same bytes by any way to them.
+#include <catch2/catch.hpp>
+
+#include "level_text.h"
+
+using namespace welkin::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string sectorFile(const std::string& name) {
+  return "/sectors/sector_" + name + ".welkin";
+}
+
+/// The files of two folders, but for what a run cost and what of it is of shards.
+void requireSame(const fs::path& a, const fs::path& b) {
+  std::size_t compared = 0;
+  for (const auto& name : filesUnder(a)) {
+    if (fs::path(name).extension() == ".json") continue;
+    INFO(name);
+    REQUIRE(readBytes(a / name) == readBytes(b / name));
+    ++compared;
+  }
+  REQUIRE(compared == kSectors + 2);
+}
+
+}  // namespace
+
+TEST_CASE("Level, BakesSectorsAndIndexAndRepeatsNothing") {
+  const SmallLevel level;
+  REQUIRE(level.bake("out") == kSectors);
+  REQUIRE(filesUnder(level.path() / "out") ==
+          std::vector<std::string>{"level.welkin", "report.json", "sectors/sector_-1_0.welkin",
+                                   "sectors/sector_0_0.welkin", "sectors/sector_1_0.welkin",
+                                   "sectors/sector_2_0.welkin", "sky.welkin", "timing.json"});
+  const std::string report = readBytes(level / "out/report.json");
+  REQUIRE(json::parse(report)["sectors"].size() == kSectors);
+  const auto date = fs::last_write_time(level / "out/level.welkin");
+  REQUIRE(level.bake("out") == 0);
+  REQUIRE(readBytes(level / "out/report.json") == report);
+  REQUIRE(fs::last_write_time(level / "out/level.welkin") == date);
+  REQUIRE(level.bake("out", {"--force"}) == kSectors);
+  REQUIRE(level.bake("out", {"--force", "--sectors", "2_0,-1_0"}) == 2);
+  REQUIRE(readBytes(level / "out/report.json") != report);  // of two sectors
+  REQUIRE(runTool({"validate", level / "out"}).status == 0);
+}
+
+TEST_CASE("Level, AnEditRebakesWhatIsWithinReach") {
+  const SmallLevel level;
+  level.bake("out");
+  level.writeHut(171.0);  // in 2_0, and within 64 m of 1_0
+  REQUIRE(level.bake("out") == 2);
+  level.writeHut(150.0);
+  level.writeLevel("rays = 64\nreach_m = 16");  // settings of all
+  REQUIRE(level.bake("out") == kSectors);
+  level.writeHut(151.0);  // 23 m from 1_0 now
+  REQUIRE(level.bake("out") == 1);
+  level.writeLevel("rays = 64\nreach_m = 16", "add = [[-30, 1, 30]]");
+  REQUIRE(level.bake("out") == 1);
+  level.writeLevel("rays = 64\nreach_m = 16", "add = [[-30, 1, 30]]\n[scale]\nsky = 2");
+  REQUIRE(level.bake("out") == 0);  // the index has it
+  level.writeSky(60.0, "intensity = 2");
+  REQUIRE(level.bake("out") == 0);  // of the sky alone
+  level.writeSky(50.0);
+  REQUIRE(level.bake("out") == kSectors);  // the sun's path
+  level.writeLevel("rays = 64\nreach_m = 16\nsun = \"sh\"");
+  REQUIRE(level.bake("out") == kSectors);
+  level.writeSky(40.0);
+  REQUIRE(level.bake("out") == 0);
+  level.writeSky(40.0, "ground_albedo = [0.1, 0.2, 0.3]");
+  REQUIRE(level.bake("out") == kSectors);
+  REQUIRE(runTool({"validate", level / "out"}).status == 0);
+}
+
+TEST_CASE("Level, PlanSaysWhatIsOutOfDateAndWhy") {
+  const SmallLevel level;
+  const auto plan = [&] {
+    const Run run = runTool({"plan", level / "level.toml", "-o", level / "out", "--json"});
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return json::parse(run.out)["sectors"];
+  };
+  const json before = plan();
+  REQUIRE(before.size() == kSectors);
+  for (const json& sector : before) REQUIRE(sector["why"] == "missing");
+  level.bake("out");
+  const json after = plan();
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    REQUIRE(after[i]["bake"] == false);
+    REQUIRE(after[i]["probes"] == before[i]["probes"]);
+    const double bytes = after[i]["bytes"];
+    REQUIRE(before[i]["bytes"].get<double>() == Approx(bytes).epsilon(0.2));
+  }
+  level.writeHut(171.0);
+  const json edited = plan();
+  REQUIRE(edited[0]["why"] == "up to date");
+  REQUIRE(edited[1]["why"] == "up to date");
+  REQUIRE(edited[2]["why"] == "changed: geometry or textures within reach");
+  REQUIRE(edited[3]["bake"] == true);
+  level.writeSky(50.0);
+  REQUIRE(plan()[0]["why"] == "changed: light paths");
+  REQUIRE(runTool({"plan", level / "level.toml"}).status == 0);
+}
+
+TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
+  const SmallLevel level;
+  level.bake("one", {"--threads", "1"});
+  level.bake("all");
+  requireSame(level.path() / "one", level.path() / "all");
+  REQUIRE(readBytes(level / "one/report.json") == readBytes(level / "all/report.json"));
+  for (const char* shard : {"2/3", "0/3", "1/3"})
+    REQUIRE(runTool(level.command("shards", {"--shard", shard})).status == 0);
+  REQUIRE_FALSE(fs::exists(level / "shards/level.welkin"));
+  const Run merged = runTool({"merge", level / "shards"});
+  REQUIRE(merged.status == 0);
+  REQUIRE(merged.out == level / "shards/level.welkin" + ": 4 sectors\n");
+  requireSame(level.path() / "one", level.path() / "shards");
+  for (const char* sector : {"1_0", "2_0", "-1_0", "0_0"}) level.bake("named", {"--sectors", sector});
+  requireSame(level.path() / "one", level.path() / "named");
+  REQUIRE(runTool({"merge", level / "shards"}).status == 0);  // again
+  REQUIRE(level.bake("shards") == 0);
+  REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 2 + 2 + 6);  // no parts, but the shards' reports
+}
+
+TEST_CASE("Level, MergeSaysWhatIsMissingOrAnother") {
+  const SmallLevel level;
+  const auto merge = [&](int status, const std::string& why) {
+    const Run run = runTool({"merge", level / "out"});
+    INFO(run.err);
+    REQUIRE(run.status == status);
+    REQUIRE(run.said(why));
+    REQUIRE_FALSE(fs::exists(level / "out/level.welkin"));
+  };
+  merge(2, level / "out");
+  REQUIRE(runTool(level.command("out", {"--shard", "0/2"})).status == 0);
+  merge(2, "shard 1/2 is missing");
+  level.writeHut(180.0);
+  REQUIRE(runTool(level.command("out", {"--shard", "1/2"})).status == 0);
+  merge(3, "shards 0/2 and 1/2 were baked of different levels");
+  level.writeHut(170.0);
+  REQUIRE(runTool(level.command("out", {"--shard", "1/2"})).status == 0);
+  const std::string file = level / ("out" + sectorFile("1_0"));
+  const std::string whole = readBytes(file);
+  fs::remove(file);
+  merge(2, "sector_1_0.welkin");
+  std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() / 2);
+  merge(3, "sector_1_0.welkin");
+  fs::copy_file(level / ("out" + sectorFile("0_0")), file, fs::copy_options::overwrite_existing);
+  merge(3, "is not the sector 1_0");
+  std::ofstream(file, std::ios::binary) << whole;
+  REQUIRE(runTool({"merge", level / "out"}).status == 0);
+}
+
+TEST_CASE("Level, DamagedSectorsAreFoundAndBakedAgain") {
+  const SmallLevel level;
+  level.bake("out");
+  level.bake("whole");
+  const std::string file = level / ("out" + sectorFile("0_0"));
+  std::string bytes = readBytes(file);
+  bytes[bytes.size() / 2] ^= 1;
+  std::ofstream(file, std::ios::binary) << bytes;
+  std::ofstream(level / "out/sectors/sector_7_7.welkin") << "of an older level";
+  for (const std::string& path : {file, level / "out"}) {
+    const Run run = runTool({"validate", path});
+    REQUIRE(run.status == 3);
+    REQUIRE(run.said("sector_0_0.welkin"));
+    REQUIRE(run.said("damaged"));
+  }
+  REQUIRE(level.bake("out") == 1);
+  requireSame(level.path() / "out", level.path() / "whole");
+}
+
+TEST_CASE("Level, InspectExplainsEveryByte") {
+  const SmallLevel level;
+  level.bake("out");
+  const std::string file = level / ("out" + sectorFile("2_0"));
+  const Run run = runTool({"inspect", file, "--json"});
+  REQUIRE(run.status == 0);
+  const json sector = json::parse(run.out)["sector"];
+  REQUIRE(sector["x"] == 2);
+  REQUIRE(sector["z"] == 0);
+  REQUIRE(sector["grid"].size() == 4096);
+  REQUIRE(sector["bounds"][3] == 192.0);
+  const json& bytes = sector["bytes"];
+  REQUIRE(bytes["total"] == fs::file_size(file));
+  REQUIRE(bytes["probes"].get<int>() + bytes["grid"].get<int>() + bytes["local"].get<int>() +
+              bytes["settings"].get<int>() + bytes["header"].get<int>() + bytes["structure"].get<int>() ==
+          bytes["total"].get<int>());
+  REQUIRE(sector["probes"].size() > 4);
+  for (const json& probe : sector["probes"]) {
+    REQUIRE(probe["position"][0] >= 128.0);
+    REQUIRE(probe["position"][0] <= 192.0);
+    REQUIRE(probe["visibility"].size() == 4);
+    REQUIRE(probe["transfer"]["g"][3].size() == 4);
+  }
+  const json index = json::parse(runTool({"inspect", level / "out/level.welkin", "--json"}).out)["level"];
+  REQUIRE(index["sectors"].size() == kSectors);
+  REQUIRE(index["sectors"][3]["probes"] == sector["probes"].size());
+  REQUIRE(runTool({"inspect", file}).status == 0);
+}
+
+TEST_CASE("Level, CommandLinesThatAreWrong") {
+  const SmallLevel level;
+  for (const std::string shard : {"2/2", "-1/2", "1", "1/", "/2", "0/0", "a/b", "0/2x"}) {
+    const Run run = runTool(level.command("out", {"--shard=" + shard}));
+    INFO(shard << run.err);
+    REQUIRE(run.status == 1);
+    REQUIRE(run.said("0 <= i < n"));
+  }
+  for (const std::string sectors : {"9_9", "0", "0_0,", "0_0;1_0"})
+    REQUIRE(runTool(level.command("out", {"--sectors=" + sectors})).status == 1);
+  REQUIRE(runTool({"bake", level / "sky.toml", "-o", level / "out", "--force"}).status == 1);
+  level.writeLevel("rays = \"auto\"");
+  const Run run = runTool(level.command("out"));
+  REQUIRE(run.status == 3);
+  REQUIRE(run.said("--max-error"));
+  REQUIRE_FALSE(fs::exists(level / "out"));
+}

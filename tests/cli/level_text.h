@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// A level of four sectors in a row, -1_0 to 2_0, for the command line: ground and a hut.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "run_tool.h"
+#include "sky_text.h"
+#include "tests/gltf_text.h"
+
+namespace welkin::test {
+
+class SmallLevel {
+ public:
+  explicit SmallLevel(int rays = 64) {
+    writeHut(170.0);
+    writeSky(60.0);
+    writeLevel("rays = " + std::to_string(rays));
+  }
+
+  void writeHut(double x) const {
+    GltfText model;
+    model.addNode(model.addMesh(squareMesh()), {{"translation", {64, 0, 32}}, {"scale", {127, 1, 31}}});
+    model.addNode(model.addMesh(boxMesh()), {{"translation", {x, 2, 30}}, {"scale", {2, 2, 2}}});
+    folder_.write("level.gltf", model.text());
+  }
+  void writeSky(double noon_deg, const std::string& more = "") const {
+    folder_.write("sky.toml", skyText(kUniform + "\n" + more, "path = [[0, 0, -30], [6, 90, 0], [12, 180, " +
+                                                                  std::to_string(noon_deg) + "], [18, 270, 0]]"));
+  }
+  void writeLevel(const std::string& transfer, const std::string& more = "") const {
+    folder_.write("level.toml",
+                  "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"level.gltf\"\n[probes]\nspacing_m = 16\n" +
+                      more + "\n[transfer]\n" + transfer + "\n");
+  }
+
+  std::string operator/(const std::string& name) const { return folder_ / name; }
+  std::filesystem::path path() const { return folder_.path(); }
+
+  std::vector<std::string> command(const std::string& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {"bake", *this / "level.toml", "-o",  *this / out, "--progress",
+                                      "none", "--certify",          "none"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  /// Sectors that a bake into `out` bakes.
+  int bake(const std::string& out, const std::vector<std::string>& more = {}) const {
+    const Run run = runTool(command(out, more));
+    if (run.status != 0) throw std::runtime_error(run.err);
+    return nlohmann::json::parse(readBytes(*this / (out + "/timing.json")))["sectors_baked"];
+  }
+
+ private:
+  Folder folder_;
+};
+
+inline constexpr int kSectors = 4;
+
+}  // namespace welkin::test
