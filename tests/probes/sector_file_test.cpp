@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// The file of a sector: what it gives back, and that nothing wrong in it passes.
+#include "probes/sector_file.h"
+
+#include <catch2/catch.hpp>
+
+#include "probes/level_index.h"
+#include "sky/error.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace probes;
+
+/// Two probes, two modes over three knots of the sun and one of the moon, and emitted light.
+SectorFile someSector() {
+  SectorFile s;
+  s.id = {-3, 7};
+  s.low_y = -12.5;
+  s.cell_height_m = 5.0;
+  s.grid.fill(kNoProbe);
+  s.grid[17] = 1;
+  s.sun = SunTransfer::directional;
+  EncodedProbes& p = s.probes;
+  p.low_y = -1.0F;
+  p.high_y = 2.0F;
+  p.position = {0, 1, 2, 65535, 4, 5};
+  p.visibility = {0, 65535, 7, 8, 9, 10};
+  p.sky_scale = {0x3f80, 0x4000};
+  for (int i = 0; i < 96; ++i) p.sky.push_back(static_cast<std::int16_t>(i * 300 - 14000));
+  p.sun_scale = {0x3f00, 0};
+  for (int i = 0; i < 16; ++i) p.sun.push_back(static_cast<std::int8_t>(i * 16 - 127));
+  p.emitted_scale = {0, 0x3f80};
+  p.emitted.assign(24, 1000);
+  p.sun_time_h = {6.0F, 12.0F, 17.5F};
+  p.moon_time_h = {0.0F};
+  p.coefficient_scale = {1.0F, 0.5F};
+  p.mode_scale = {1.0F, 0.25F};
+  for (int i = 0; i < 24; ++i) p.mode.push_back(static_cast<std::int8_t>(i - 12));
+  s.settings = R"({"transfer": {}})";
+  s.baked_from = {{1, 2}, {3, 4}, {5, 6}, {7, 8}};
+  s.placement = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  s.rays = 12345678901;
+  s.error = {0.1, 1, {0.01, 0.02, 0.03, 0.04, 0.05}, {0.06, 0.07, 0.08}};
+  return s;
+}
+
+void checkRefused(const SectorFile& sector, const std::string& says) {
+  INFO(says);
+  try {
+    decodeSector(encodeSector(sector), "the sector");
+    FAIL("it was read");
+  } catch (const Error& e) {
+    CHECK(e.status() == ExitStatus::content);
+    CHECK_THAT(e.what(), Catch::Contains("the sector") && Catch::Contains(says));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
+  const SectorFile s = someSector();
+  const std::vector<std::byte> bytes = encodeSector(s);
+  const SectorFile r = decodeSector(bytes, "the sector");
+  CHECK(encodeSector(r) == bytes);
+  CHECK(r.id == s.id);
+  CHECK(r.low_y == s.low_y);
+  CHECK(r.cell_height_m == s.cell_height_m);
+  CHECK(r.grid == s.grid);
+  CHECK(r.sun == s.sun);
+  CHECK(r.probes.position == s.probes.position);
+  CHECK(r.probes.sky == s.probes.sky);
+  CHECK(r.probes.sun == s.probes.sun);
+  CHECK(r.probes.mode == s.probes.mode);
+  CHECK(r.probes.bytes() == s.probes.bytes());
+  CHECK(r.settings == s.settings);
+  CHECK(r.baked_from == s.baked_from);
+  CHECK(r.placement.cells_without == 9);
+  CHECK(r.rays == s.rays);
+  CHECK(r.error.sampling_probe == 1);
+  CHECK(r.error.encoding.emitted == 0.05);
+  CHECK(r.error.modes.worst == 0.08);
+  SectorFile empty;
+  empty.grid.fill(kNoProbe);
+  CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
+}
+
+TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
+  const auto refused = [](const std::string& says, auto change) {
+    SectorFile s = someSector();
+    change(s);
+    checkRefused(s, says);
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  refused("the grid names a probe", [](auto& s) { s.grid[4095] = 2; });
+  refused("the grid has a height", [=](auto& s) { s.cell_height_m = 0.0; });
+  refused("the grid has a height", [=](auto& s) { s.low_y = double{nan}; });
+  refused("the sector", [](auto& s) { s.id.x = 15625; });
+  refused("a position", [](auto& s) { s.probes.position.pop_back(); });
+  refused("a visibility", [](auto& s) { s.probes.visibility.push_back(0); });
+  refused("coefficient of the sky", [](auto& s) { s.probes.sky.pop_back(); });
+  refused("number of the sun", [](auto& s) { s.probes.sun.pop_back(); });
+  refused("number of the sun", [](auto& s) { s.probes.sun_scale.clear(); });
+  refused("emitted light", [](auto& s) { s.probes.emitted_scale.pop_back(); });
+  refused("emitted light", [](auto& s) { s.probes.emitted.pop_back(); });
+  refused("number for every mode", [](auto& s) { s.probes.mode.pop_back(); });
+  refused("two scales", [](auto& s) { s.probes.coefficient_scale.pop_back(); });
+  refused("ascending knots", [](auto& s) { s.probes.sun_time_h[1] = 6.0F; });
+  refused("ascending knots", [](auto& s) { s.probes.moon_time_h[0] = 24.0F; });
+  refused("ascending knots", [=](auto& s) { s.probes.sun_time_h[2] = nan; });
+  refused("not directional", [](auto& s) { s.sun = SunTransfer::sh; });
+  refused("a scale", [](auto& s) { s.probes.sky_scale[0] = 0x7f80; });      // infinite
+  refused("a scale", [](auto& s) { s.probes.sky_scale[0] = 0x7fc0; });      // NaN
+  refused("a scale", [](auto& s) { s.probes.sun_scale[0] = 0xbf80; });      // -1
+  refused("a scale", [](auto& s) { s.probes.emitted_scale[0] = 0x8000; });  // -0
+  refused("a scale", [](auto& s) { s.probes.mode_scale[0] = -1.0F; });
+  refused("a height", [](auto& s) { s.probes.high_y = -2.0F; });
+  refused("the errors", [](auto& s) { s.error.sampling_probe = 2; });
+  refused("the errors", [](auto& s) { s.error.encoding.sky = -1.0; });
+}
+
+TEST_CASE("SectorFile, NoByteMayChangeAndNoneMayBeMissing") {
+  const std::vector<std::byte> bytes = encodeSector(someSector());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::vector<std::byte> other = bytes;
+    other[i] ^= std::byte{1};
+    CHECK_THROWS_AS(decodeSector(other, "it"), Error);
+    CHECK_THROWS_AS(decodeSector(std::span(bytes).first(i), "it"), Error);
+  }
+}
+
+TEST_CASE("LevelIndex, GivesBackWhatItWasGivenAndChecks") {
+  LevelIndex index;
+  index.sector = {{{-1, 2}, 3, 4, {5, 6}, {7, 8}}, {{-1, 3}, 70, 15000, {9, 10}, {11, 12}}};
+  index.all_sectors = probes::hashOf(index.sector);
+  index.sky_checksum = Hash128{13, 14};
+  index.sun = SunTransfer::directional;
+  index.sun_path = sky::LightPath{0.1, 0.2, 12.5, 0.3, {}, {}, {}};
+  index.moon_path = sky::LightPath{0.0, 0.0, 12.0, 0.0, {1.0, 2.0}, {0.5, 0.6}, {0.7, -0.8}};
+  index.scale = {2.0, 3.0};
+  index.settings = "{}";
+  const auto bytes = encodeLevel(index);
+  const LevelIndex r = decodeLevel(bytes, "it");
+  CHECK(encodeLevel(r) == bytes);
+  CHECK(r.sector[1].id == SectorId{-1, 3});
+  CHECK(r.sector[1].checksum == Hash128{9, 10});
+  CHECK(r.scale.sky == 2.0);
+  CHECK(r.moon_path->key_elevation_rad[1] == -0.8);
+  const auto refused = [&](const std::string& says, auto change) {
+    LevelIndex other = index;
+    change(other);
+    CHECK_THROWS_WITH(decodeLevel(encodeLevel(other), "it"), Catch::Contains(says));
+  };
+  refused("must ascend", [](auto& i) { std::swap(i.sector[0], i.sector[1]); });
+  refused("must ascend", [](auto& i) { i.sector[0].id = i.sector[1].id; });
+  refused("out of its domain", [](auto& i) { i.sector[0].probes = 256; });
+  refused("must have a path", [](auto& i) { i.sun_path.reset(); });
+  refused("path times", [](auto& i) { i.moon_path->key_time_h = {2.0, 1.0}; });
+  refused("scale", [](auto& i) { i.scale.sky = -1.0; });
+}
+
+}  // namespace welkin::tests
