@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzz target: the bytes of a sector's file or of a level's index. Reading reads nothing outside them; what is read
+// decodes to finite numbers, and is written as it was.
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "fuzz.h"
+#include "probes/level_index.h"
+#include "probes/sector_file.h"
+
+namespace welkin::fuzz {
+namespace {
+
+void checkSector(const probes::SectorFile& sector) {
+  const probes::SectorProbes decoded = probes::decodedProbes(sector.probes, sector.id);
+  const std::size_t count = sector.probes.probes();
+  require(count <= probes::kMostProbes && decoded.position.size() == count && decoded.transfer.size() == count &&
+              decoded.sun.size() == count,
+          "every probe is there");
+  for (const std::uint8_t cell : sector.grid)
+    require(cell == probes::kNoProbe || cell < count, "a cell names a probe that is there");
+  for (const auto& position : decoded.position) require(isFinite(position), "a position is finite");
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t b = 0; b < probes::kDirections; ++b) {
+      const double visibility = decoded.transfer[i].visibility[b];
+      require(visibility >= 0.0 && visibility <= 1.0, "a visibility is 0 to 1");
+      for (const auto& coefficient : decoded.transfer[i].sky[b]) require(isFinite(coefficient), "the sky is finite");
+      for (const double number : decoded.sun[i][b]) require(std::isfinite(number), "the sun is finite");
+    }
+  for (const auto& mode : decoded.modes.value) require(isFinite(mode), "a mode is finite");
+  const auto written = probes::encodeSector(sector);
+  require(probes::encodeSector(probes::decodeSector(written, "what was written")) == written, "it is written as read");
+}
+
+}  // namespace
+}  // namespace welkin::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace welkin;
+  std::vector<std::byte> copy(size);  // exactly its size, so that a read past the end is seen
+  if (size > 0) std::memcpy(copy.data(), bytes, size);
+  fuzz::accepts([&] { fuzz::checkSector(probes::decodeSector(copy, "the input")); });
+  fuzz::accepts([&] {
+    const auto written = probes::encodeLevel(probes::decodeLevel(copy, "the input"));
+    fuzz::require(probes::encodeLevel(probes::decodeLevel(written, "what was written")) == written,
+                  "an index is written as read");
+  });
+  return 0;
+}
