@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Local radiance transfer: what a level sends to a probe of a white point light, for lights at fixed places, those of
+// probes ("virtual" lights). At run time dynamic lights are shared among these. Stefanov, "Deferred Radiance Transfer
+// Volumes" (GDC 2012); Kristensen, Akenine-Moller and Jensen, "Precomputed Local Radiance Transfer for Real-Time
+// Lighting Design" (2005).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "probes/sector.h"
+#include "probes/tracer.h"
+#include "probes/transfer/path_points.h"
+
+namespace welkin::probes {
+
+inline constexpr std::size_t kMostLocalLights = 128;  ///< of a probe
+
+struct LocalSettings {
+  std::size_t rays = 1024;                ///< paths a probe: a multiple of kReplicates, kLeastRays to kMostRays
+  int bounces = 2;                        ///< surfaces that light bounces off at most, 1..kMostBounces
+  std::size_t light_rays = 8;             ///< lights that each vertex of a path tests, at least 1
+  std::size_t lights = kMostLocalLights;  ///< kept a probe, 1..kMostLocalLights
+};
+
+/// Of a virtual light of radiant intensity 1 at a probe.
+struct LocalTransfer {
+  std::uint32_t light = 0;  ///< index of its position
+  /// Bounced radiance at the probe, 2 bands: the integral over the sphere of radiance times Y_k, index l (l + 1) + m.
+  /// The light itself is not in it.
+  std::array<Number3, 4> radiance{};
+
+  /// Its energy for choosing: the channels' sum of coefficient 0.
+  double influence() const { return radiance[0].x + radiance[0].y + radiance[0].z; }
+};
+
+struct LocalProbe {
+  std::vector<LocalTransfer> transfer;  ///< of lights from which some light arrived, ascending
+  std::vector<Number3> error;           ///< standard error of coefficient 0 of each
+  std::uint64_t rays = 0;               ///< segments of paths and tests of lights, those of the choice included
+};
+
+/// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings, list of
+/// lights, position, sector and index. Rays a probe are bounded, however many lights there are: rays bounces
+/// (1 + light_rays), and where there are more lights than `lights`, an eighth of that and one for each light more.
+class LocalTransferTracer {
+ public:
+  /// `tracer` outlives it; `lights`: positions of virtual lights, near the sector. Throws Error(content) for settings
+  /// outside their range and positions that are not finite.
+  LocalTransferTracer(const Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
+
+  LocalProbe trace(const Number3& position, SectorId sector, std::size_t probe) const;
+
+  /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
+  std::vector<LocalProbe> trace(const PlacedSector& sector) const;
+
+  const std::vector<Number3>& lights() const { return light_; }
+
+ private:
+  const Tracer* tracer_;
+  LocalSettings settings_;
+  std::vector<Number3> light_;
+  CircleTable circle_;
+};
+
+}  // namespace welkin::probes
