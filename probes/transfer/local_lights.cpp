@@ -6,15 +6,16 @@
 namespace welkin::probes {
 
 std::vector<double> influenceOf(const Tracer& tracer, const Number3& probe, std::span<const PathVertex> vertices,
-                                std::span<const Number3> lights, std::size_t draws, std::uint64_t& rays) {
+                                std::span<const Number3> lights, std::size_t draws, double nearest_m,
+                                std::uint64_t& rays) {
   std::vector<double> unshadowed(lights.size(), 0.0);
   std::vector<double> tested(lights.size(), 1.0);
   std::vector<double> passed(lights.size(), 0.0);
-  LightDraw draw(lights, draws);
+  LightDraw draw(lights, draws, nearest_m);
   for (const PathVertex& vertex : vertices) {
     const double reflected = vertex.reflected.x + vertex.reflected.y + vertex.reflected.z;
     for (std::size_t l = 0; l < lights.size(); ++l)
-      unshadowed[l] += reflected * unshadowedIrradiance(vertex.origin, vertex.normal, lights[l]);
+      unshadowed[l] += reflected * unshadowedIrradiance(vertex.origin, vertex.normal, lights[l], nearest_m);
     draw.at(vertex, [&](std::size_t l, double) {
       ++rays;
       tested[l] += 1.0;

@@ -9,11 +9,12 @@
 
 namespace welkin::probes {
 
-/// Light's bounced energy at a probe, estimated: unshadowed light of `vertices` times the share that arrives. That
-/// share is of the lights' tests at the vertices (`draws` each), with one test more: whether light and probe see each
-/// other. 0 where all of them fail. Adds the rays it takes to `rays`.
+/// A light's bounced energy at a probe, estimated: unshadowed light of `vertices` times the share that arrives. That
+/// share is of the lights' tests at the vertices (`draws` each; `nearest_m` as in LocalSettings), with one test more:
+/// whether light and probe see each other. 0 where all of them fail. Adds the rays it takes to `rays`.
 std::vector<double> influenceOf(const Tracer& tracer, const Number3& probe, std::span<const PathVertex> vertices,
-                                std::span<const Number3> lights, std::size_t draws, std::uint64_t& rays);
+                                std::span<const Number3> lights, std::size_t draws, double nearest_m,
+                                std::uint64_t& rays);
 
 /// Indices, ascending, of the `most` largest influences above 0; of equal ones the first.
 std::vector<std::size_t> mostInfluential(std::span<const double> influence, std::size_t most);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/transfer/local_paths.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,12 +32,12 @@ std::uint64_t traceVertices(const Tracer& tracer, const Number3& position, const
   return rays;
 }
 
-double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light) {
+double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light, double nearest_m) {
   const Number3 away = light - origin;
   const double cosine = dot(normal, away);
   if (cosine <= 0.0) return 0.0;
   const double squared = dot(away, away);
-  return cosine / (squared * std::sqrt(squared));
+  return cosine / (std::max(squared, nearest_m * nearest_m) * std::sqrt(squared));
 }
 
 bool seesEachOther(const Tracer& tracer, const Number3& from, const Number3& to) {

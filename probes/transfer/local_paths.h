@@ -26,16 +26,17 @@ struct PathVertex {
 std::uint64_t traceVertices(const Tracer& tracer, const Number3& position, const PathPoints& points, std::uint32_t from,
                             std::uint32_t to, int bounces, std::vector<PathVertex>& vertices);
 
-/// Irradiance, with nothing in its way, of one side of a surface by a point light of radiant intensity 1; 0 at the
-/// light itself.
-double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light);
+/// Irradiance, with nothing in its way, of one side of a surface by a point light of radiant intensity 1: cosine over
+/// the square of the distance, or of `nearest_m` where that is more; 0 at the light itself.
+double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light, double nearest_m);
 
 /// Lights at a vertex, drawn in proportion to their unshadowed irradiance: systematic sampling, or all where they are
 /// no more than the draws (Ward, "Adaptive Shadow Testing for Ray Tracing", 1991, sorts by the same number).
 class LightDraw {
  public:
   /// `lights` outlives it.
-  LightDraw(std::span<const Number3> lights, std::size_t draws) : light_(lights), draws_(draws), part_(lights.size()) {}
+  LightDraw(std::span<const Number3> lights, std::size_t draws, double nearest_m)
+      : light_(lights), draws_(draws), nearest_m_(nearest_m), part_(lights.size()) {}
 
   /// Asks of the lights at a vertex: visit(light, irradiance) for each one drawn, with what the draw stands for; its
   /// mean over PathVertex::draw is the light's unshadowed irradiance.
@@ -44,7 +45,7 @@ class LightDraw {
     double total = 0.0;
     std::size_t lit = 0;
     for (std::size_t l = 0; l < part_.size(); ++l) {
-      part_[l] = unshadowedIrradiance(vertex.origin, vertex.normal, light_[l]);
+      part_[l] = unshadowedIrradiance(vertex.origin, vertex.normal, light_[l], nearest_m_);
       total += part_[l];
       if (part_[l] > 0.0) ++lit;
     }
@@ -67,6 +68,7 @@ class LightDraw {
  private:
   std::span<const Number3> light_;
   std::size_t draws_;
+  double nearest_m_;
   std::vector<double> part_;
 };
 

@@ -33,6 +33,8 @@ void check(const LocalSettings& s, const std::vector<Number3>& lights) {
   if (s.light_rays == 0) refuse("light rays: 0; allowed: at least 1");
   if (s.lights == 0 || s.lights > kMostLocalLights)
     refuse(fmt::format("lights a probe: {}; allowed: 1 to {}", s.lights, kMostLocalLights));
+  if (!(s.nearest_m >= 0.0 && s.nearest_m <= kSector_m))
+    refuse(fmt::format("nearest distance: {} m; allowed: 0 to {}", s.nearest_m, kSector_m));
   for (const Number3& p : lights)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       refuse(fmt::format("the light at ({}, {}, {}): allowed: finite positions", p.x, p.y, p.z));
@@ -95,12 +97,13 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, 
   if (light_.size() > settings_.lights) {
     // Paths of their own: the choice knows nothing of what is measured then, which keeps that unbiased.
     result.rays += traceVertices(*tracer_, position, points_of(kReplicates), 0, paths, settings_.bounces, vertices);
-    const auto influence = influenceOf(*tracer_, position, vertices, light_, settings_.light_rays, result.rays);
+    const auto influence =
+        influenceOf(*tracer_, position, vertices, light_, settings_.light_rays, settings_.nearest_m, result.rays);
     chosen = mostInfluential(influence, settings_.lights);
   }
   std::vector<Number3> light;
   for (const std::size_t l : chosen) light.push_back(light_[l]);
-  LightDraw draw(light, settings_.light_rays);
+  LightDraw draw(light, settings_.light_rays, settings_.nearest_m);
   ReplicateMeans means(light.size());
   for (std::size_t r = 0; r < kReplicates && !light.empty(); ++r) {
     const PathPoints points = points_of(r);

@@ -22,6 +22,10 @@ struct LocalSettings {
   int bounces = 2;                        ///< surfaces that light bounces off at most, 1..kMostBounces
   std::size_t light_rays = 8;             ///< lights that each vertex of a path tests, at least 1
   std::size_t lights = kMostLocalLights;  ///< kept a probe, 1..kMostLocalLights
+  /// Surfaces nearer to a virtual light than this, 0..kSector_m, are lit as if they were this far away. It stands for
+  /// lamps some metres about it: exact for one in its place only at 0, but then a light beside a wall makes a spot of
+  /// all of them.
+  double nearest_m = 0.0;
 };
 
 /// Of a virtual light of radiant intensity 1 at a probe.

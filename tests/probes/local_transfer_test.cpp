@@ -1,77 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local transfer against closed forms and the reference.
-#include "probes/transfer/local_transfer.h"
-
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <catch2/catch.hpp>
-#include <cstring>
-#include <numeric>
+#include <cmath>
 
 #include "closed_forms.h"
+#include "local_helpers.h"
 #include "probes/directions.h"
-#include "probes/transfer/local_relight.h"
-#include "probes/transfer/trace_transfer.h"
 #include "skies.h"
-#include "sky/error.h"
-#include "transfer_helpers.h"
 
 namespace welkin::probes {
 namespace {
 
 using tests::bounces;
 using tests::checkMeasured;
+using tests::furnishedRoom;
 using tests::Measured;
+using tests::measuredLocal;
+using tests::of;
 
 const Number3 kAlbedo(0.2, 0.5, 0.9);
-
-/// Of a quantity of `count` probes with their own random numbers at one place.
-template <typename Quantity>
-Measured measuredLocal(const LocalTransferTracer& tracer, const Number3& position, std::size_t count,
-                       const Quantity& quantity) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double value = quantity(tracer.trace(position, {3, -2}, i));
-    sum += value;
-    squares += value * value;
-  }
-  const double n = static_cast<double>(count);
-  const double mean = sum / n;
-  return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1.0))};
-}
 
 /// Radiance that is the same from everywhere as its coefficient 0.
 double coefficientOf(double radiance) {
   return radiance * 4.0 * det::kPi * det::kShConstant;
-}
-
-/// The transfer of a light, or none.
-LocalTransfer of(const LocalProbe& probe, std::uint32_t light) {
-  for (const LocalTransfer& t : probe.transfer)
-    if (t.light == light) return t;
-  return {light, {}};
-}
-
-/// A room with a pillar, open to one side, walls of three colours.
-Surfaces furnishedRoom() {
-  Surfaces s;
-  tests::addBoxInside(s, {-5, 0, -4}, {5, 4, 4}, tests::addMaterial(s, {0.7, 0.5, 0.3}));
-  tests::addBoxOutside(s, {0.5, 0, -1.5}, {1.2, 4, 1}, tests::addMaterial(s, {0.2, 0.6, 0.8}));
-  tests::addQuad(s, {-5, 1, -4}, {0, 0, 8}, {2, 0, 0}, tests::addMaterial(s, {0.9, 0.1, 0.4}, true));
-  return s;
-}
-
-bool sameBits(const LocalProbe& a, const LocalProbe& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0;
-  };
-  bool result = a.transfer.size() == b.transfer.size() && same(a.error, b.error) && a.rays == b.rays;
-  for (std::size_t i = 0; result && i < a.transfer.size(); ++i)
-    result = a.transfer[i].light == b.transfer[i].light &&
-             std::memcmp(&a.transfer[i].radiance, &b.transfer[i].radiance, sizeof a.transfer[i].radiance) == 0;
-  return result;
 }
 
 }  // namespace
@@ -131,6 +82,24 @@ TEST_CASE("LocalTransfer, ALightOverAPlaneSeesItsOwnReflection") {
   }
 }
 
+TEST_CASE("LocalTransfer, NearSurfacesAreLitAsFromTheNearestDistance") {
+  // As above, but radiance rho cos / (pi n^2) nearer than n: within the angle whose cosine is h / n.
+  const Surfaces ground = tests::groundOf(kAlbedo, 100.0);
+  const Tracer tracer(ground);
+  const Number3 at(1, 0.5, -2);
+  for (const double nearest : {0.4, 1.0, 3.0}) {
+    LocalSettings settings{1024, 2, 8};
+    settings.nearest_m = nearest;
+    const LocalTransferTracer local(tracer, settings, {at});
+    const double edge = std::min(0.5 / nearest, 1.0);
+    const double within = (1.0 - edge * edge) / (2.0 * nearest * nearest);
+    const double beyond = std::pow(edge, 4) / (4.0 * 0.25);
+    const double expected = det::kShConstant * 2.0 * kAlbedo.z * (within + beyond);
+    checkMeasured(measuredLocal(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }), expected,
+                  1e-5 * expected);
+  }
+}
+
 TEST_CASE("LocalTransfer, TwoBandsAreTheReferences") {
   // Irradiance of a direction less that of its opposite has band 1 alone, its mean over an icosahedron's twelve
   // directions band 0 and, at most a hundredth, bands 6 and up.
@@ -175,154 +144,6 @@ TEST_CASE("LocalTransfer, TwoBandsAreTheReferences") {
                     0.0);
     }
   }
-}
-
-TEST_CASE("LocalTransfer, FewTestsOfManyLightsAreUnbiased") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  std::vector<Number3> lights;
-  for (int i = 0; i < 40; ++i) lights.push_back({-4.5 + 1.3 * (i % 4), 0.3 + 0.06 * i, -3.5 + 0.17 * i});
-  const Number3 probe(-1.5, 1.5, 0.5);
-  const LocalTransferTracer few(tracer, {512, 2, 3}, lights);
-  const LocalTransferTracer every(tracer, {512, 2, 40}, lights);
-  for (std::uint32_t l = 0; l < lights.size(); l += 3) {
-    const auto part = [&](const LocalProbe& p) { return of(p, l).radiance[0].y; };
-    const Measured a = measuredLocal(few, probe, 30, part);
-    const Measured b = measuredLocal(every, probe, 30, part);
-    CAPTURE(l);
-    checkMeasured({a.mean - b.mean, std::hypot(a.standard_error, b.standard_error)}, 0.0);
-  }
-  // A bounded number of rays: 512 paths of two vertices with three tests each.
-  CHECK(few.trace(probe, {0, 0}, 0).rays <= 512 * 2 * 4);
-}
-
-TEST_CASE("LocalTransfer, NothingComesFromAnotherRoom") {
-  const Surfaces rooms = tests::twoRooms(kAlbedo, false);
-  const Tracer tracer(rooms);
-  std::vector<Number3> lights;
-  for (int i = 0; i < 150; ++i)
-    for (const double side : {-1.0, 1.0}) {
-      const double x = 0.02 + 3.9 * (i / 10) / 15.0;
-      lights.push_back({side * x, 0.3 + 0.25 * (i % 10), -1.7 + 0.022 * i});
-    }
-  const std::vector<Number3> some(lights.begin(), lights.begin() + 40);
-  const Number3 probe(-0.1, 1.4, 0.3);
-  for (const auto& list : {some, lights}) {
-    const LocalTransferTracer local(tracer, {1024, 3, 8}, list);
-    const LocalProbe traced = local.trace(probe, {0, 0}, 7);
-    CHECK(traced.transfer.size() == std::min(list.size() / 2, kMostLocalLights));
-    for (const LocalTransfer& t : traced.transfer) CHECK(list[t.light].x < 0.0);
-  }
-}
-
-TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  std::vector<Number3> lights;
-  for (int i = 0; i < 120; ++i)  // not in the pillar
-    lights.push_back({-4.8 + 0.4 * (i % 12), 0.2 + 0.35 * (i / 12), 3.7 - 0.057 * i});
-  const Number3 probe(-1.5, 1.5, 0.5);
-  const LocalTransferTracer all(tracer, {16384, 2, 16}, lights);
-  std::vector<double> influence;
-  for (const LocalTransfer& t : all.trace(probe, {0, 0}, 0).transfer) influence.push_back(t.influence());
-  std::vector<double> sorted = influence;
-  std::sort(sorted.rbegin(), sorted.rend());
-  const double best = std::accumulate(sorted.begin(), sorted.begin() + 30, 0.0);
-  LocalSettings settings{1024, 2, 8};
-  settings.lights = 30;
-  const LocalTransferTracer some(tracer, settings, lights);
-  double kept = 0.0;
-  const LocalProbe traced = some.trace(probe, {0, 0}, 1);
-  CHECK(traced.transfer.size() == 30);
-  for (const LocalTransfer& t : traced.transfer) kept += influence[t.light];
-  CAPTURE(kept, best);
-  CHECK(kept > 0.97 * best);
-  CHECK(traced.rays <= 1024 * 2 * 9 * 9 / 8 + 120);
-}
-
-TEST_CASE("LocalTransfer, IsLinear") {
-  const Number3 probe(-1.5, 1.5, 0.5);
-  const std::vector<Number3> lights = {{-3, 3, 1}, {3, 1, -2}, {0, 1, 3}};
-  // One bounce is in proportion to the albedo.
-  Surfaces box;
-  tests::addBoxInside(box, {-5, 0, -4}, {5, 4, 4}, tests::addMaterial(box, {0.25, 0.5, 1.0}));
-  const Tracer tracer(box);
-  const LocalProbe p = LocalTransferTracer(tracer, {256, 1, 2}, lights).trace(probe, {0, 0}, 0);
-  REQUIRE(p.transfer.size() == 3);
-  for (const LocalTransfer& t : p.transfer)
-    for (const Number3& k : t.radiance) {
-      CHECK(k.y == Approx(2.0 * k.x));
-      CHECK(k.z == Approx(4.0 * k.x));
-    }
-  // Irradiance is in the lights' colours.
-  const std::vector<Number3> a = {{1, 2, 3}, {0, 0, 0}, {0.5, 0, 4}};
-  const std::vector<Number3> b = {{0, 1, 0}, {2, 7, 1}, {0, 0, 0}};
-  std::vector<Number3> both;
-  for (std::size_t l = 0; l < 3; ++l) both.push_back(a[l] * 2.0 + b[l]);
-  const auto of_a = relitLocal(p.transfer, a);
-  const auto of_b = relitLocal(p.transfer, b);
-  const auto of_both = relitLocal(p.transfer, both);
-  for (std::size_t d = 0; d < kDirections; ++d)
-    for (int c = 0; c < 3; ++c) CHECK(of_both[d][c] == Approx(2.0 * of_a[d][c] + of_b[d][c]));
-}
-
-TEST_CASE("LocalTransfer, IsTheSameForAnyThreadsAndOrder") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  PlacedSector sector;
-  sector.id = {-1, 0};
-  std::vector<Number3> lights;
-  for (int i = 0; i < 12; ++i) {
-    sector.probe.push_back({{-4.5 + 0.4 * i, 0.8, 3.0 - 0.5 * i}});
-    lights.push_back(sector.probe.back().position + Number3(0, 0.5, 0));
-  }
-  LocalSettings settings{128, 2, 3};
-  settings.lights = 8;
-  const LocalTransferTracer local(tracer, settings, lights);
-  tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
-  std::vector<LocalProbe> four;
-  tbb::task_arena(4).execute([&] { four = local.trace(sector); });
-  for (std::size_t i = sector.probe.size(); i-- > 0;)
-    CHECK(sameBits(four[i], local.trace(sector.probe[i].position, sector.id, i)));
-  CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, sector.id, 1)));
-  CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, {0, -1}, 0)));
-}
-
-TEST_CASE("LocalTransfer, StandardErrorsAreTheSpread") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  const std::vector<Number3> lights = {{-3, 3, 1}, {-1, 1, -3}, {-4, 3, 3}, {-2, 2, 2}};
-  const LocalTransferTracer local(tracer, {256, 2, 2}, lights);
-  constexpr std::size_t kCount = 100;
-  // Of 100 probes the variance is known to 14 %, each probe's own, from 8 replicates, to 53 %, their mean to 5 %.
-  constexpr double kRelative = 0.45;
-  for (std::uint32_t l = 0; l < lights.size(); ++l) {
-    double stated = 0.0;
-    const Measured m = measuredLocal(local, {-1.5, 1.5, 0.5}, kCount, [&](const LocalProbe& p) {
-      stated += p.error[l].y * p.error[l].y / double{kCount};
-      return p.transfer[l].radiance[0].y;
-    });
-    const double spread = m.standard_error * m.standard_error * double{kCount};
-    CHECK(stated == Approx(spread).epsilon(kRelative));
-  }
-}
-
-TEST_CASE("LocalTransfer, SettingsOutsideTheirRangeAreRefused") {
-  const Surfaces nothing;
-  const Tracer tracer(nothing);
-  const auto refused = [&](const LocalSettings& s, std::vector<Number3> lights = {}) {
-    CHECK_THROWS_AS(LocalTransferTracer(tracer, s, std::move(lights)), Error);
-  };
-  refused({100, 2, 8});
-  refused({0, 2, 8});
-  refused({1024, 0, 8});
-  refused({1024, kMostBounces + 1, 8});
-  refused({1024, 2, 0});
-  refused({1024, 2, 8, 0});
-  refused({1024, 2, 8, kMostLocalLights + 1});
-  refused({1024, 2, 8}, {{0, std::nan(""), 0}});
-  CHECK(LocalTransferTracer(tracer, {}, {{0, 1, 0}}).trace({0, 0, 0}, {0, 0}, 0).transfer.empty());
-  CHECK(LocalTransferTracer(tracer, {}, {}).trace({0, 0, 0}, {0, 0}, 0).rays == 0);
 }
 
 }  // namespace welkin::probes
