@@ -14,13 +14,12 @@ std::vector<double> influenceOf(const Tracer& tracer, const Number3& probe, std:
   LightDraw draw(lights, draws, nearest_m);
   for (const PathVertex& vertex : vertices) {
     const double reflected = vertex.reflected.x + vertex.reflected.y + vertex.reflected.z;
-    for (std::size_t l = 0; l < lights.size(); ++l)
-      unshadowed[l] += reflected * unshadowedIrradiance(vertex.origin, vertex.normal, lights[l], nearest_m);
     draw.at(vertex, [&](std::size_t l, double) {
       ++rays;
       tested[l] += 1.0;
       if (seesEachOther(tracer, vertex.origin, lights[l])) passed[l] += 1.0;
     });
+    for (std::size_t l = 0; l < lights.size(); ++l) unshadowed[l] += reflected * draw.unshadowed()[l];
   }
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (unshadowed[l] == 0.0) continue;

@@ -65,6 +65,9 @@ class LightDraw {
     }
   }
 
+  /// Irradiance of every light at the last vertex, with nothing in its way.
+  std::span<const double> unshadowed() const { return part_; }
+
  private:
   std::span<const Number3> light_;
   std::size_t draws_;
