@@ -146,7 +146,8 @@ TEST_CASE("LocalTransfer, IsTheSameForAnyThreadsAndOrder") {
   for (std::size_t i = sector.probe.size(); i-- > 0;)
     CHECK(sameBits(four[i], local.trace(sector.probe[i].position, sector.id, i)));
   CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, sector.id, 1)));
-  CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, {0, -1}, 0)));
+  for (const SectorId& other : {SectorId{0, 0}, {-1, -1}})
+    CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, other, 0)));
 }
 
 TEST_CASE("LocalTransfer, StandardErrorsAreTheSpread") {

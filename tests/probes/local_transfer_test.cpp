@@ -68,9 +68,9 @@ TEST_CASE("LocalTransfer, ALightOverAPlaneSeesItsOwnReflection") {
   // Radiance rho cos^3 / (pi h^2) at an angle from straight down: integrals pi / 2, and 2 pi / 5 with the cosine.
   const Surfaces ground = tests::groundOf(kAlbedo, 100.0);
   const Tracer tracer(ground);
-  for (const double height : {0.5, 2.0}) {
+  for (const auto& [height, rays] : {std::pair{0.5, 1024U}, {2.0, 1024U}, {2.0, 5000U}}) {  // whole blocks and a part
     const Number3 at(1, height, -2);
-    const LocalTransferTracer local(tracer, {1024, 2, 8}, {at});
+    const LocalTransferTracer local(tracer, {rays, 2, 8}, {at});
     const double by = kAlbedo.z / (height * height);
     checkMeasured(measuredLocal(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }),
                   det::kShConstant * by / 2.0, 1e-5 * by);
