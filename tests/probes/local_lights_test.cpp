@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which lights local transfer tests and keeps, that it is linear and the same for any threads and order, and what it
 // refuses.
+#include "probes/transfer/local_lights.h"
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -74,6 +76,31 @@ TEST_CASE("LocalTransfer, NothingComesFromAnotherRoom") {
     CHECK(traced.transfer.size() == std::min(list.size() / 2, kMostLocalLights));
     for (const LocalTransfer& t : traced.transfer) CHECK(list[t.light].x < 0.0);
   }
+}
+
+TEST_CASE("LocalLights, InfluenceNeedsSomeOneToSeeTheLight") {
+  const Surfaces rooms = tests::twoRooms(Number3(0.5), false);
+  const Tracer tracer(rooms);
+  const Number3 probe(-2.1, 1.4, 0.3);
+  std::vector<Number3> lights;
+  for (int i = 0; i < 100; ++i) lights.push_back({(i % 2 == 0 ? -1.0 : 1.0) * (0.1 + 0.03 * i), 1.0 + 0.01 * i, -1.0});
+  const CircleTable circle;
+  std::vector<PathVertex> vertices;
+  traceVertices(tracer, probe, PathPoints(circle, 5, 1), 0, 16, 1, vertices);
+  REQUIRE(vertices.size() == 16);
+  std::uint64_t rays = 0;
+  // Sixteen tests for a hundred lights: of most it is only known whether the probe sees them.
+  const auto influence = influenceOf(tracer, probe, vertices, lights, 1, 0.0, rays);
+  CHECK(rays == 16 + 100);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    CAPTURE(i, lights[i].x);
+    if (lights[i].x < 0.0)
+      CHECK(influence[i] > 0.0);
+    else
+      CHECK(influence[i] == 0.0);
+  }
+  CHECK(mostInfluential(std::vector{0.0, 2.0, 3.0, 2.0, 5.0}, 3) == std::vector<std::size_t>{1, 2, 4});
+  CHECK(mostInfluential(std::vector{0.0, 2.0}, 3) == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
