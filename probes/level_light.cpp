@@ -13,6 +13,23 @@ LightAt lightAt(const sky::Light& light, double time_h) {
   return {light.path.directionAt(time_h), light.normalIrradianceAt(time_h)};
 }
 
+/// Adds `factor` times what a probe gives a normal.
+void add(const ProbeIrradiance& probe, const Number3& normal, double factor, LevelIrradiance& sum) {
+  const auto weight = shadingWeights(normal);
+  for (std::size_t b = 0; b < kDirections; ++b) {
+    sum.sky += probe.sky[b] * (factor * weight[b]);
+    sum.sun_bounce += probe.sun_bounce[b] * (factor * weight[b]);
+    sum.local += probe.local[b] * (factor * weight[b]);
+  }
+}
+
+LevelIrradiance positive(const LevelIrradiance& e) {
+  const auto clamped = [](const Number3& v) {
+    return Number3(std::max(v.x, 0.0), std::max(v.y, 0.0), std::max(v.z, 0.0));
+  };
+  return {clamped(e.sky), clamped(e.sun_bounce), clamped(e.local)};
+}
+
 int floorToInt(double v) {
   return static_cast<int>(std::floor(v));
 }
@@ -46,6 +63,12 @@ LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const sky::Sky& s
   }
 }
 
+LevelIrradiance LevelLight::ofProbe(const SectorId& sector, std::size_t probe, const Number3& normal) const {
+  LevelIrradiance sum;
+  add(sector_.at(sector).probe.at(probe), normal, 1.0, sum);
+  return positive(sum);
+}
+
 const ProbeIrradiance* LevelLight::probeAt(int x, double y, int z) const {
   const SectorId id{floorToInt(static_cast<double>(x) / kCells), floorToInt(static_cast<double>(z) / kCells)};
   const auto found = sector_.find(id);
@@ -67,7 +90,6 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
   const double height = home->second.file->cell_height_m;
   const double low_y = home->second.file->low_y;
   const double y = (p.y - low_y) / height - 0.5;
-  const auto weight = shadingWeights(normal);
   LevelIrradiance sum;
   double total = 0.0;
   for (const int dz : {0, 1})
@@ -79,17 +101,13 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
             probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz);
         if (probe == nullptr || !(w > 0.0)) continue;
         total += w;
-        for (std::size_t b = 0; b < kDirections; ++b) {
-          sum.sky += probe->sky[b] * (w * weight[b]);
-          sum.sun_bounce += probe->sun_bounce[b] * (w * weight[b]);
-          sum.local += probe->local[b] * (w * weight[b]);
-        }
+        add(*probe, normal, w, sum);
       }
   if (!(total > 0.0)) return std::nullopt;
-  const auto positive = [&](const Number3& v) {
-    return Number3(std::max(v.x, 0.0), std::max(v.y, 0.0), std::max(v.z, 0.0)) / total;
-  };
-  return LevelIrradiance{positive(sum.sky), positive(sum.sun_bounce), positive(sum.local)};
+  sum.sky = sum.sky / total;
+  sum.sun_bounce = sum.sun_bounce / total;
+  sum.local = sum.local / total;
+  return positive(sum);
 }
 
 }  // namespace welkin::probes

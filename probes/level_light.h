@@ -32,6 +32,9 @@ class LevelLight {
   /// has one. Not below 0.
   std::optional<LevelIrradiance> at(const Number3& position, const Number3& normal, double push_m = 1.0) const;
 
+  /// By one probe alone, of a sector that is there: what a surface with this normal at its place gets.
+  LevelIrradiance ofProbe(const SectorId& sector, std::size_t probe, const Number3& normal) const;
+
  private:
   struct Sector {
     const SectorFile* file;

@@ -26,7 +26,26 @@ namespace {
 
 struct Place {
   Number3 position, normal;
+  std::optional<std::pair<SectorId, std::size_t>> probe = {};  ///< at whose place it is
 };
+
+/// Places of probes, any of them, with normals over the sphere.
+std::vector<Place> placesOfProbes(const std::vector<SectorFile>& sectors, std::size_t count) {
+  std::vector<Place> all;
+  for (const SectorFile& file : sectors) {
+    const SectorProbes probes = decodedProbes(file.probes, file.id);
+    for (std::size_t i = 0; i < probes.position.size(); ++i)
+      all.push_back({probes.position[i], {}, std::pair(file.id, i)});
+  }
+  Random random(7);
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < count && !all.empty(); ++i) {
+    places.push_back(all[static_cast<std::size_t>(random.unit() * static_cast<double>(all.size()))]);
+    const double s = random.unit();
+    places.back().normal = sphereDirection(s, random.unit());
+  }
+  return places;
+}
 
 /// Places spread over the fronts of static surfaces by area, in air, within the sectors.
 std::vector<Place> placesOn(const Surfaces& s, const Tracer& tracer, const LevelLight& light, std::size_t count,
@@ -63,7 +82,7 @@ std::vector<Place> placesOn(const Surfaces& s, const Tracer& tracer, const Level
       ++without;
       continue;
     }
-    places.push_back({position, normal});
+    places.push_back({position, normal, {}});
   }
   return places;
 }
@@ -82,6 +101,37 @@ struct Spread {
     return fmt::format("{:5.1f} {:+5.1f} {:5.1f}", 100.0 * std::sqrt(square / n), 100.0 * bias / n, 100.0 * worst);
   }
 };
+
+void compare(const Tracer& tracer, const sky::Sky& sky, const BakeSection& section,
+             const std::vector<SectorFile>& sectors, const std::vector<Place>& places, std::size_t samples) {
+  fmt::print("{:>5}  {:^17}  {:^17}  {:^17}\n", "hour", "sky", "sun bounce", "total");
+  Spread all[3];
+  for (int i = 0; i < 8; ++i) {
+    const double time_h = 3.0 * i;
+    const LevelLight light(sectors, sky, time_h, section.scale);
+    const DistantLight distant(sky, time_h);
+    const double open =
+        det::luminanceOf(
+            sky::SkyProjector(sky.luminance, 2, 1e-6).irradiance(sky::SkyInstant(sky, time_h), {0, 1, 0})) *
+        sky::SkyInstant(sky, time_h).intensity();
+    Spread error[3];
+    for (const Place& place : places) {
+      const LevelIrradiance got = place.probe ? light.ofProbe(place.probe->first, place.probe->second, place.normal)
+                                              : *light.at(place.position, place.normal);
+      const auto want = traceReference(tracer, distant, {}, place.position, place.normal,
+                                       {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
+      const Number3 off[3] = {got.sky - want.sky.value, got.sun_bounce - want.sun_bounce.value,
+                              got.total() - want.total.value};
+      for (int k = 0; k < 3; ++k) {
+        const double e = det::luminanceOf(off[k]) / open;
+        error[k].add(e);
+        all[k].add(e);
+      }
+    }
+    fmt::print("{:>5}  {}  {}  {}\n", time_h, error[0].text(), error[1].text(), error[2].text());
+  }
+  fmt::print("{:>5}  {}  {}  {}\n", "all", all[0].text(), all[1].text(), all[2].text());
+}
 
 void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t points,
          std::size_t samples) {
@@ -104,33 +154,10 @@ void run(const std::filesystem::path& file, const std::filesystem::path& folder,
   const auto places = placesOn(surfaces, tracer, LevelLight(sectors, sky.sky, 12.0), points, without);
   fmt::print("{} sectors, {} probes, {} bytes; {} points, {} more had no probe\n", sectors.size(), probes, bytes,
              places.size(), without);
-  fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\n");
-  fmt::print("{:>5}  {:^17}  {:^17}  {:^17}\n", "hour", "sky", "sun bounce", "total");
-  Spread all[3];
-  for (int i = 0; i < 8; ++i) {
-    const double time_h = 3.0 * i;
-    const LevelLight light(sectors, sky.sky, time_h, section.scale);
-    const DistantLight distant(sky.sky, time_h);
-    const double open =
-        det::luminanceOf(
-            sky::SkyProjector(sky.sky.luminance, 2, 1e-6).irradiance(sky::SkyInstant(sky.sky, time_h), {0, 1, 0})) *
-        sky::SkyInstant(sky.sky, time_h).intensity();
-    Spread error[3];
-    for (const Place& place : places) {
-      const auto got = light.at(place.position, place.normal);
-      const auto want = traceReference(tracer, distant, {}, place.position, place.normal,
-                                       {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
-      const Number3 off[3] = {got->sky - want.sky.value, got->sun_bounce - want.sun_bounce.value,
-                              got->total() - want.total.value};
-      for (int k = 0; k < 3; ++k) {
-        const double e = det::luminanceOf(off[k]) / open;
-        error[k].add(e);
-        all[k].add(e);
-      }
-    }
-    fmt::print("{:>5}  {}  {}  {}\n", time_h, error[0].text(), error[1].text(), error[2].text());
-  }
-  fmt::print("{:>5}  {}  {}  {}\n", "all", all[0].text(), all[1].text(), all[2].text());
+  fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\non surfaces:\n");
+  compare(tracer, sky.sky, section, sectors, places, samples);
+  fmt::print("at the probes, any normal:\n");
+  compare(tracer, sky.sky, section, sectors, placesOfProbes(sectors, points), samples);
 }
 
 }  // namespace
