@@ -11,7 +11,7 @@ cmake --preset release -DWELKIN_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset release --target welkin
 welkin=build/release/welkin
 
-"$welkin" bake examples/island/sky.toml -o "$out/island"
+"$welkin" bake examples/island/level.toml -o "$out/island"
 "$welkin" render "$out/island" -o "$out/sky.png" --view sheet \
   --time 1 --time 5.3 --time 6.2 --time 8.5 --time 12 --time 17 --time 18.5 --time 19.2
 level="--level examples/island/level.toml"
