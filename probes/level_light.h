@@ -34,6 +34,8 @@ class LevelLight {
 
   /// By one probe alone, of a sector that is there: what a surface with this normal at its place gets.
   LevelIrradiance ofProbe(const SectorId& sector, std::size_t probe, const Number3& normal) const;
+  /// The probes of one of the sectors, in its file's order.
+  const std::vector<ProbeIrradiance>& probesOf(SectorId sector) const { return sector_.at(sector).probe; }
 
  private:
   struct Sector {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "level_text.h"
 #include "run_tool.h"
 #include "sky_text.h"
 
@@ -76,6 +77,58 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   check({"--level", path, "--sky-light", "both"}, 1, "--sky-light");
   check({"--view", "level"}, 1, "--level");
   check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");
+}
+
+TEST_CASE("Render, ProbesErrorsHaveTheirStatus") {
+  const SmallLevel level;
+  level.bake("out");
+  const auto check = [&](const std::string& probes, int status, const std::string& says) {
+    const Run run = runTool({"render", level / "out", "--level", level / "level.toml", "--probes", probes, "--time",
+                             "12", "-o", level / "a.png"},
+                            kNoDevice);
+    INFO(run.err);
+    CHECK(run.status == status);
+    CHECK(run.said(says));
+  };
+  check(level / "out", 2, "Vulkan");  // all is well but for the device
+  check(level / "none", 2, level / "none/sectors");
+  fs::create_directories(level.path() / "empty/sectors");
+  check(level / "empty", 2, "holds no sector");
+  const std::string sector = level / "out/sectors/sector_0_0.welkin";
+  fs::copy_file(sector, level / "empty/sectors/sector_1_0.welkin");
+  check(level / "empty", 3, "holds the sector 0_0");
+  fs::resize_file(sector, fs::file_size(sector) - 9);
+  check(level / "out", 3, "sector_0_0.welkin");
+  const Run run =
+      runTool({"render", level / "out", "--probes", level / "out", "--time", "12", "-o", level / "a.png"}, kNoDevice);
+  CHECK(run.status == 1);
+  CHECK(run.said("--probes"));
+}
+
+TEST_CASE("Render, ProbesAreInThePicture") {
+  if (!fs::exists(WELKIN_TEST_ICD)) {
+    WARN("no " WELKIN_TEST_ICD);
+    return;
+  }
+  const SmallLevel level;
+  level.bake("out");
+  const Setting lavapipe = {{{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}}, "", "", 0, 120.0};
+  const auto draw = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render",   level / "out", "--level", level / "level.toml", "--time",
+                                          "10",       "--size",      "64x48",   "--exposure",         "0",
+                                          "--camera", "30,3,40",     "-o",      level / name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = runTool(arguments, lavapipe);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return readBytes(level / name);
+  };
+  const std::string without = draw("a.png", {});
+  const std::string with = draw("b.png", {"--probes", level / "out"});
+  REQUIRE(with != without);
+  REQUIRE(draw("c.png", {"--probes", level / "out"}) == with);
+  level.writeLevel("rays = 64", "add = []\n[scale]\nsky = 0\nsun_bounce = 0");
+  REQUIRE(draw("d.png", {"--probes", level / "out"}) != with);  // black
 }
 
 TEST_CASE("Render, CubemapsThatAreNotThere") {

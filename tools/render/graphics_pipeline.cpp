@@ -40,7 +40,8 @@ VkPipeline createGraphicsPipeline(VkDevice device, const PipelineDescription& d)
   const Module fragment(device, d.fragment);
   const VkPipelineShaderStageCreateInfo stages[2] = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT),
                                                      fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT)};
-  const VkVertexInputBindingDescription binding{0, d.vertex_bytes, VK_VERTEX_INPUT_RATE_VERTEX};
+  const VkVertexInputBindingDescription binding{
+      0, d.vertex_bytes, d.per_instance ? VK_VERTEX_INPUT_RATE_INSTANCE : VK_VERTEX_INPUT_RATE_VERTEX};
   VkPipelineVertexInputStateCreateInfo input{};
   input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
   input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : 1;

@@ -17,6 +17,7 @@ struct PipelineDescription {
   std::span<const uint32_t> fragment{};                             ///< empty: depth alone
   std::span<const VkVertexInputAttributeDescription> attributes{};  ///< of binding 0
   uint32_t vertex_bytes = 0;
+  bool per_instance = false;  ///< attributes advance with the instance, not with the vertex
   std::vector<VkFormat> colours{};
   VkFormat depth = VK_FORMAT_UNDEFINED;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;

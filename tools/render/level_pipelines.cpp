@@ -7,9 +7,12 @@
 #include "render/graphics_pipeline.h"
 #include "render/level_mesh.h"
 #include "render/offscreen.h"
+#include "render/probe_sphere.h"
 #include "spirv/kFullscreenVert.h"
 #include "spirv/kLevelLightFrag.h"
 #include "spirv/kLevelLightOfModesFrag.h"
+#include "spirv/kLevelProbesFrag.h"
+#include "spirv/kLevelProbesVert.h"
 #include "spirv/kLevelShadowVert.h"
 #include "spirv/kLevelSurfaceFrag.h"
 #include "spirv/kLevelSurfaceVert.h"
@@ -32,7 +35,7 @@ LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout
 }
 
 void LevelPipelines::destroy() {
-  for (VkPipeline pipeline : {shadow, surface, light, water}) vkDestroyPipeline(device_, pipeline, nullptr);
+  for (VkPipeline pipeline : {shadow, surface, light, probes, water}) vkDestroyPipeline(device_, pipeline, nullptr);
   vkDestroyPipelineLayout(device_, layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_, set_, nullptr);
   vkDestroySampler(device_, shadow_sampler_, nullptr);
@@ -108,6 +111,16 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                   .colours = {Offscreen::kFormat},
                                   .depth = kDepthFormat,
                                   .depth_compare = VK_COMPARE_OP_LESS});
+  probes = createGraphicsPipeline(device_, {.layout = layout_,
+                                            .vertex = kLevelProbesVert,
+                                            .fragment = kLevelProbesFrag,
+                                            .attributes = ProbeSphere::kAttributes,
+                                            .vertex_bytes = sizeof(ProbeSphere),
+                                            .per_instance = true,
+                                            .colours = {Offscreen::kFormat},
+                                            .depth = kDepthFormat,
+                                            .depth_compare = VK_COMPARE_OP_GREATER,
+                                            .depth_write = true});
   water = createGraphicsPipeline(device_,
                                  {.layout = layout_,
                                   .vertex = kLevelWaterVert,

@@ -26,6 +26,7 @@ class LevelPipelines {
   VkPipeline shadow = VK_NULL_HANDLE;   ///< depth alone
   VkPipeline surface = VK_NULL_HANDLE;  ///< albedo and normal
   VkPipeline light = VK_NULL_HANDLE;    ///< radiance where there is a surface
+  VkPipeline probes = VK_NULL_HANDLE;   ///< radiance and depth of the spheres of probes
   VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea where nothing is before it
 
  private:

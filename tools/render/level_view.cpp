@@ -3,6 +3,7 @@
 #include "render/level_view.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace welkin::tools {
 
@@ -163,6 +164,32 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
   vkCmdDraw(commands, 3, 1, 0, 0);
   if (dome != nullptr) sky_.recordDome(commands, *dome);
   vkCmdEndRendering(commands);
+  recordProbes(commands, target, radiance);
+}
+
+void LevelView::setProbes(std::span<const ProbeSphere> probes) {
+  probes_.reset();
+  if (probes.empty()) return;
+  probes_ = std::make_unique<Buffer>(device_, probes.size_bytes(), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  std::memcpy(probes_->as<ProbeSphere>(), probes.data(), probes.size_bytes());
+}
+
+void LevelView::recordProbes(VkCommandBuffer commands, Target& target, Image& radiance) {
+  if (!probes_) return;
+  target.depth.use(commands, kDrawnDepth);
+  radiance.use(commands, kDrawnColour);
+  const VkRenderingAttachmentInfo colour =
+      attachmentOf(radiance, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+  const VkRenderingAttachmentInfo depth =
+      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+  beginRendering(commands, radiance.extent(), 1, &colour, &depth);
+  bind(commands, pipelines_.probes, target);
+  const VkDeviceSize offset = 0;
+  const VkBuffer probes = probes_->handle();
+  vkCmdBindVertexBuffers(commands, 0, 1, &probes, &offset);
+  vkCmdDraw(commands, ProbeSphere::kVertices, static_cast<uint32_t>(probes_->bytes() / sizeof(ProbeSphere)), 0, 0);
+  vkCmdEndRendering(commands);
+  target.depth.use(commands, kTestedDepth);
 }
 
 void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection) {

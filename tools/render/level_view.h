@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a level under a baked sky: shadow map, surfaces, light, dome, sea; radiance in scene units.
+// Pictures of a level under a baked sky: shadow map, surfaces, light, dome, probes, sea; radiance in scene units.
 #pragma once
+
+#include <memory>
+#include <span>
 
 #include "render/camera.h"
 #include "render/level_frame.h"
 #include "render/level_mesh.h"
 #include "render/level_pipelines.h"
 #include "render/offscreen.h"
+#include "render/probe_sphere.h"
 #include "render/runtime_sky.h"
 
 namespace welkin::tools {
@@ -23,6 +27,10 @@ class LevelView {
   void setTime(double time_h) { sky_.setTime(time_h, options_.tint); }
   const WelkinSkySample& sample() const { return sky_.sample(); }
 
+  /// The probes of the pictures that follow, in place of those before; spheres of WELKIN_PROBE_RADIUS and albedo 1,
+  /// each of the irradiance of its probe alone. They neither cast shadows nor receive them.
+  void setProbes(std::span<const ProbeSphere> probes);
+
   /// One sample a pixel; the sky behind and the discs are in it.
   FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
 
@@ -31,6 +39,8 @@ class LevelView {
   /// Records the level without the sea; with `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
+  /// Draws the probes over a scene; `radiance` and depth stay as recordScene leaves them.
+  void recordProbes(VkCommandBuffer commands, Target& target, Image& radiance);
   void recordShadow(VkCommandBuffer commands, const Target& target);
   void recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection);
   void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
@@ -41,6 +51,7 @@ class LevelView {
   RuntimeSky sky_;
   LevelMesh mesh_;
   LevelPipelines pipelines_;
+  std::unique_ptr<Buffer> probes_;  ///< none without probes
   Image shadow_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet sets_[2] = {};  ///< of the picture and of its mirror image

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "probes/level/surfaces_of.h"
+#include "render/level_probes.h"
 #include "render/level_view.h"
 #include "render/picture.h"
 #include "render/render_options.h"
@@ -92,7 +93,8 @@ Picture drawSky(VulkanDevice& device, const Sky& sky, const RenderOptions& optio
   });
 }
 
-Picture drawLevel(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const RenderOptions& options) {
+Picture drawLevel(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const LevelProbes* probes,
+                  const RenderOptions& options) {
   constexpr double kRadians = f64::kPi / 180.0;
   constexpr uint32_t kSamples = 2;  // along each side of a pixel
   const bool sheet = options.times.size() > 1;
@@ -110,6 +112,7 @@ Picture drawLevel(VulkanDevice& device, const Sky& sky, const probes::Scene& sce
                   .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP});
   return drawTimes(sky, options, sheet, kSamples, [&](double time_h) {
     view.setTime(time_h);
+    if (probes != nullptr) view.setProbes(probes->at(time_h));
     std::vector<FloatImage> images;
     images.push_back(view.draw(kSamples * size.width, kSamples * size.height, from.camera, from.position));
     return images;
@@ -132,9 +135,12 @@ void runRender(const RenderOptions& options) {
                 "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
   const probes::Scene scene = level ? sceneOf(options.level) : probes::Scene{};
+  std::optional<LevelProbes> probes;
+  if (!options.probes.empty()) probes.emplace(options.level, options.probes);
   VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
-  const Picture picture = level ? drawLevel(device, sky, scene, options) : drawSky(device, sky, options);
+  const Picture picture =
+      level ? drawLevel(device, sky, scene, probes ? &*probes : nullptr, options) : drawSky(device, sky, options);
   if (device.messageCount() > 0)
     throw Error(ExitStatus::internal, std::to_string(device.messageCount()) + " Vulkan validation messages");
   writePng(picture, options.output);
@@ -164,6 +170,9 @@ void addRender(CLI::App& app) {
   command->add_option("--pitch", options->pitch_deg, "Degrees above the horizon; default: 18, or a level's middle");
   command->add_option("--fov", options->fov_deg, "Vertical field of view, degrees");
   command->add_option("--level", options->level, "The level.toml whose geometry is drawn under the sky");
+  command->add_option("--probes", options->probes,
+                      "The folder that the level was baked into: the probes of its sectors as white spheres, lit by "
+                      "level.toml's sky, its bounced sun and moon, and emission at that hour");
   command->add_option("--camera", options->camera, "X,Y,Z: where to stand in the level, metres");
   command->add_flag("--no-tint", options->no_tint, "Leave the polarising tint out of the sky");
   command->add_flag("--validate", options->validate, "Run with Vulkan's validation layer; any message is an error");

@@ -98,6 +98,7 @@ void checkOptions(const RenderOptions& options) {
   parseCamera(options);
   if (level && options.level.empty()) refuse("--view level needs --level LEVEL.toml");
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
+  if (!level && !options.probes.empty()) refuse("--probes: only a level has probes; give --level LEVEL.toml");
   if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
   if (level && light == SkyLight::both) refuse("--sky-light both: for a level it is flat or sh");
   if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");

@@ -29,6 +29,7 @@ struct RenderOptions {
   bool no_tint = false;
   bool validate = false;
   std::string level;   ///< level.toml
+  std::string probes;  ///< the folder of a baked level; empty: none are drawn
   std::string camera;  ///< empty: where the whole level is seen
 };
 

@@ -5,6 +5,8 @@
 
 #define WELKIN_WAVE_COUNT 24
 
+#define WELKIN_PROBE_RADIUS 0.35  // of the spheres that show probes, metres
+
 #define WELKIN_LEVEL_CONSTANTS 0   // uniform buffer, LevelConstants
 #define WELKIN_LEVEL_INSTANCES 1   // storage buffer, an Instance each
 #define WELKIN_LEVEL_SHADOW 2      // sampler2DShadow, D32, less or equal, white border
