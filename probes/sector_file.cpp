@@ -76,6 +76,32 @@ SectorError decode(const format::SectorError& e) {
           {e.modes_rms(), e.modes_worst_row(), e.modes_worst()}};
 }
 
+Offset<format::LocalTransfer> encode(FlatBufferBuilder& b, const BakedLocal& l) {
+  const auto position = vectorOf(b, l.encoded.position);
+  const auto count = vectorOf(b, l.encoded.count);
+  const auto light = vectorOf(b, l.encoded.light);
+  const auto scale = vectorOf(b, l.encoded.scale);
+  const auto radiance = vectorOf(b, l.encoded.radiance);
+  const auto error =
+      format::CreateLocalError(b, l.sampling, l.encoding.position_m, l.encoding.radiance,
+                               static_cast<std::uint32_t>(l.thinning.dropped), l.thinning.lost, l.thinning.worst_probe);
+  return format::CreateLocalTransfer(b, position, count, light, scale, radiance, error);
+}
+
+BakedLocal decode(const format::LocalTransfer& l) {
+  BakedLocal local;
+  local.encoded = {copyOf(l.position()), copyOf(l.count()), copyOf(l.light()), copyOf(l.scale()), copyOf(l.radiance())};
+  local.thinning.kept = local.encoded.light.size();
+  if (const format::LocalError* e = l.error(); e != nullptr) {
+    local.sampling = e->sampling();
+    local.encoding = {e->position_m(), e->radiance()};
+    local.thinning.dropped = e->dropped();
+    local.thinning.lost = e->lost();
+    local.thinning.worst_probe = e->worst_probe();
+  }
+  return local;
+}
+
 format::Hash encode(const Hash128& hash) {
   return {hash.low, hash.high};
 }
@@ -107,9 +133,10 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
   const format::BakedFrom baked_from(encode(s.baked_from.all), encode(s.baked_from.surfaces),
                                      encode(s.baked_from.settings), encode(s.baked_from.light_paths));
   const auto placement = encode(b, s.placement);
+  const Offset<format::LocalTransfer> local = s.local ? encode(b, *s.local) : 0;
   const auto sector =
       format::CreateSector(b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun),
-                           probes, &baked_from, placement, s.rays, error);
+                           probes, &baked_from, placement, s.rays, error, local);
   const auto settings = b.CreateString(s.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
@@ -131,6 +158,7 @@ SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& nam
   if (sector.placement() != nullptr) s.placement = decode(*sector.placement());
   s.rays = sector.rays();
   if (sector.error() != nullptr) s.error = decode(*sector.error());
+  if (sector.local() != nullptr) s.local = decode(*sector.local());
   return s;
 }
 

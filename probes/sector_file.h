@@ -2,12 +2,14 @@
 // A baked sector as the bytes of a .welkin file (table Sector of runtime/format/welkin.fbs).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "probes/hash.h"
 #include "probes/transfer/encoding.h"
+#include "probes/transfer/local_encoding.h"
 #include "probes/transfer/relight.h"
 
 namespace welkin::probes {
@@ -18,6 +20,14 @@ struct SectorError {
   std::size_t sampling_probe = 0;
   EncodingError encoding;
   SunModesError modes;  ///< of leaving out further modes
+};
+
+/// A sector's local transfer as it was baked.
+struct BakedLocal {
+  EncodedLocal encoded;
+  double sampling = 0.0;  ///< standard errors over influences, both summed over the sector, before thinning
+  LocalEncodingError encoding;
+  LocalThinning thinning;
 };
 
 /// What a sector was baked from: hashes of everything that its bake reads.
@@ -47,6 +57,7 @@ struct SectorFile {
   PlacementCounts placement;
   std::uint64_t rays = 0;
   SectorError error;
+  std::optional<BakedLocal> local;  ///< none where level.toml provides for no dynamic lights
 };
 
 std::vector<std::byte> encodeSector(const SectorFile& sector);

@@ -76,6 +76,15 @@ class GltfText {
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
   }
 
+  /// Adds a node with a white point light of 100 cd.
+  void addPointLight(const std::vector<double>& position) {
+    nlohmann::json& lights = json["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"type", "point"}, {"intensity", 100.0}});
+    json["nodes"].push_back(
+        {{"translation", position}, {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+    json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+  }
+
   std::string text() const {
     nlohmann::json whole = json;
     whole["buffers"] = {

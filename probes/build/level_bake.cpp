@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "probes/build/local_bake.h"
 #include "probes/placement/placement.h"
 #include "probes/sector_name.h"
 #include "sky/atomic_file.h"
@@ -92,10 +93,11 @@ SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const 
   return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
-std::size_t LevelBake::countProbes(SectorId sector) const {
+SectorPlan LevelBake::plan(SectorId sector) const {
   const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
-  PlacementReport report;
-  return placeSector(Tracer(near), sector, settingsOf(sector).section.probes, report).probe.size();
+  const BakeSection section = sectionOf(sector, section_);
+  const std::size_t probes = placeProbes(Tracer(near), sector, section.probes).size();
+  return {probes, probes > 0 && hasLocalTransfer(section.transfer, near)};
 }
 
 LevelIndex LevelBake::index() const {

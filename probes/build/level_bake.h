@@ -26,6 +26,12 @@ struct SectorState {
   std::vector<std::byte> bytes;    ///< of the file, when it is up to date
 };
 
+/// What a sector will have.
+struct SectorPlan {
+  std::size_t probes = 0;
+  bool has_local = false;  ///< local transfer
+};
+
 /// Immutable after construction.
 class LevelBake {
  public:
@@ -42,8 +48,8 @@ class LevelBake {
   /// Throws as bakeSector.
   SectorFile bake(SectorId sector, const BakeProgress& progress) const;
 
-  /// Places a sector's probes and says how many. Throws what placeSector throws.
-  std::size_t countProbes(SectorId sector) const;
+  /// Places a sector's probes to say how many. Throws what placeSector throws.
+  SectorPlan plan(SectorId sector) const;
 
   /// The index without its sectors and the sky's checksum.
   LevelIndex index() const;

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "format/container.h"
+#include "probes/build/local_bake.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sky/error.h"
@@ -167,6 +168,10 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   const SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
   file.probes = encodeProbes(probes);
   file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
+  if (!placed.probe.empty() && hasLocalTransfer(settings.section.transfer, near)) {
+    file.local = bakeLocal(tracer, placed, settings.section, progress, file.rays);
+    if (!file.local) stop();
+  }
   return file;
 }
 

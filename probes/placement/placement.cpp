@@ -21,4 +21,11 @@ PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSetti
   return result;
 }
 
+std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings) {
+  checkSettings(settings);
+  PlacementReport report;
+  const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
+  return selectProbes(tracer, id, candidatesOf(tracer, id, settings, top_y, report), settings, report);
+}
+
 }  // namespace welkin::probes

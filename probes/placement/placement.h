@@ -18,4 +18,7 @@ std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSetting
 /// first), above vegetation, then those that walkable points needed to see one. Throws as sectorsOf.
 PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report);
 
+/// The probes of placeSector alone, without the cost of the grid. Throws as sectorsOf.
+std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings);
+
 }  // namespace welkin::probes

@@ -52,6 +52,11 @@ struct Entry {
   LocalTransfer transfer;
 };
 
+/// At most 1, which sums of the same numbers in two orders may exceed by their rounding.
+double shareOf(double part, double whole) {
+  return std::min(part / whole, 1.0);
+}
+
 }  // namespace
 
 SectorLocal thinnedLocal(const std::vector<Number3>& lights, const std::vector<LocalProbe>& probes,
@@ -89,9 +94,9 @@ SectorLocal thinnedLocal(const std::vector<Number3>& lights, const std::vector<L
   for (std::size_t i = 0; i < probes.size(); ++i) {
     all_lost += lost[i];
     all += whole[i];
-    if (lost[i] > 0.0) thinning.worst_probe = std::max(thinning.worst_probe, lost[i] / whole[i]);
+    if (lost[i] > 0.0) thinning.worst_probe = std::max(thinning.worst_probe, shareOf(lost[i], whole[i]));
   }
-  if (all_lost > 0.0) thinning.lost = all_lost / all;
+  if (all_lost > 0.0) thinning.lost = shareOf(all_lost, all);
 
   SectorLocal local;
   std::vector<std::uint32_t> index(lights.size(), 0);

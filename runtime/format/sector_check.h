@@ -7,10 +7,12 @@
 
 namespace welkin::format {
 
-inline constexpr std::uint32_t kGridCells = 4096;  ///< of a sector
-inline constexpr std::uint32_t kMostProbes = 255;  ///< of a sector
-inline constexpr std::uint8_t kNoProbe = 255;      ///< of a cell
-inline constexpr std::uint32_t kMostSunModes = 16; ///< of a sector
+inline constexpr std::uint32_t kGridCells = 4096;           ///< of a sector
+inline constexpr std::uint32_t kMostProbes = 255;           ///< of a sector
+inline constexpr std::uint8_t kNoProbe = 255;               ///< of a cell
+inline constexpr std::uint32_t kMostSunModes = 16;          ///< of a sector
+inline constexpr std::uint32_t kMostLocalLights = 128;      ///< of a probe
+inline constexpr std::uint32_t kMostVirtualLights = 65536;  ///< of a sector
 inline constexpr std::int32_t kFarthestSector = 15624;
 
 /// What is wrong, and what it must be: "the grid", "must have 4096 cells".

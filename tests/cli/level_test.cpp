@@ -14,18 +14,6 @@ std::string sectorFile(const std::string& name) {
   return "/sectors/sector_" + name + ".welkin";
 }
 
-/// The files of two folders, but for what a run cost and what of it is of shards.
-void requireSame(const fs::path& a, const fs::path& b) {
-  std::size_t compared = 0;
-  for (const auto& name : filesUnder(a)) {
-    if (fs::path(name).extension() == ".json") continue;
-    INFO(name);
-    REQUIRE(readBytes(a / name) == readBytes(b / name));
-    ++compared;
-  }
-  REQUIRE(compared == kSectors + 2);
-}
-
 }  // namespace
 
 TEST_CASE("Level, BakesSectorsAndIndexAndRepeatsNothing") {

@@ -2,7 +2,9 @@
 // A level of four sectors in a row, -1_0 to 2_0, for the command line: ground and a hut.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "run_tool.h"
 #include "sky_text.h"
@@ -18,10 +20,12 @@ class SmallLevel {
     writeLevel("rays = " + std::to_string(rays));
   }
 
-  void writeHut(double x) const {
+  /// `lamp_x`: of a point light, if there is one.
+  void writeHut(double x, std::optional<double> lamp_x = std::nullopt) const {
     GltfText model;
     model.addNode(model.addMesh(squareMesh()), {{"translation", {64, 0, 32}}, {"scale", {127, 1, 31}}});
     model.addNode(model.addMesh(boxMesh()), {{"translation", {x, 2, 30}}, {"scale", {2, 2, 2}}});
+    if (lamp_x) model.addPointLight({*lamp_x, 3, 32});
     folder_.write("level.gltf", model.text());
   }
   void writeSky(double noon_deg, const std::string& more = "") const {
@@ -55,5 +59,17 @@ class SmallLevel {
 };
 
 inline constexpr int kSectors = 4;
+
+/// The files of two folders, but for what a run cost and what of it is of shards.
+inline void requireSame(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::size_t compared = 0;
+  for (const auto& name : filesUnder(a)) {
+    if (std::filesystem::path(name).extension() == ".json") continue;
+    INFO(name);
+    REQUIRE(readBytes(a / name) == readBytes(b / name));
+    ++compared;
+  }
+  REQUIRE(compared == kSectors + 2);
+}
 
 }  // namespace welkin::test

@@ -12,6 +12,18 @@
 namespace welkin::fuzz {
 namespace {
 
+void checkLocal(const probes::BakedLocal& baked, std::size_t count) {
+  const probes::SectorLocal local = probes::decodedLocal(baked.encoded);
+  require(local.probe.size() == count, "every probe has its local transfer");
+  for (const auto& light : local.light) require(isFinite(light), "a virtual light is somewhere");
+  for (const auto& probe : local.probe)
+    for (const probes::LocalTransfer& transfer : probe) {
+      require(transfer.light < local.light.size(), "a transfer names a light that is there");
+      require(transfer.influence() >= 0.0, "an influence is not below 0");
+      for (const auto& coefficient : transfer.radiance) require(isFinite(coefficient), "local transfer is finite");
+    }
+}
+
 void checkSector(const probes::SectorFile& sector) {
   const probes::SectorProbes decoded = probes::decodedProbes(sector.probes, sector.id);
   const std::size_t count = sector.probes.probes();
@@ -29,6 +41,7 @@ void checkSector(const probes::SectorFile& sector) {
       for (const double number : decoded.sun[i][b]) require(std::isfinite(number), "the sun is finite");
     }
   for (const auto& mode : decoded.modes.value) require(isFinite(mode), "a mode is finite");
+  if (sector.local) checkLocal(*sector.local, count);
   const auto written = probes::encodeSector(sector);
   require(probes::encodeSector(probes::decodeSector(written, "what was written")) == written, "it is written as read");
 }

@@ -110,6 +110,15 @@ TEST_CASE("LocalEncoding, ThinningKeepsTheMostInfluential") {
   CHECK(thinned(t, 70 + 28 + 11).light.empty());
 }
 
+TEST_CASE("LocalEncoding, NoShareIsAboveAll") {
+  LocalThinning thinning;
+  const Traced t = someTraced(200, 300, 100);  // each probe loses all, summed in two orders
+  CHECK(thinnedLocal(t.light, t.probe, 200, thinning).light.empty());
+  CHECK(thinning.lost == Approx(1.0));
+  CHECK(thinning.lost <= 1.0);
+  CHECK(thinning.worst_probe == 1.0);
+}
+
 TEST_CASE("LocalEncoding, WhatDoesNotFitIsRefused") {
   const SectorLocal local = thinned(someTraced(2, 10, 5));
   const EncodedLocal good = encodeLocal(local);

@@ -45,6 +45,22 @@ SectorFile someSector() {
   return s;
 }
 
+/// The same with local transfer: two lights, of which the first probe has one and the second has both.
+SectorFile someLitSector() {
+  SectorFile s = someSector();
+  BakedLocal& local = s.local.emplace();
+  local.encoded.position = {-180.0F, 1.0F, 460.0F, -130.0F, 2.0F, 450.0F};
+  local.encoded.count = {1, 2};
+  local.encoded.light = {1, 0, 1};
+  local.encoded.scale = {0x3f80, 0x3f00, 0};
+  for (int i = 0; i < 36; ++i)
+    local.encoded.radiance.push_back(static_cast<std::int16_t>(i % 12 < 3 ? i * 100 : i * 300 - 6000));
+  local.sampling = 0.11;
+  local.encoding = {0.12, 0.13};
+  local.thinning = {3, 14, 0.15, 0.16};
+  return s;
+}
+
 void checkRefused(const SectorFile& sector, const std::string& says) {
   INFO(says);
   try {
@@ -85,6 +101,62 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
 }
 
+TEST_CASE("SectorFile, GivesBackLocalTransfer") {
+  const SectorFile s = someLitSector();
+  const std::vector<std::byte> bytes = encodeSector(s);
+  const SectorFile r = decodeSector(bytes, "the sector");
+  CHECK(encodeSector(r) == bytes);
+  REQUIRE(r.local);
+  CHECK(r.local->encoded.position == s.local->encoded.position);
+  CHECK(r.local->encoded.count == s.local->encoded.count);
+  CHECK(r.local->encoded.light == s.local->encoded.light);
+  CHECK(r.local->encoded.scale == s.local->encoded.scale);
+  CHECK(r.local->encoded.radiance == s.local->encoded.radiance);
+  CHECK(r.local->sampling == 0.11);
+  CHECK(r.local->encoding.position_m == 0.12);
+  CHECK(r.local->encoding.radiance == 0.13);
+  CHECK(r.local->thinning.kept == 3);
+  CHECK(r.local->thinning.dropped == 14);
+  CHECK(r.local->thinning.lost == 0.15);
+  CHECK(r.local->thinning.worst_probe == 0.16);
+  CHECK(decodedLocal(r.local->encoded).probe[1][1].light == 1);
+  CHECK_FALSE(decodeSector(encodeSector(someSector()), "the sector").local);
+  const std::size_t without = encodeSector(someSector()).size();
+  CHECK(bytes.size() > without + s.local->encoded.bytes());
+}
+
+TEST_CASE("SectorFile, LocalTransferThatDoesNotFitIsRefused") {
+  const auto refused = [](const std::string& says, auto change) {
+    SectorFile s = someLitSector();
+    change(*s.local);
+    checkRefused(s, says);
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  refused("position for every light", [](auto& l) { l.encoded.position.pop_back(); });
+  refused("position for every light", [=](auto& l) { l.encoded.position[4] = nan; });
+  refused("position for every light", [](auto& l) { l.encoded.position[0] = -1.1e7F; });
+  refused("position for every light", [](auto& l) { l.encoded.position.resize(3 * 65537); });
+  refused("count for every probe", [](auto& l) { l.encoded.count = {3}; });
+  refused("count for every probe", [](auto& l) { l.encoded.count = {1, 2, 0}; });
+  refused("count for every probe", [](auto& l) {
+    l.encoded.count[0] = 129;
+    l.encoded.position.resize(3 * 200);
+  });
+  refused("every number", [](auto& l) { l.encoded.count[0] = 2; });
+  refused("every number", [](auto& l) { l.encoded.light.push_back(1); });
+  refused("every number", [](auto& l) { l.encoded.scale.pop_back(); });
+  refused("every number", [](auto& l) { l.encoded.radiance.pop_back(); });
+  refused("ascending lights", [](auto& l) { l.encoded.light[0] = 2; });
+  refused("ascending lights", [](auto& l) { l.encoded.light = {1, 1, 0}; });
+  refused("ascending lights", [](auto& l) { l.encoded.light = {1, 1, 1}; });
+  refused("a scale", [](auto& l) { l.encoded.scale[1] = 0x7f80; });  // infinite
+  refused("a scale", [](auto& l) { l.encoded.scale[2] = 0xbf80; });  // -1
+  refused("influence below 0", [](auto& l) { l.encoded.radiance[14] = -1; });
+  refused("the errors", [](auto& l) { l.sampling = -0.1; });
+  refused("the errors", [](auto& l) { l.thinning.lost = 1.1; });
+  refused("the errors", [](auto& l) { l.encoding.radiance = std::numeric_limits<double>::quiet_NaN(); });
+}
+
 TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   const auto refused = [](const std::string& says, auto change) {
     SectorFile s = someSector();
@@ -120,7 +192,7 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
 }
 
 TEST_CASE("SectorFile, NoByteMayChangeAndNoneMayBeMissing") {
-  const std::vector<std::byte> bytes = encodeSector(someSector());
+  const std::vector<std::byte> bytes = encodeSector(someLitSector());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::vector<std::byte> other = bytes;
     other[i] ^= std::byte{1};

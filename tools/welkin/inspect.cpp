@@ -140,6 +140,11 @@ void inspectSector(const std::string& path, bool as_json) {
   for (const auto& [name, count] : parts.items()) fmt::print("{:10} {:8} bytes\n", name, count.get<std::size_t>());
   fmt::print("sampling   within {:.3g} %, worst at probe {}\n", 100.0 * sector.error.sampling,
              sector.error.sampling_probe);
+  if (!sector.local) return;
+  const auto& local = *sector.local;
+  fmt::print("local      {} virtual lights, {} transfers; {} dropped with {:.3g} % of the influence\n",
+             local.encoded.position.size() / 3, local.thinning.kept, local.thinning.dropped,
+             100.0 * local.thinning.lost);
 }
 
 void inspectLevel(const std::string& path, bool as_json) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -32,22 +33,37 @@ std::string highestText(const sky::LightPath& path) {
                      top.time_h, top.elevation_rad / kDegree);
 }
 
+/// Bytes of a sector's local transfer, at most: it may have as many virtual lights as nine sectors like it have probes.
+std::size_t localBytes(std::size_t count) {
+  const std::size_t lights = 9 * count;
+  const std::size_t most = 12 * lights + count * (1 + 28 * std::min(lights, probes::kMostLocalLights));
+  return std::min(most, probes::kMostLocalBytes);
+}
+
+/// About the bytes of a sector's file.
+std::size_t sectorBytes(const probes::SectorPlan& plan) {
+  constexpr std::size_t kProbeBytes = 152;
+  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
+  return kOtherBytes + kProbeBytes * plan.probes + (plan.has_local ? localBytes(plan.probes) : 0);
+}
+
 /// What a bake into `folder` (none: a new one) would do with every sector. Bytes of one that is out of date are about
 /// those that it will have.
 nlohmann::ordered_json sectorsJson(const LevelInput& level, const std::string& folder) {
-  constexpr std::size_t kProbeBytes = 152;
-  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
   auto sectors = nlohmann::ordered_json::array();
   for (const probes::SectorId sector : level.bake.sectors()) {
     if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted");
     const probes::SectorState state = level.bake.state(folder, sector);
     const bool fresh = state.stale.empty();
-    const std::size_t count = fresh ? state.file->probes.probes() : level.bake.countProbes(sector);
+    const probes::SectorPlan plan = fresh
+                                        ? probes::SectorPlan{state.file->probes.probes(), state.file->local.has_value()}
+                                        : level.bake.plan(sector);
     sectors.push_back({{"sector", probes::nameOf(sector)},
                        {"bake", !fresh},
                        {"why", fresh ? "up to date" : state.stale},
-                       {"probes", count},
-                       {"bytes", fresh ? state.bytes.size() : kOtherBytes + kProbeBytes * count}});
+                       {"probes", plan.probes},
+                       {"local", plan.has_local},
+                       {"bytes", fresh ? state.bytes.size() : sectorBytes(plan)}});
   }
   return sectors;
 }

@@ -34,7 +34,8 @@ Json channelsJson(std::size_t numbers, const Value& value) {
   return json;
 }
 
-Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const probes::SunCoefficients& sun) {
+Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const probes::SunCoefficients& sun,
+               std::size_t local_count) {
   Json json = {{"position", vectorJson(position)},
                {"visibility", t.visibility},
                {"transfer", channelsJson(4, [&](std::size_t b, std::size_t k) { return t.sky[b][k]; })},
@@ -42,11 +43,23 @@ Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const pr
   Json emitted = Json::array();
   for (const Number3& e : t.emitted) emitted.push_back(vectorJson(e));
   json["emitted"] = emitted;
-  json["local_count"] = 0;
+  json["local_count"] = local_count;
   return json;
 }
 
-Json errorJson(const probes::SectorError& e) {
+/// Null without local transfer.
+Json localErrorJson(const std::optional<probes::BakedLocal>& l) {
+  if (!l) return nullptr;
+  return {{"sampling", l->sampling},
+          {"encoding", {{"position_m", l->encoding.position_m}, {"radiance", l->encoding.radiance}}},
+          {"kept", l->thinning.kept},
+          {"dropped", l->thinning.dropped},
+          {"lost", l->thinning.lost},
+          {"lost_of_worst_probe", l->thinning.worst_probe}};
+}
+
+Json errorJson(const probes::SectorFile& s) {
+  const probes::SectorError& e = s.error;
   return {{"sampling", e.sampling},
           {"sampling_probe", e.sampling_probe},
           {"encoding",
@@ -55,7 +68,8 @@ Json errorJson(const probes::SectorError& e) {
             {"sky", e.encoding.sky},
             {"sun", e.encoding.sun},
             {"emitted", e.encoding.emitted}}},
-          {"modes", {{"rms", e.modes.rms}, {"worst_row", e.modes.worst_row}, {"worst", e.modes.worst}}}};
+          {"modes", {{"rms", e.modes.rms}, {"worst_row", e.modes.worst_row}, {"worst", e.modes.worst}}},
+          {"local", localErrorJson(s.local)}};
 }
 
 Json placementJson(const probes::PlacementCounts& c) {
@@ -69,6 +83,15 @@ Json fromJson(const probes::BakedFrom& from) {
           {"surfaces", textOf(from.surfaces)},
           {"settings", textOf(from.settings)},
           {"light_paths", textOf(from.light_paths)}};
+}
+
+/// Positions of the virtual lights.
+Json lightsJson(const probes::SectorFile& s) {
+  Json lights = Json::array();
+  if (!s.local) return lights;
+  const auto& p = s.local->encoded.position;
+  for (std::size_t i = 0; i < p.size(); i += 3) lights.push_back({p[i], p[i + 1], p[i + 2]});
+  return lights;
 }
 
 Json modesJson(const probes::SunModes& m) {
@@ -87,10 +110,11 @@ Json bytesJson(const probes::SectorFile& s, std::size_t total) {
   const std::size_t header = sizeof(format::Header);
   const std::size_t probes = s.probes.bytes();
   const std::size_t grid = s.grid.size();
+  const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
   return {{"probes", probes}, {"grid", grid},
-          {"local", 0},       {"settings", settings},
-          {"header", header}, {"structure", total - header - probes - grid - settings},
+          {"local", local},   {"settings", settings},
+          {"header", header}, {"structure", total - header - probes - grid - local - settings},
           {"total", total},   {"a_probe", s.probes.bytesAProbe()}};
 }
 
@@ -100,7 +124,8 @@ Json sectorJson(const probes::SectorFile& s, std::size_t total) {
   const double z = s.id.z * probes::kSector_m;
   Json list = Json::array();
   for (std::size_t i = 0; i < decoded.position.size(); ++i)
-    list.push_back(probeJson(decoded.position[i], decoded.transfer[i], decoded.sun[i]));
+    list.push_back(probeJson(decoded.position[i], decoded.transfer[i], decoded.sun[i],
+                             s.local ? s.local->encoded.count[i] : std::size_t{0}));
   Json sector = {
       {"x", s.id.x},
       {"z", s.id.z},
@@ -110,10 +135,11 @@ Json sectorJson(const probes::SectorFile& s, std::size_t total) {
       {"sun", probes::nameOf(s.sun)},
       {"bytes", bytesJson(s, total)},
       {"rays", s.rays},
-      {"error", errorJson(s.error)},
+      {"error", errorJson(s)},
       {"placement", placementJson(s.placement)},
       {"baked_from", fromJson(s.baked_from)},
       {"light", modesJson(decoded.modes)},
+      {"virtual_lights", lightsJson(s)},
       {"probes", list},
       {"grid", s.grid}};
   return {{"sector", sector}, {"settings", Json::parse(s.settings, nullptr, false)}};
@@ -127,8 +153,9 @@ Json reportJson(const probes::SectorFile& s, const probes::SectorEntry& entry) {
           {"baked_from", fromJson(s.baked_from)},
           {"probes", entry.probes},
           {"probe_bytes", s.probes.bytesAProbe()},
+          {"local_bytes", s.local ? s.local->encoded.bytes() : std::size_t{0}},
           {"rays", s.rays},
-          {"error", errorJson(s.error)},
+          {"error", errorJson(s)},
           {"placement", placementJson(s.placement)}};
 }
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Local transfer in a sector's bake: which sectors get it, which virtual lights they have, and what comes of them.
+#include "probes/build/local_bake.h"
+
+#include <catch2/catch.hpp>
+
+#include "placed.h"
+#include "probes/transfer/local_transfer.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace probes;
+
+const BakeProgress kGoOn = [](std::uint64_t) { return true; };
+
+BakeSection sectionWithin(double reach_m) {
+  BakeSection section;
+  section.probes.spacing_m = 16.0;
+  section.transfer.rays = 64;
+  section.transfer.reach_m = reach_m;
+  return section;
+}
+
+/// Ground with a wall along z, nearer to one neighbour than to the other.
+Surfaces groundWithWall() {
+  Surfaces s = groundOf({0.6, 0.5, 0.4}, 150.0);
+  addBoxOutside(s, {40, -1, 10}, {41, 4, 50}, addMaterial(s, {0.3, 0.6, 0.9}));
+  return s;
+}
+
+std::vector<Number3> positionsOf(const std::vector<Probe>& probes) {
+  std::vector<Number3> positions;
+  for (const Probe& p : probes) positions.push_back(p.position);
+  return positions;
+}
+
+}  // namespace
+
+TEST_CASE("LocalBake, SettingsAndLightsSayWhetherThereIsAny") {
+  using Where = LocalLights::Where;
+  const Surfaces dark = groundOf(Number3(0.5));
+  Surfaces lit = dark;
+  lit.light.push_back({{1, 2, 3}, Number3(4.0)});
+  const auto has = [](Where where, const Surfaces& near, int bounces = 1) {
+    TransferSection transfer;
+    transfer.local_lights.where = where;
+    transfer.bounces = bounces;
+    return hasLocalTransfer(transfer, near);
+  };
+  CHECK_FALSE(has(Where::near_lights, dark));
+  CHECK(has(Where::near_lights, lit));
+  CHECK(has(Where::everywhere, dark));
+  CHECK_FALSE(has(Where::nowhere, lit));
+  CHECK_FALSE(has(Where::everywhere, lit, 0));
+}
+
+TEST_CASE("LocalBake, VirtualLightsAreTheProbesOfNineSectorsInOrder") {
+  const Surfaces s = groundWithWall();
+  const Tracer tracer(s);
+  const BakeSection section = sectionWithin(64.0);
+  const PlacedSector sector = place(s, {0, 0}, section.probes);
+  std::vector<Number3> expected;
+  for (int x = -1; x <= 1; ++x)
+    for (int z = -1; z <= 1; ++z)
+      for (const Number3& p : positionsOf(place(s, {x, z}, section.probes).probe)) expected.push_back(p);
+  REQUIRE(expected.size() > 9 * 4);
+  const std::vector<Number3> lights = virtualLights(tracer, sector, section);
+  REQUIRE(lights.size() == expected.size());
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    for (int c = 0; c < 3; ++c) CHECK(lights[i][c] == expected[i][c]);
+}
+
+TEST_CASE("LocalBake, VirtualLightsLieWithinReach") {
+  const Surfaces s = groundWithWall();
+  const Tracer tracer(s);
+  for (const double reach_m : {0.0, 20.0}) {
+    const BakeSection section = sectionWithin(reach_m);
+    const PlacedSector sector = place(s, {0, 0}, section.probes);
+    const std::vector<Number3> lights = virtualLights(tracer, sector, section);
+    CHECK((lights.size() > sector.probe.size()) == (reach_m > 0.0));
+    CHECK(lights.size() >= sector.probe.size());
+    for (const Number3& p : lights) CHECK(columnOf({0, 0}, reach_m).holds(p));
+  }
+}
+
+TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
+  const Surfaces s = groundWithWall();
+  const Tracer tracer(s);
+  const BakeSection section = sectionWithin(64.0);
+  const PlacedSector sector = place(s, {0, 0}, section.probes);
+  std::uint64_t rays = 5;
+  const auto baked = bakeLocal(tracer, sector, section, kGoOn, rays);
+  REQUIRE(baked);
+  LocalSettings settings;
+  settings.rays = 64;
+  settings.nearest_m = kNearest_m;
+  const auto traced = LocalTransferTracer(tracer, settings, virtualLights(tracer, sector, section)).trace(sector);
+  std::uint64_t expected_rays = 5;
+  std::size_t transfers = 0;
+  for (const LocalProbe& probe : traced) {
+    expected_rays += probe.rays;
+    transfers += probe.transfer.size();
+  }
+  CHECK(rays == expected_rays);
+  CHECK(baked->thinning.kept == transfers);
+  CHECK(baked->thinning.dropped == 0);
+  CHECK(baked->sampling > 0.0);
+  const SectorLocal decoded = decodedLocal(baked->encoded);
+  REQUIRE(decoded.probe.size() == sector.probe.size());
+  for (std::size_t i = 0; i < traced.size(); ++i) {
+    REQUIRE(decoded.probe[i].size() == traced[i].transfer.size());
+    for (std::size_t j = 0; j < decoded.probe[i].size(); ++j) {
+      // Half a step of each of the three channels, of a scale up to 1/128 above the largest number; no coefficient of
+      // a radiance is above sqrt 3 times coefficient 0.
+      const double influence = traced[i].transfer[j].influence();
+      CHECK(decoded.probe[i][j].influence() == Approx(influence).epsilon(0.0).margin(2.7 * influence / 32767));
+    }
+  }
+}
+
+TEST_CASE("LocalBake, EndsWhenTold") {
+  const Surfaces s = groundWithWall();
+  const Tracer tracer(s);
+  const BakeSection section = sectionWithin(0.0);
+  std::uint64_t rays = 0;
+  const BakeProgress stop = [](std::uint64_t) { return false; };
+  CHECK_FALSE(bakeLocal(tracer, place(s, {0, 0}, section.probes), section, stop, rays));
+}
+
+}  // namespace welkin::tests
