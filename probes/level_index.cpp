@@ -54,8 +54,9 @@ std::vector<std::byte> encodeLevel(const LevelIndex& index) {
   const auto moon_path = index.moon_path ? sky::encodePath(b, *index.moon_path) : 0;
   const format::Hash all_sectors = encode(index.all_sectors);
   const format::Hash sky_checksum = encode(index.sky_checksum.value_or(Hash128{}));
-  const auto level = format::CreateLevel(b, sectors, &all_sectors, index.sky_checksum ? &sky_checksum : nullptr, static_cast<format::SunTransfer>(index.sun),
-                                         sun_path, moon_path, index.scale.sun_bounce, index.scale.sky);
+  const auto level = format::CreateLevel(b, sectors, &all_sectors, index.sky_checksum ? &sky_checksum : nullptr,
+                                         static_cast<format::SunTransfer>(index.sun), sun_path, moon_path,
+                                         index.scale.sun_bounce, index.scale.sky);
   const auto settings = b.CreateString(index.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, 0, level));
   return format::seal({b.GetBufferPointer(), b.GetSize()});

@@ -32,9 +32,9 @@ struct LevelFile {
   std::vector<GeometryEntry> geometry;
 };
 
-/// Reads and checks [level] and [[geometry]]; [probes], [[room]], [transfer] and [scale] are the bake's (bake_section.h) and
-/// are left alone.
-/// Throws Error: `file` for a file that cannot be read, `content` for what it holds.
+/// Reads and checks [level] and [[geometry]]; [probes], [[room]], [transfer] and [scale] are the bake's
+/// (bake_section.h) and are left alone. Throws Error: `file` for a file that cannot be read, `content` for what it
+/// holds.
 LevelFile readLevelFile(const std::filesystem::path& path);
 
 }  // namespace welkin::probes

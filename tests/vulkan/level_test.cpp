@@ -18,11 +18,11 @@ namespace {
 
 using f64::Number3;
 using nlohmann::json;
+using probes::Scene;
 using test::GltfText;
 using tools::Camera;
 using tools::FloatImage;
 using tools::LevelOptions;
-using probes::Scene;
 
 /// Albedo and normal are kept as half floats, which a device may truncate: each loses up to 2^-10 = 9.8e-4 of itself.
 /// Positions, from a 32-bit depth, and the series of the sky are off by far less.
