@@ -100,6 +100,16 @@ SectorPlan LevelBake::plan(SectorId sector) const {
   return {probes, probes > 0 && hasLocalTransfer(section.transfer, near)};
 }
 
+std::optional<double> LevelBake::budget() const {
+  return section_.transfer.rays ? std::nullopt : std::optional(max_error_);
+}
+
+PlacedSector LevelBake::place(SectorId sector) const {
+  const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
+  PlacementReport report;
+  return placeSector(Tracer(near), sector, sectionOf(sector, section_).probes, report);
+}
+
 LevelIndex LevelBake::index() const {
   LevelIndex index;
   index.sun = section_.transfer.sun;

@@ -51,6 +51,13 @@ class LevelBake {
   /// Places a sector's probes to say how many. Throws what placeSector throws.
   SectorPlan plan(SectorId sector) const;
 
+  /// The error that rays = "auto" has to keep; none where the number of rays is fixed.
+  std::optional<double> budget() const;
+
+  /// The sector as placement leaves it, and the level itself: for pictures.
+  PlacedSector place(SectorId sector) const;
+  const Surfaces& surfaces() const { return surfaces_; }
+
   /// The index without its sectors and the sky's checksum.
   LevelIndex index() const;
 

@@ -206,3 +206,35 @@ TEST_CASE("Level, CommandLinesThatAreWrong") {
   REQUIRE(run.said("--max-error"));
   REQUIRE_FALSE(fs::exists(level / "out"));
 }
+
+TEST_CASE("Level, PlanDrawsWhereProbesAre") {
+  const SmallLevel level;
+  REQUIRE(runTool({"plan", level / "level.toml", "--pictures", level / "pictures", "--progress", "none"}).status == 0);
+  REQUIRE(filesUnder(level.path() / "pictures") == std::vector<std::string>{"placement.png", "section.png"});
+  for (const char* name : {"pictures/placement.png", "pictures/section.png"})
+    REQUIRE(readBytes(level / name).substr(1, 3) == "PNG");
+  const Run sky = runTool({"plan", level / "sky.toml", "--pictures", level / "others", "--progress", "none"});
+  REQUIRE(sky.status == 1);
+  REQUIRE(sky.said("needs a level.toml"));
+}
+
+TEST_CASE("Level, SectorsThatMissTheBudgetAreNamed") {
+  const SmallLevel level;
+  level.writeLevel("rays = \"auto\"");
+  const auto hard = [&](const std::string& budget) {
+    level.bake("out", {"--max-error", budget, "--force", "--sectors", "2_0"});
+    const json report = json::parse(readBytes(level / "out/report.json"));
+    std::size_t named = 0;
+    for (const auto& warning : report["warnings"])
+      if (warning["id"] == "hard-sector") {
+        REQUIRE(warning["message"].get<std::string>().find("sector 2_0") != std::string::npos);
+        ++named;
+      }
+    const auto& error = report["sectors"][0]["error"];
+    const double most = std::stod(budget);
+    REQUIRE((named > 0) == (error["sampling"] > most || error["modes"]["worst_row"] > most));
+    return named;
+  };
+  REQUIRE(hard("0.2") == 0);
+  REQUIRE(hard("0.001") > 0);
+}

@@ -36,6 +36,7 @@ class Level {
     path_ = folder_.write("level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"ground.gltf\"\n");
   }
 
+  void append(const std::string& text) const { folder_.write("level.toml", readBytes(path_) + text); }
   Run run(std::vector<std::string> more) const {
     std::vector<std::string> arguments = {"reference", path_, "--time", "12", "--progress", "none"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -115,4 +116,17 @@ TEST_CASE("Reference, TakesNegativeNumbersAndRefusesWhatIsNoLight") {
   CHECK(run.said("--position: \"1,2\" is not a position"));
   CHECK(level.run({"--position", "1,2,3", "--normal", "0,0,0"}).status == 1);
   CHECK(level.run({"--position", "1,2,3", "--normal", "0,1,0", "--samples", "0"}).status == 1);
+}
+
+TEST_CASE("Reference, BouncesAreTheLevels") {
+  const Level level(skyText(kUniform));
+  const std::vector<std::string> point = {"--position", "0,1,0", "--normal=0,-1,0", "--samples", "256"};
+  REQUIRE(level.value(point)["bounces"] == 2);
+  level.append("[transfer]\nbounces = 0\n");
+  const json none = level.value(point);
+  REQUIRE(none["bounces"] == 0);
+  REQUIRE(none["irradiance"] == json({0.0, 0.0, 0.0}));
+  std::vector<std::string> one = point;
+  one.insert(one.end(), {"--bounces", "1"});
+  REQUIRE(level.value(one)["irradiance"][0] > 0.0);
 }

@@ -81,7 +81,7 @@ class SectorBaker {
   std::size_t baked_ = 0;
 };
 
-void addWarnings(const SectorFile& file, Json& warnings) {
+void addWarnings(const SectorFile& file, std::optional<double> budget, Json& warnings) {
   const auto add = [&](const char* id, std::size_t count, const char* what) {
     if (count > 0)
       warnings.push_back({{"id", id},
@@ -91,6 +91,15 @@ void addWarnings(const SectorFile& file, Json& warnings) {
   add("probes-dropped", file.placement.inside + file.placement.too_close,
       "places for probes were inside of geometry or too close to it, and none was free nearby");
   add("probes-thinned", file.placement.thinned, "probes past the 255th were left out, those of least loss");
+  const auto past = [&](double error, const std::string& what) {
+    if (budget && error > *budget)
+      warnings.push_back(
+          {{"id", "hard-sector"},
+           {"message", fmt::format("sector {}: {} makes an error of {:.3g} %, past the budget of {:.3g} %",
+                                   probes::nameOf(file.id), what, 100.0 * error, 100.0 * *budget)}});
+  };
+  past(file.error.sampling, fmt::format("probe {}, after the most rays that one may take,", file.error.sampling_probe));
+  past(file.error.modes.worst_row, fmt::format("the sun in {} modes", file.probes.modes()));
   add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");
 }
 
@@ -149,7 +158,7 @@ void bakeSectors(const LevelInput& level, const LevelOptions& options, ProgressR
       const SectorState state = baker.bring(sector);
       entries.push_back(probes::entryOf(*state.file, state.bytes));
       sectors.push_back(reportJson(*state.file, entries.back()));
-      addWarnings(*state.file, warnings);
+      addWarnings(*state.file, level.bake.budget(), warnings);
     }
     timing.update(baker.timing());
   }

@@ -7,7 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "picture/probe_picture.h"
 #include "probes/sector_name.h"
+#include "sky/atomic_file.h"
 #include "sky/error.h"
 #include "welkin/bake_level.h"
 #include "welkin/budget_option.h"
@@ -82,8 +84,25 @@ void printSectors(const nlohmann::ordered_json& sectors) {
   fmt::print("sectors    {}, {} to bake; {} probes, about {} bytes\n", sectors.size(), stale, probes, bytes);
 }
 
+/// Placement and grid from above, and in section through the middle of the sector with the most probes.
+void drawPictures(const std::optional<LevelInput>& level, const std::filesystem::path& folder) {
+  if (!level) throw Error(ExitStatus::usage, "--pictures: needs a level.toml: a sky has no probes");
+  std::vector<probes::PlacedSector> placed;
+  for (const probes::SectorId sector : level->bake.sectors()) {
+    if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted");
+    placed.push_back(level->bake.place(sector));
+  }
+  const auto most = std::max_element(placed.begin(), placed.end(),
+                                     [](const auto& a, const auto& b) { return a.probe.size() < b.probe.size(); });
+  const probes::Tracer tracer(level->bake.surfaces());
+  makeFolder(folder);
+  writeFile(folder / "placement.png", picture::drawFromAbove(tracer, placed));
+  if (most != placed.end())
+    writeFile(folder / "section.png", picture::drawSection(tracer, placed, probes::kSector_m * (most->id.z + 0.5)));
+}
+
 struct Options {
-  std::string file, folder, progress = "auto";
+  std::string file, folder, pictures, progress = "auto";
   bool json = false;
   BudgetOption budget;
 };
@@ -120,6 +139,7 @@ void plan(const Options& options) {
                                  {"bytes", bytes},
                                  {"warnings", warningsJson(file)}};
   if (level) json["sectors"] = sectorsJson(*level, options.folder);
+  if (!options.pictures.empty()) drawPictures(level, options.pictures);
   printWarnings(json["warnings"]);
   if (options.json) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -155,6 +175,8 @@ void addPlan(CLI::App& app) {
                    "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
       ->required();
   command->add_option("-o", options->folder, "The folder of a bake: which of its sectors are out of date, and why");
+  command->add_option("--pictures", options->pictures,
+                      "A folder for placement.png, a level's probes and grid from above, and section.png");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
       ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))

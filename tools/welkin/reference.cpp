@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "probes/level/bake_section.h"
 #include "probes/level/surfaces_of.h"
 #include "sky/error.h"
 #include "sky/sky_file.h"
@@ -23,7 +24,7 @@ struct Options {
   std::string file, time, position, normal, progress = "auto";
   std::vector<std::string> lights;
   std::size_t samples = 65536;
-  int bounces = 2;
+  std::optional<int> bounces;
   std::uint64_t seed = 0;
   int threads = 0;
   bool json = false;
@@ -61,7 +62,8 @@ void reference(const Options& options) {
   for (probes::Material& material : surfaces.material)  // a file's cd/m2 in scene units
     material.emission = material.emission / sky.sky.luminance_unit;
   const probes::Tracer tracer(surfaces);
-  const probes::ReferenceSettings settings{options.samples, options.bounces, options.seed};
+  const int bounces = options.bounces ? *options.bounces : probes::readBakeSection(options.file).transfer.bounces;
+  const probes::ReferenceSettings settings{options.samples, bounces, options.seed};
   probes::ReferenceIrradiance result;
   {
     ProgressReport progress(ProgressReport::styleOf(options.progress), "paths", probes::referenceBatches(settings));
@@ -81,7 +83,7 @@ void reference(const Options& options) {
                                                 {"sun_bounce", json(result.sun_bounce.standard_error)},
                                                 {"local", json(result.local.standard_error)}}},
                                               {"samples", result.samples},
-                                              {"bounces", options.bounces}}
+                                              {"bounces", bounces}}
                            .dump(2));
     return;
   }
@@ -110,9 +112,10 @@ void addReference(CLI::App& app) {
   command->add_option("--samples", options->samples, "Paths")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
       ->capture_default_str();
-  command->add_option("--bounces", options->bounces, "Surfaces that light bounces off at most")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  command
+      ->add_option("--bounces", options->bounces,
+                   "Surfaces that light bounces off at most; the level's own number when left out")
+      ->check(CLI::Range(0, 1000));
   command->add_option("--seed", options->seed, "Other seeds draw independent paths")->capture_default_str();
   command->add_option("--threads", options->threads, "Threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 4096))
