@@ -106,19 +106,24 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
 /// The entries of all sectors; nothing when one that was not brought up to date now is out of date.
 std::optional<std::vector<probes::SectorEntry>> completed(const LevelInput& level, const LevelOptions& options,
                                                           std::vector<probes::SectorEntry> entries, Json& warnings) {
+  constexpr std::size_t kNamed = 8;
   std::string stale;
+  std::size_t count = 0;
   for (const SectorId sector : level.bake.sectors()) {
     const auto is = [&](const probes::SectorEntry& e) { return e.id == sector; };
     if (std::any_of(entries.begin(), entries.end(), is)) continue;
     const SectorState state = level.bake.state(options.folder, sector);
-    if (!state.stale.empty())
-      stale += (stale.empty() ? "" : ", ") + probes::nameOf(sector);
-    else
+    if (state.stale.empty())
       entries.push_back(probes::entryOf(*state.file, state.bytes));
+    else if (++count <= kNamed)
+      stale += (stale.empty() ? "" : ", ") + probes::nameOf(sector);
   }
-  if (!stale.empty()) {
+  if (count > 0) {
     warnings.push_back(
-        {{"id", "no-index"}, {"message", fmt::format("level.welkin was not written: out of date are {}", stale)}});
+        {{"id", "no-index"},
+         {"count", count},
+         {"message", fmt::format("level.welkin was not written: out of date {} {}{}", count == 1 ? "is" : "are", stale,
+                                 count > kNamed ? fmt::format(" and {} more", count - kNamed) : "")}});
     return std::nullopt;
   }
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
