@@ -10,6 +10,10 @@
 namespace welkin::probes {
 namespace {
 
+static_assert(kMostProbes == format::kMostProbes && kNoProbe == format::kNoProbe &&
+                  kCells * kCells * kCells == format::kGridCells && kMostSunModes == format::kMostSunModes,
+              "what a bake makes and what a file may hold");
+
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 using format::spanOf;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transfer basis of Deferred Radiance Transfer Volumes (Stefanov, GDC 2012) and the weights that shade with it.
+// shaders/shared/transfer_basis.glsl as arrays, with the bits that reach a file.
 #pragma once
 
 #include <array>
 
-#include "shared.h"
+#include "sh/deterministic.h"
 
 namespace welkin::probes {
 
@@ -13,10 +13,16 @@ using f64::Number3;
 inline constexpr std::size_t kDirections = 4;
 
 /// Three orthonormal directions up, and down.
-std::array<Number3, kDirections> transferBasis();
+inline std::array<Number3, kDirections> transferBasis() {
+  const det::TransferBasis basis = det::transferBasis();
+  return std::to_array(basis.v);
+}
 
 /// What each direction's irradiance counts for a normal: exact for every irradiance that is linear in the normal,
 /// sum 1.
-std::array<double, kDirections> shadingWeights(const Number3& normal);
+inline std::array<double, kDirections> shadingWeights(const Number3& normal) {
+  const det::TransferWeights weight = det::transferWeights(normal);
+  return std::to_array(weight.v);
+}
 
 }  // namespace welkin::probes

@@ -5,7 +5,7 @@
 namespace welkin::sh {
 
 /// Null when this thread, and so every thread that it starts, rounds to nearest and keeps denormal numbers; or what it
-/// does instead. -ffast-math makes a library that changes this when it is loaded.
+/// does instead. A library built with relaxed arithmetic changes this when it is loaded.
 const char* whyArithmeticDiffers();
 
 }  // namespace welkin::sh

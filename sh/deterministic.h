@@ -20,7 +20,7 @@
 #define SCALED(factor, value) ((factor) != Number(0) ? (factor) * (value) : Number(0))
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "Baked bytes need IEEE arithmetic: no -ffast-math, -fassociative-math or -freciprocal-math"
+#error "Baked bytes need IEEE arithmetic: no option that relaxes it"
 #endif
 static_assert(FLT_EVAL_METHOD == 0, "baked bytes need arithmetic in the operands' own precision: SSE2, not the x87");
 static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559 &&

@@ -34,7 +34,7 @@ struct SectorProbes {
   SectorId id;
   std::vector<Number3> position;  ///< metres; x and z within the sector
   std::vector<ProbeTransfer> transfer;
-  std::vector<SunCoefficients> sun;
+  std::vector<SunCoefficients> sun;  ///< one a probe, each of as many numbers as there are modes
   SunModes modes;
 };
 

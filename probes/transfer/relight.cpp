@@ -9,7 +9,8 @@ namespace welkin::probes {
 namespace {
 
 std::array<double, 4> twoBands(const Number3& direction) {
-  return {det::kShConstant, det::kShLinear * direction.y, det::kShLinear * direction.z, det::kShLinear * direction.x};
+  const det::ShBasis basis = det::shBasis(direction);
+  return {basis.v[0], basis.v[1], basis.v[2], basis.v[3]};
 }
 
 Number3 product(const std::array<Number3, 4>& a, const std::array<Number3, 4>& b) {

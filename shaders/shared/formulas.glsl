@@ -9,3 +9,4 @@
 #include "stars.glsl"
 #include "sh.glsl"
 #include "modes.glsl"
+#include "transfer_basis.glsl"

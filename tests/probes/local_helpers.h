@@ -8,22 +8,6 @@
 
 namespace welkin::tests {
 
-/// Of a quantity of `count` probes with their own random numbers at one place.
-template <typename Quantity>
-Measured measuredLocal(const probes::LocalTransferTracer& tracer, const Number3& position, std::size_t count,
-                       const Quantity& quantity) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double value = quantity(tracer.trace(position, {3, -2}, i));
-    sum += value;
-    squares += value * value;
-  }
-  const double n = static_cast<double>(count);
-  const double mean = sum / n;
-  return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1.0))};
-}
-
 /// The transfer of a light, or none.
 inline probes::LocalTransfer of(const probes::LocalProbe& probe, std::uint32_t light) {
   for (const probes::LocalTransfer& t : probe.transfer)

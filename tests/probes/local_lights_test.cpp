@@ -24,7 +24,7 @@ namespace {
 using tests::checkMeasured;
 using tests::furnishedRoom;
 using tests::Measured;
-using tests::measuredLocal;
+using tests::measured;
 using tests::of;
 
 bool sameBits(const LocalProbe& a, const LocalProbe& b) {
@@ -50,8 +50,8 @@ TEST_CASE("LocalTransfer, FewTestsOfManyLightsAreUnbiased") {
   const LocalTransferTracer every(tracer, {512, 2, 40}, lights);
   for (std::uint32_t l = 0; l < lights.size(); l += 3) {
     const auto part = [&](const LocalProbe& p) { return of(p, l).radiance[0].y; };
-    const Measured a = measuredLocal(few, probe, 30, part);
-    const Measured b = measuredLocal(every, probe, 30, part);
+    const Measured a = measured(few, probe, 30, part);
+    const Measured b = measured(every, probe, 30, part);
     CAPTURE(l);
     checkMeasured({a.mean - b.mean, std::hypot(a.standard_error, b.standard_error)}, 0.0);
   }
@@ -187,7 +187,7 @@ TEST_CASE("LocalTransfer, StandardErrorsAreTheSpread") {
   constexpr double kRelative = 0.45;
   for (std::uint32_t l = 0; l < lights.size(); ++l) {
     double stated = 0.0;
-    const Measured m = measuredLocal(local, {-1.5, 1.5, 0.5}, kCount, [&](const LocalProbe& p) {
+    const Measured m = measured(local, {-1.5, 1.5, 0.5}, kCount, [&](const LocalProbe& p) {
       stated += p.error[l].y * p.error[l].y / double{kCount};
       return p.transfer[l].radiance[0].y;
     });

@@ -15,7 +15,7 @@ using tests::bounces;
 using tests::checkMeasured;
 using tests::furnishedRoom;
 using tests::Measured;
-using tests::measuredLocal;
+using tests::measured;
 using tests::of;
 
 const Number3 kAlbedo(0.2, 0.5, 0.9);
@@ -40,11 +40,11 @@ TEST_CASE("LocalTransfer, ALightInASphereHasItsClosedForm") {
     for (int c = 0; c < 3; ++c) {
       const double expected = coefficientOf(wall / det::kPi * bounces(kAlbedo, 1, n)[c]);
       const double bound = 3.0 * roughness * expected;
-      checkMeasured(measuredLocal(local, probe, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[0][c]; }),
-                    expected, bound);
+      checkMeasured(measured(local, probe, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[0][c]; }), expected,
+                    bound);
       for (std::size_t k = 1; k < 4; ++k)
-        checkMeasured(measuredLocal(local, probe, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[k][c]; }),
-                      0.0, bound);
+        checkMeasured(measured(local, probe, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[k][c]; }), 0.0,
+                      bound);
     }
   }
   // Wherever the light is, what comes after the first bounce is the same from everywhere.
@@ -56,8 +56,8 @@ TEST_CASE("LocalTransfer, ALightInASphereHasItsClosedForm") {
       const double expected = coefficientOf(wall / det::kPi * bounces(kAlbedo, 2, 5)[c]);
       for (std::size_t k = 0; k < 4; ++k) {
         const auto part = [&](const LocalProbe& p) { return of(p, light).radiance[k][c]; };
-        const Measured all = measuredLocal(five, probe, 10, part);
-        const Measured first = measuredLocal(one, probe, 10, part);
+        const Measured all = measured(five, probe, 10, part);
+        const Measured first = measured(one, probe, 10, part);
         checkMeasured({all.mean - first.mean, std::hypot(all.standard_error, first.standard_error)},
                       k == 0 ? expected : 0.0, 3.0 * roughness * expected);
       }
@@ -72,12 +72,12 @@ TEST_CASE("LocalTransfer, ALightOverAPlaneSeesItsOwnReflection") {
     const Number3 at(1, height, -2);
     const LocalTransferTracer local(tracer, {rays, 2, 8}, {at});
     const double by = kAlbedo.z / (height * height);
-    checkMeasured(measuredLocal(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }),
+    checkMeasured(measured(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }),
                   det::kShConstant * by / 2.0, 1e-5 * by);
-    checkMeasured(measuredLocal(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[1].z; }),
+    checkMeasured(measured(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[1].z; }),
                   -det::kShLinear * by * 0.4, 1e-5 * by);
     for (const std::size_t k : {2U, 3U})
-      checkMeasured(measuredLocal(local, at, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[k].z; }), 0.0,
+      checkMeasured(measured(local, at, 20, [&](const LocalProbe& p) { return of(p, 0).radiance[k].z; }), 0.0,
                     1e-5 * by);
   }
 }
@@ -95,7 +95,7 @@ TEST_CASE("LocalTransfer, NearSurfacesAreLitAsFromTheNearestDistance") {
     const double within = (1.0 - edge * edge) / (2.0 * nearest * nearest);
     const double beyond = std::pow(edge, 4) / (4.0 * 0.25);
     const double expected = det::kShConstant * 2.0 * kAlbedo.z * (within + beyond);
-    checkMeasured(measuredLocal(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }), expected,
+    checkMeasured(measured(local, at, 20, [](const LocalProbe& p) { return of(p, 0).radiance[0].z; }), expected,
                   1e-5 * expected);
   }
 }
@@ -126,7 +126,7 @@ TEST_CASE("LocalTransfer, TwoBandsAreTheReferences") {
         }
     for (const int c : {0, 2}) {
       CAPTURE(l, c);
-      const Measured mean = measuredLocal(
+      const Measured mean = measured(
           local, probe, 20, [&](const LocalProbe& p) { return det::kPi * det::kShConstant * of(p, l).radiance[0][c]; });
       checkMeasured({mean.mean - sum[c] / 12.0, std::hypot(mean.standard_error, std::sqrt(squares[c]) / 12.0)}, 0.0,
                     0.01 * mean.mean);
@@ -135,7 +135,7 @@ TEST_CASE("LocalTransfer, TwoBandsAreTheReferences") {
       const Estimate a = reference(normal, seed++);
       const Estimate b = reference(-normal, seed++);
       const double lobe = 2.0 * det::cosineLobe(1) * det::kShLinear;
-      const Measured m = measuredLocal(local, probe, 20, [&, k = static_cast<std::size_t>(k)](const LocalProbe& p) {
+      const Measured m = measured(local, probe, 20, [&, k = static_cast<std::size_t>(k)](const LocalProbe& p) {
         return lobe * of(p, l).radiance[k].x;
       });
       CAPTURE(l, k);

@@ -13,9 +13,8 @@ namespace {
 using tests::bounces;
 using tests::checkEstimate;
 using tests::darkness;
-
-const Number3 kAlbedo(0.2, 0.5, 0.9);
-const std::vector<Number3> kNormals = {{0, 1, 0}, {0, -1, 0}, unit({0.3, 0.5, -0.7}), unit({-0.8, -0.1, 0.4})};
+using tests::kAlbedo;
+using tests::kNormals;
 
 /// A place without symmetry: a courtyard with a block in it and half a roof.
 Surfaces yard() {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "probes/directions.h"
 #include "probes/reference/reference.h"
 
 namespace welkin::tests {
@@ -57,6 +58,10 @@ inline f64::Number3 bounces(const f64::Number3& albedo, int first, int last) {
   }
   return sum;
 }
+
+inline const f64::Number3 kAlbedo(0.2, 0.5, 0.9);
+inline const std::vector<f64::Number3> kNormals = {
+    {0, 1, 0}, {0, -1, 0}, probes::unit({0.3, 0.5, -0.7}), probes::unit({-0.8, -0.1, 0.4})};
 
 inline constexpr double kStandardErrors = 3.0;
 inline constexpr double kRounding = 1e-12;  ///< relative: of sums of many doubles

@@ -17,9 +17,8 @@ struct Measured {
 };
 
 /// Of a quantity of `count` probes with their own random numbers at one position.
-template <typename Quantity>
-Measured measured(const probes::TransferTracer& tracer, const Number3& position, std::size_t count,
-                  const Quantity& quantity) {
+template <typename ProbeTracer, typename Quantity>
+Measured measured(const ProbeTracer& tracer, const Number3& position, std::size_t count, const Quantity& quantity) {
   double sum = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "probes/random.h"
+
 namespace welkin::stress {
 
 class Random {
  public:
-  Random(std::uint64_t seed, std::uint64_t index) : key_(mixed(mixed(seed) ^ index)) {}
+  Random(std::uint64_t seed, std::uint64_t index) : key_(probes::mixed(probes::mixed(seed) ^ index)) {}
 
   /// Uniform in [0, 1), 53 bits.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
@@ -22,14 +24,7 @@ class Random {
   double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
  private:
-  /// The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
-  static std::uint64_t mixed(std::uint64_t z) {
-    z += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t next() { return mixed(key_ ^ mixed(++counter_)); }
+  std::uint64_t next() { return probes::mixed(key_ ^ probes::mixed(++counter_)); }
 
   std::uint64_t key_;
   std::uint64_t counter_ = 0;

@@ -10,7 +10,6 @@
 #include "probes/random.h"
 #include "probes/transfer_basis.h"
 #include "render/level_view.h"
-#include "render/shaders/level_formulas.h"
 #include "test_sky.h"
 #include "tests/folder.h"
 #include "tests/gltf_text.h"
@@ -111,19 +110,6 @@ Meeting meet(const ProbeSphere& probe, const Number3& eye, const Number3& ray) {
 }
 
 }  // namespace
-
-TEST_CASE("LevelProbes, FormulaIsThatOfTheTransferBasis") {
-  probes::Random random(7);
-  for (int i = 0; i < 200; ++i) {
-    Number3 n(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
-    n = n / std::sqrt(dot(n, n));
-    const auto weight = probes::shadingWeights(n);
-    const Number3 up = f64::probeIrradiance(n, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, Number3(0.0));
-    const Number3 down = f64::probeIrradiance(n, Number3(0.0), Number3(0.0), Number3(0.0), Number3(1.0));
-    for (int b = 0; b < 3; ++b) CHECK(up[b] == Approx(weight[static_cast<std::size_t>(b)]).margin(1e-14));
-    CHECK(down.x == Approx(weight[3]).margin(1e-14));
-  }
-}
 
 TEST_CASE("LevelProbes, SphereHasTheIrradianceOfItsProbeAtEveryNormal", "[vulkan]") {
   Stage stage;

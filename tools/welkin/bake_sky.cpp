@@ -2,7 +2,6 @@
 #include "welkin/bake_sky.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <regex>
 
 #include "format/container.h"
+#include "probes/hash.h"
 #include "sky/atomic_file.h"
 #include "sky/encode.h"
 #include "sky/error.h"
@@ -36,8 +36,7 @@ class Stopwatch {
 };
 
 std::string hashText(std::span<const std::byte> bytes) {
-  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  return probes::textOf(probes::hashOf(bytes));
 }
 
 /// Writes outputs and remembers them for the report.

@@ -38,17 +38,3 @@ INLINE Number glitter(Number density, Number cos_view, Number cos_half) {
   Number c2 = cos_half * cos_half;
   return density / (NUMBER(4.0) * max(cos_view, NUMBER(0.05)) * c2 * c2);
 }
-
-// Irradiance that a probe's four, in the directions of the transfer basis (three orthonormal ones up, and down), stand
-// for at a unit normal: probes/transfer_basis.h. Below 0 where the four are far from linear in the normal.
-INLINE Number3 probeIrradiance(Number3 normal, Number3 first, Number3 second, Number3 third, Number3 down) {
-  Number up = NUMBER(0.57735026918962576) * normal.y;
-  Number back = NUMBER(-0.40824829046386302) * normal.x + up;
-  Number side = NUMBER(0.70710678118654752) * normal.z;
-  Number a = NUMBER(0.81649658092772603) * normal.x + up;
-  Number b = back + side;
-  Number c = back - side;
-  Number rest = NUMBER(1.0) - (a + b + c);
-  Number each = rest * NUMBER(0.21132486540518712);  // 1 / (sqrt(3) + 3)
-  return first * (a + each) + second * (b + each) + third * (c + each) + down * (rest * NUMBER(0.36602540378443865));
-}

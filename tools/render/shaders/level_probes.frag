@@ -19,7 +19,9 @@ void main() {
   vec3 p = level.camera.xyz + direction * distance_m;
   if (distance_m <= 0.0 || p.y < level.options.z) discard;
   vec3 normal = (across - direction * sqrt(left)) / WELKIN_PROBE_RADIUS;
-  vec3 irradiance = max(probeIrradiance(normal, probe[0], probe[1], probe[2], probe[3]), vec3(0.0));
-  radiance = vec4(throughMist(irradiance / kPi, direction, distance_m), 1.0);
+  TransferWeights weight = transferWeights(normal);
+  vec3 irradiance =
+      probe[0] * weight.v[0] + probe[1] * weight.v[1] + probe[2] * weight.v[2] + probe[3] * weight.v[3];
+  radiance = vec4(throughMist(max(irradiance, vec3(0.0)) / kPi, direction, distance_m), 1.0);
   gl_FragDepth = level.camera.w / (level.view_projection * vec4(p, 1.0)).w;
 }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// A baked level's light between its cells.
+#include "probes/level_light.h"
+
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "probes/directions.h"
+#include "skies.h"
+
+namespace welkin::probes {
+namespace {
+
+constexpr double kEncoding = 1e-4;  // of 16 bits, and of the sky's projection
+const Number3 kUp(0, 1, 0);
+
+/// Two probes under a sky of radiance 1, 0.25 and 0.75 of it open, in the cells that `which` says.
+SectorFile sectorOf(const SectorId& id, const std::function<std::uint8_t(int x, int y, int z)>& which) {
+  SectorProbes probes;
+  probes.id = id;
+  for (const double open : {0.25, 0.75}) {
+    probes.position.push_back({kSector_m * (id.x + 0.5), 10.0, kSector_m * (id.z + 0.5)});
+    ProbeTransfer transfer;
+    transfer.visibility = {open, open, open, 0.0};
+    probes.transfer.push_back(transfer);
+    probes.sun.emplace_back();
+  }
+  SectorFile file;
+  file.id = id;
+  file.low_y = -8.0;
+  file.probes = encodeProbes(probes);
+  for (int z = 0; z < kCells; ++z)
+    for (int y = 0; y < kCells; ++y)
+      for (int x = 0; x < kCells; ++x)
+        file.grid[static_cast<std::size_t>(x + kCells * (y + kCells * z))] = which(x, y, z);
+  return file;
+}
+
+/// Its light on a level surface, as a share of what an open one gets of the same formula.
+double shareAt(const LevelLight& light, const Number3& position) {
+  const auto found = light.at(position, kUp);
+  REQUIRE(found);
+  const auto weight = shadingWeights(kUp);
+  double open = 0.0;
+  for (std::size_t b = 0; b < 3; ++b) open += weight[b] * det::kPi * (1.0 + transferBasis()[b].y) / 2.0;
+  return found->sky.y / open;
+}
+
+LevelLight lightOf(const std::vector<SectorFile>& sectors) {
+  static const sky::Sky sky = tests::uniformSky(1.0);
+  return LevelLight(sectors, sky, 12.0);
+}
+
+}  // namespace
+
+TEST_CASE("LevelLight, IsLinearBetweenTheMiddlesOfCells") {
+  // Along each axis probe 0 up to the eighth cell, probe 1 from the ninth: middles at 30 and 34 m of the sector.
+  const int axes = 3;
+  for (int axis = 0; axis < axes; ++axis) {
+    const std::vector<SectorFile> sectors = {sectorOf({-2, 1}, [&](int x, int y, int z) {
+      return static_cast<std::uint8_t>((axis == 0 ? x : axis == 1 ? y : z) < 8 ? 0 : 1);
+    })};
+    const LevelLight light = lightOf(sectors);
+    for (const double along : {10.0, 30.0, 31.0, 32.0, 33.5, 34.0, 50.0}) {
+      CAPTURE(axis, along);
+      // The surface lies 1 m below the point that is looked up; the grid starts at y = -8.
+      Number3 p(-128.0 + 21.0, -8.0 + 21.0 - 1.0, 64.0 + 21.0);
+      (axis == 0 ? p.x : axis == 1 ? p.y : p.z) += along - 21.0;
+      const double expected = 0.25 + 0.5 * std::clamp((along - 30.0) / 4.0, 0.0, 1.0);
+      CHECK(shareAt(light, p) == Approx(expected).margin(kEncoding));
+    }
+  }
+}
+
+TEST_CASE("LevelLight, CellsWithoutAProbeLeaveTheirWeightToTheOthers") {
+  const std::vector<SectorFile> sectors = {
+      sectorOf({0, 0}, [](int x, int, int) { return x < 8 ? std::uint8_t{1} : kNoProbe; })};
+  const LevelLight light = lightOf(sectors);
+  CHECK(shareAt(light, {33.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
+  CHECK_FALSE(light.at({34.5, 10.0, 20.0}, kUp));
+  CHECK_FALSE(light.at({100.0, 10.0, 20.0}, kUp));
+  CHECK_FALSE(light.at({20.0, 200.0, 20.0}, kUp));
+}
+
+TEST_CASE("LevelLight, SectorsMeetWithoutASeam") {
+  const std::vector<SectorFile> sectors = {sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; }),
+                                           sectorOf({0, 0}, [](int, int, int) { return std::uint8_t{1}; })};
+  const LevelLight light = lightOf(sectors);
+  CHECK(shareAt(light, {-1.0, 10.0, 20.0}) == Approx(0.375).margin(kEncoding));
+  CHECK(shareAt(light, {-1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
+  CHECK(shareAt(light, {1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
+  CHECK(shareAt(light, {1.0, 10.0, 20.0}) == Approx(0.625).margin(kEncoding));
+}
+
+TEST_CASE("LevelLight, TheSurfaceIsLeftAlongItsNormal") {
+  // From a wall at x = 32 the cell before it counts.
+  const std::vector<SectorFile> sectors = {
+      sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); })};
+  const LevelLight light = lightOf(sectors);
+  const auto west = light.at({32.0, 10.0, 20.0}, {-1, 0, 0}, 2.0);
+  const auto east = light.at({32.0, 10.0, 20.0}, {1, 0, 0}, 2.0);
+  REQUIRE((west && east));
+  for (const auto& [side, probe] : {std::pair(*west, std::size_t{0}), {*east, std::size_t{1}}}) {
+    const Number3 normal(probe == 0 ? -1.0 : 1.0, 0, 0);
+    CHECK(side.sky.y == Approx(light.ofProbe({0, 0}, probe, normal).sky.y).epsilon(1e-12));
+  }
+  CHECK(east->sky.y > 2.0 * west->sky.y);
+}
+
+}  // namespace welkin::probes
