@@ -30,6 +30,19 @@ LevelIrradiance positive(const LevelIrradiance& e) {
   return {clamped(e.sky), clamped(e.sun_bounce), clamped(e.local)};
 }
 
+/// The room of the sector that a position is in, if any.
+const Room* roomAt(const SectorFile& file, const Number3& position) {
+  const auto found =
+      std::find_if(file.room.begin(), file.room.end(), [&](const Room& room) { return contains(room.box, position); });
+  return found == file.room.end() ? nullptr : &*found;
+}
+
+/// Whether the probe is in the room, or, without one, outside of all. Sectors share a room by its box.
+bool isIn(const SectorFile& file, std::uint8_t probe, const Room* room) {
+  const std::size_t number = file.in_room.empty() ? 0 : file.in_room[probe];
+  return room == nullptr ? number == 0 : number > 0 && file.room[number - 1].box == room->box;
+}
+
 int floorToInt(double v) {
   return static_cast<int>(std::floor(v));
 }
@@ -69,7 +82,7 @@ LevelIrradiance LevelLight::ofProbe(const SectorId& sector, std::size_t probe, c
   return positive(sum);
 }
 
-const ProbeIrradiance* LevelLight::probeAt(int x, double y, int z) const {
+const ProbeIrradiance* LevelLight::probeAt(int x, double y, int z, const Room* room) const {
   const SectorId id{floorToInt(static_cast<double>(x) / kCells), floorToInt(static_cast<double>(z) / kCells)};
   const auto found = sector_.find(id);
   if (found == sector_.end()) return nullptr;
@@ -78,7 +91,7 @@ const ProbeIrradiance* LevelLight::probeAt(int x, double y, int z) const {
   if (row < 0 || row >= kCells) return nullptr;
   const int cell = x - kCells * id.x + kCells * (row + kCells * (z - kCells * id.z));
   const std::uint8_t probe = file.grid[static_cast<std::size_t>(cell)];
-  return probe == kNoProbe ? nullptr : &found->second.probe[probe];
+  return probe == kNoProbe || !isIn(file, probe, room) ? nullptr : &found->second.probe[probe];
 }
 
 std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Number3& normal, double push_m) const {
@@ -90,6 +103,7 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
   const double height = home->second.file->cell_height_m;
   const double low_y = home->second.file->low_y;
   const double y = (p.y - low_y) / height - 0.5;
+  const Room* room = roomAt(*home->second.file, p);
   LevelIrradiance sum;
   double total = 0.0;
   for (const int dz : {0, 1})
@@ -98,12 +112,16 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
         const auto share = [](double v, int d) { return d == 1 ? v - std::floor(v) : 1.0 - (v - std::floor(v)); };
         const double w = share(x, dx) * share(y, dy) * share(z, dz);
         const ProbeIrradiance* probe =
-            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz);
+            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz, room);
         if (probe == nullptr || !(w > 0.0)) continue;
         total += w;
         add(*probe, normal, w, sum);
       }
-  if (!(total > 0.0)) return std::nullopt;
+  if (!(total > 0.0)) {
+    if (room == nullptr || room->probe == kNoProbe) return std::nullopt;
+    add(home->second.probe[room->probe], normal, 1.0, sum);
+    return positive(sum);
+  }
   sum.sky = sum.sky / total;
   sum.sun_bounce = sum.sun_bounce / total;
   sum.local = sum.local / total;

@@ -23,13 +23,14 @@ struct LevelIrradiance {
 /// The probes of a level, relit for a time. Immutable after construction; any thread may ask.
 class LevelLight {
  public:
-  /// `sectors` are of one level and its sky; time in hours, finite.
+  /// `sectors`, which outlive it, are of one level and its sky; time in hours, finite.
   LevelLight(const std::vector<SectorFile>& sectors, const sky::Sky& sky, double time_h, const RelightScale& scale = {},
              SkyBounce sky_bounce = SkyBounce::projected);
 
   /// At a position on a surface with a unit normal: of the eight cells about the point `push_m` off the surface, each
   /// by the probe that it names, trilinear; cells without a probe leave their weight to the others. Nothing where none
-  /// has one. Not below 0.
+  /// has one. Cells whose probe is in another room than the point count as without; where none is left, the room's own
+  /// probe serves. Not below 0.
   std::optional<LevelIrradiance> at(const Number3& position, const Number3& normal, double push_m = 1.0) const;
 
   /// By one probe alone, of a sector that is there: what a surface with this normal at its place gets.
@@ -42,8 +43,8 @@ class LevelLight {
     const SectorFile* file;
     std::vector<ProbeIrradiance> probe;
   };
-  /// The probe of the cell with these indices from the level's origin; none where there is none.
-  const ProbeIrradiance* probeAt(int x, double y, int z) const;
+  /// The probe of the cell with these indices from the level's origin, if it is in `room`; none where there is none.
+  const ProbeIrradiance* probeAt(int x, double y, int z, const Room* room) const;
 
   std::map<SectorId, Sector> sector_;
 };

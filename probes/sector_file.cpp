@@ -11,7 +11,8 @@ namespace welkin::probes {
 namespace {
 
 static_assert(kMostProbes == format::kMostProbes && kNoProbe == format::kNoProbe &&
-                  kCells * kCells * kCells == format::kGridCells && kMostSunModes == format::kMostSunModes,
+                  kCells * kCells * kCells == format::kGridCells && kMostSunModes == format::kMostSunModes &&
+                  kMostRooms == format::kMostRooms,
               "what a bake makes and what a file may hold");
 
 using flatbuffers::FlatBufferBuilder;
@@ -126,6 +127,24 @@ PlacementCounts decode(const format::Placement& p) {
           p.too_close(), p.thinned(), p.uncovered(), p.cells_without()};
 }
 
+Offset<flatbuffers::Vector<const format::Room*>> encode(FlatBufferBuilder& b, const std::vector<Room>& rooms) {
+  std::vector<format::Room> result;
+  const auto number = [](double v) { return static_cast<float>(v); };
+  for (const Room& r : rooms)
+    result.emplace_back(number(r.box.low.x), number(r.box.low.y), number(r.box.low.z), number(r.box.high.x),
+                        number(r.box.high.y), number(r.box.high.z), r.probe);
+  return result.empty() ? 0 : b.CreateVectorOfStructs(result);
+}
+
+std::vector<Room> decode(const flatbuffers::Vector<const format::Room*>& rooms) {
+  std::vector<Room> result;
+  for (const format::Room* r : rooms)
+    result.push_back({{{double{r->low_x()}, double{r->low_y()}, double{r->low_z()}},
+                       {double{r->high_x()}, double{r->high_y()}, double{r->high_z()}}},
+                      r->probe()});
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::byte> encodeSector(const SectorFile& s) {
@@ -138,9 +157,13 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
                                      encode(s.baked_from.settings), encode(s.baked_from.light_paths));
   const auto placement = encode(b, s.placement);
   const Offset<format::LocalTransfer> local = s.local ? encode(b, *s.local) : 0;
-  const auto sector =
-      format::CreateSector(b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun),
-                           probes, &baked_from, placement, s.rays, error, local);
+  b.ForceVectorAlignment(s.top.size(), 1, 16);
+  const auto top = b.CreateVector(s.top.data(), s.top.size());
+  const auto room = encode(b, s.room);
+  const auto in_room = vectorOf(b, s.in_room);
+  const auto sector = format::CreateSector(
+      b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun), probes, &baked_from,
+      placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit));
   const auto settings = b.CreateString(s.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
   return format::seal({b.GetBufferPointer(), b.GetSize()});
@@ -163,6 +186,10 @@ SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& nam
   s.rays = sector.rays();
   if (sector.error() != nullptr) s.error = decode(*sector.error());
   if (sector.local() != nullptr) s.local = decode(*sector.local());
+  std::copy(sector.top()->begin(), sector.top()->end(), s.top.begin());
+  if (sector.room() != nullptr) s.room = decode(*sector.room());
+  s.in_room = copyOf(sector.in_room());
+  s.unlit = sector.unlit();
   return s;
 }
 

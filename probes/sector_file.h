@@ -57,7 +57,11 @@ struct SectorFile {
   PlacementCounts placement;
   std::uint64_t rays = 0;
   SectorError error;
-  std::optional<BakedLocal> local;  ///< none where level.toml provides for no dynamic lights
+  std::optional<BakedLocal> local;                  ///< none where level.toml provides for no dynamic lights
+  std::array<std::uint8_t, kCells * kCells> top{};  ///< as PlacedSector has these
+  std::vector<Room> room;
+  std::vector<std::uint8_t> in_room;
+  std::size_t unlit = 0;  ///< probes that nothing of sky, sun, moon or emission reaches
 };
 
 std::vector<std::byte> encodeSector(const SectorFile& sector);

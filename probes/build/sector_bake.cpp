@@ -84,6 +84,15 @@ PlacementCounts countsOf(const PlacementReport& r) {
           r.cells_without};
 }
 
+bool isUnlit(const ProbeTransfer& t) {
+  const auto none = [](const auto& light) {
+    return std::all_of(light.begin(), light.end(), [](const Number3& e) { return e == Number3(0.0); });
+  };
+  for (std::size_t b = 0; b < kDirections; ++b)
+    if (t.visibility[b] > 0.0 || !none(t.sky[b]) || !none(t.sun[b])) return false;
+  return none(t.emitted);
+}
+
 /// The traced probes as numbers, the sun's transfer in modes.
 SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>& traced,
                       const SectorSettings& settings, SunModesError& error) {
@@ -154,12 +163,16 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   file.low_y = placed.low_y;
   file.cell_height_m = placed.cell_height_m;
   file.grid = placed.grid;
+  file.top = placed.top;
+  file.room = placed.room;
+  file.in_room = placed.in_room;
   file.sun = settings.section.transfer.sun;
   file.settings = settingsText(settings.section);
   file.baked_from = from;
   file.placement = countsOf(report);
   for (std::size_t i = 0; i < traced.size(); ++i) {
     file.rays += traced[i].effort.rays;
+    file.unlit += isUnlit(traced[i].transfer) ? 1 : 0;
     if (traced[i].effort.error > file.error.sampling) {
       file.error.sampling = traced[i].effort.error;
       file.error.sampling_probe = i;

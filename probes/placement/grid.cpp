@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "probes/placement/grid_cells.h"
@@ -22,6 +23,22 @@ struct Choice {
   Choice(std::size_t probe_, double exact_m) : probe(probe_), distance_m(std::round(exact_m * 0x1p20) * 0x1p-20) {}
   bool operator<(const Choice& b) const { return std::tie(distance_m, probe) < std::tie(b.distance_m, b.probe); }
 };
+
+/// A cell from above that names no probe takes after the nearest that does, in cells, then by index.
+void fillFromNearest(std::array<std::uint8_t, kCells * kCells>& top) {
+  const auto named = top;
+  for (int cell = 0; cell < kCells * kCells; ++cell) {
+    int nearest = std::numeric_limits<int>::max();
+    for (int other = 0; other < kCells * kCells; ++other) {
+      const int dx = other % kCells - cell % kCells;
+      const int dz = other / kCells - cell / kCells;
+      const std::uint8_t probe = named[static_cast<std::size_t>(other)];
+      if (probe == kNoProbe || dx * dx + dz * dz >= nearest) continue;
+      top[static_cast<std::size_t>(cell)] = probe;
+      nearest = dx * dx + dz * dz;
+    }
+  }
+}
 
 class Grid {
  public:
@@ -99,6 +116,7 @@ class Grid {
       if (const auto choice = nearestSeen({line.x, span->low_y + height, line.z}))
         sector_.top[column] = static_cast<std::uint8_t>(choice->probe);
     }
+    fillFromNearest(sector_.top);
   }
 
   void count(PlacementReport& report) const {

@@ -12,9 +12,8 @@ namespace welkin::probes {
 /// A cell names the first of these, always of the room that the point is in:
 /// 1. the nearest probe that its middle sees, if that is in the air;
 /// 2. the nearest probe to any point of its air that sees it;
-/// 3. round a corner: a probe of a cell beside, if a point of the one sees the point of the other that sees the probe,
-/// or
-///    the way to it (in rounds, the probe nearest to the middle first);
+/// 3. round a corner: a probe of a cell beside, if a point of the one sees the point of the other that sees the probe
+///    or the way to it (in rounds, the probe nearest to the middle first);
 /// 4. a cell without air, which only filtering reaches: the nearest probe of the 26 cells about it that all of those
 ///    with a probe see, so that no wall is filtered through;
 /// 5. kNoProbe. No line of sight crosses static geometry.

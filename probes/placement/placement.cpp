@@ -4,6 +4,7 @@
 #include "probes/placement/candidates.h"
 #include "probes/placement/column.h"
 #include "probes/placement/grid.h"
+#include "probes/placement/rooms.h"
 #include "probes/placement/selection.h"
 
 namespace welkin::probes {
@@ -18,6 +19,7 @@ PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSetti
   const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report);
   result.probe = selectProbes(tracer, id, candidates, settings, report);
   fillGrid(tracer, settings, candidates.ground_y, top_y, result, report);
+  setRooms(settings, result);
   return result;
 }
 

@@ -13,9 +13,9 @@ namespace welkin::probes {
 /// of its range.
 std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings);
 
-/// Places the probes of a sector and fills its grid; nothing of its neighbours' results takes part, and the result is
-/// the same for any number of threads. A report is replaced. Order: by hand, above ground by lattice (even lines
-/// first), above vegetation, then those that walkable points needed to see one. Throws as sectorsOf.
+/// Places the probes of a sector and fills its grid and rooms; nothing of its neighbours' results takes part, and the
+/// result is the same for any number of threads. A report is replaced. Order: by hand, above ground by lattice (even
+/// lines first), above vegetation, then those that walkable points needed to see one. Throws as sectorsOf.
 PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report);
 
 /// The probes of placeSector alone, without the cost of the grid. Throws as sectorsOf.

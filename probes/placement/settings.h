@@ -8,17 +8,6 @@
 
 namespace welkin::probes {
 
-/// An axis-aligned box, metres; its faces belong to it.
-struct Box {
-  Number3 low;
-  Number3 high;
-};
-
-inline bool contains(const Box& box, const Number3& p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y && p.z >= box.low.z &&
-         p.z <= box.high.z;
-}
-
 /// Lengths in metres, all > 0.
 struct PlacementSettings {
   double spacing_m = 4.0;             ///< of the lattice of vertical rays over static geometry

@@ -134,6 +134,32 @@ void checkLocal(Check& check, const LocalTransfer& l, std::size_t probes) {
              "the errors", "have a value out of their domain");
 }
 
+void checkRooms(Check& check, const Sector& sector, std::size_t probes) {
+  constexpr const char* kName = "the rooms";
+  const auto in_room = spanOf(sector.in_room());
+  const auto* rooms = sector.room();
+  if (rooms == nullptr || rooms->size() == 0) {
+    check.that(in_room.empty(), kName, "must be there where a probe is in one");
+    return;
+  }
+  if (!check.that(rooms->size() <= kMostRooms, kName, "must be at most 254") ||
+      !check.that(in_room.size() == probes &&
+                      std::all_of(in_room.begin(), in_room.end(), [=](std::uint8_t r) { return r <= rooms->size(); }),
+                  kName, "must say for every probe whether it is in one of them") ||
+      !check.that(reinterpret_cast<std::uintptr_t>(rooms->Data()) % alignof(Room) == 0, kName, "are misaligned"))
+    return;
+  std::uint8_t number = 0;
+  for (const Room* r : *rooms) {
+    ++number;
+    for (const auto& [low, high] :
+         {std::pair(r->low_x(), r->high_x()), std::pair(r->low_y(), r->high_y()), std::pair(r->low_z(), r->high_z())})
+      check.that(within(double{low}, -kFarthest_m, kFarthest_m) && within(double{high}, double{low}, kFarthest_m),
+                 kName, "must be boxes within 10000 km");
+    check.that(r->probe() == kNoProbe || (r->probe() < probes && in_room[r->probe()] == number), kName,
+               "must name a probe of their own");
+  }
+}
+
 }  // namespace
 
 Fault sectorFaultOf(const File& file) {
@@ -155,6 +181,13 @@ Fault sectorFaultOf(const File& file) {
   check.that(grid.size() == kGridCells, "the grid", "must have 4096 cells");
   check.that(std::all_of(grid.begin(), grid.end(), [=](std::uint8_t c) { return c == kNoProbe || c < probes; }),
              "the grid", "names a probe that is not there");
+  const auto top = spanOf(sector->top());
+  check.that(
+      top.size() == kTopCells &&
+          std::all_of(top.begin(), top.end(), [=](std::uint8_t c) { return probes == 0 ? c == kNoProbe : c < probes; }),
+      "the view from above", "must name a probe for each of 256 cells");
+  checkRooms(check, *sector, probes);
+  check.that(sector->unlit() <= probes, "the unlit probes", "must be at most all");
   if (sector->error() != nullptr) checkError(check, *sector->error(), probes);
   if (sector->local() != nullptr) checkLocal(check, *sector->local(), probes);
   return check.fault;

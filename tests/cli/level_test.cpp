@@ -173,9 +173,14 @@ TEST_CASE("Level, InspectExplainsEveryByte") {
   REQUIRE(sector["bounds"][3] == 192.0);
   const json& bytes = sector["bytes"];
   REQUIRE(bytes["total"] == fs::file_size(file));
-  REQUIRE(bytes["probes"].get<int>() + bytes["grid"].get<int>() + bytes["local"].get<int>() +
-              bytes["settings"].get<int>() + bytes["header"].get<int>() + bytes["structure"].get<int>() ==
-          bytes["total"].get<int>());
+  int explained = 0;
+  for (const char* part : {"probes", "grid", "occlusion", "rooms", "local", "settings", "header", "structure"})
+    explained += bytes[part].get<int>();
+  REQUIRE(explained == bytes["total"].get<int>());
+  REQUIRE(bytes["occlusion"] == 256);
+  for (const char* tile : {"probe", "sky_visibility", "probe_y"}) REQUIRE(sector["occlusion"][tile].size() == 256);
+  for (const json& share : sector["occlusion"]["sky_visibility"]) REQUIRE(share > 0.5);
+  REQUIRE((sector["rooms"].empty() && bytes["rooms"] == 0 && sector["unlit"] == 0));
   REQUIRE(sector["probes"].size() > 4);
   for (const json& probe : sector["probes"]) {
     REQUIRE(probe["position"][0] >= 128.0);
@@ -187,6 +192,33 @@ TEST_CASE("Level, InspectExplainsEveryByte") {
   REQUIRE(index["sectors"].size() == kSectors);
   REQUIRE(index["sectors"][3]["probes"] == sector["probes"].size());
   REQUIRE(runTool({"inspect", file}).status == 0);
+}
+
+TEST_CASE("Level, RoomsAreInTheFileAndOfItsSectorsAlone") {
+  const SmallLevel level;
+  level.bake("out");
+  // About the hut's west, in 2_0 and within the reach of 1_0; its settings change, its file has no room.
+  level.writeLevel("rays = 64", "[[room]]\nbox = [140, -1, 8, 165.5, 8, 56]");
+  REQUIRE(level.bake("out") == 2);
+  const auto inspected = [&](const std::string& sector) {
+    return json::parse(runTool({"inspect", level / ("out" + sectorFile(sector)), "--json"}).out)["sector"];
+  };
+  const json with = inspected("2_0");
+  REQUIRE(with["rooms"].size() == 1);
+  REQUIRE(with["rooms"][0]["box"] == std::vector<double>{140, -1, 8, 165.5, 8, 56});
+  std::size_t inside = 0;
+  for (const json& probe : with["probes"]) {
+    const double x = probe["position"][0];
+    const double z = probe["position"][2];
+    const bool in = x >= 140 && x <= 165.5 && z >= 8 && z <= 56 && probe["position"][1] <= 8.0;
+    REQUIRE(probe["room"] == (in ? 1 : 0));
+    inside += in ? 1 : 0;
+  }
+  REQUIRE((inside > 0 && inside < with["probes"].size()));
+  REQUIRE(with["probes"][with["rooms"][0]["probe"].get<std::size_t>()]["room"] == 1);
+  REQUIRE(with["bytes"]["rooms"] == 28 + with["probes"].size());
+  REQUIRE(inspected("1_0")["rooms"].empty());
+  REQUIRE(runTool({"validate", level / "out"}).status == 0);
 }
 
 TEST_CASE("Level, CommandLinesThatAreWrong") {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "probes/occlusion_tile.h"
 #include "probes/placement/grid_cells.h"
-#include "probes/placement/occlusion_tile.h"
 #include "probes/placement/placement.h"
 #include "probes/placement/validity.h"
 #include "rooms.h"
@@ -175,20 +175,37 @@ TEST_CASE("Grid, TallAndDeepSectors") {
   CHECK(sector.probe[above].position.y == Approx(63.0));
 }
 
+TEST_CASE("Grid, FromAboveEveryCellNamesAProbe") {
+  Surfaces s;
+  tests::addQuad(s, {0, 0, 0}, {0, 0, 64}, {17, 0, 0}, tests::addMaterial(s, {0.5, 0.5, 0.5}));
+  const Tracer tracer(s);
+  PlacementReport report;
+  const PlacedSector sector = place(tracer, {0, 0}, report);
+  for (int k = 0; k < kCells; ++k) {
+    // The fifth column of cells has its middle beside the ground, the fourth above it.
+    const std::uint8_t last = sector.top[static_cast<std::size_t>(3 + kCells * k)];
+    CHECK(last < sector.probe.size());
+    for (int i = 4; i < kCells; ++i) CHECK(sector.top[static_cast<std::size_t>(i + kCells * k)] == last);
+  }
+  CHECK(sector.top[3] != sector.top[3 + kCells * 15]);
+}
+
 TEST_CASE("OcclusionTile, VisibilityAndHeightFromAbove") {
-  PlacedSector sector;
-  sector.probe = {{{1, 5, 1}}, {{60, 9, 60}}};
-  sector.top.fill(kNoProbe);
-  CHECK_FALSE(computeOcclusionTile(sector, {0.25, 0.75}));
-  sector.top[0] = 0;
-  sector.top[15 + kCells * 15] = 1;
-  const auto tile = computeOcclusionTile(sector, {0.25, 0.75});
+  SectorProbes probes;
+  std::array<std::uint8_t, kCells * kCells> top{};
+  CHECK_FALSE(occlusionTileOf(top, probes));
+  probes.position = {{1, 5, 1}, {60, 9, 60}};
+  probes.transfer.resize(2);
+  probes.transfer[0].visibility = {0.25, 0.25, 0.25, 0.0};
+  probes.transfer[1].visibility = {1.0, 0.5, 0.0, 0.0};  // the three are alike from above
+  top[15 + kCells * 14] = 1;
+  const auto tile = occlusionTileOf(top, probes);
   REQUIRE(tile);
-  CHECK(tile->sky_visibility[0] == 0.25);
+  CHECK(tile->sky_visibility[0] == Approx(0.25));
   CHECK(tile->probe_y[0] == 5.0);
-  CHECK(tile->sky_visibility[15 + kCells * 14] == 0.75);
+  CHECK(tile->sky_visibility[15 + kCells * 14] == Approx(0.5));
   CHECK(tile->probe_y[15 + kCells * 14] == 9.0);
-  CHECK(tile->sky_visibility[3 + kCells * 4] == 0.25);
+  CHECK(tile->sky_visibility[14 + kCells * 15] == Approx(0.25));
 }
 
 }  // namespace welkin::probes

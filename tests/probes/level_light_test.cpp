@@ -46,7 +46,7 @@ double shareAt(const LevelLight& light, const Number3& position) {
   return found->sky.y / open;
 }
 
-LevelLight lightOf(const std::vector<SectorFile>& sectors) {
+LevelLight lightOf(const std::vector<SectorFile>& sectors) {  // which outlive it
   static const sky::Sky sky = tests::uniformSky(1.0);
   return LevelLight(sectors, sky, 12.0);
 }
@@ -90,6 +90,40 @@ TEST_CASE("LevelLight, SectorsMeetWithoutASeam") {
   CHECK(shareAt(light, {-1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
   CHECK(shareAt(light, {1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
   CHECK(shareAt(light, {1.0, 10.0, 20.0}) == Approx(0.625).margin(kEncoding));
+}
+
+TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
+  // Cells up to the eighth name probe 0, the others probe 1; the room ends within the eighth cell.
+  SectorFile file = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); });
+  file.room = {{{{0, -10, 0}, {31, 60, 64}}, 0}, {{{56, -10, 0}, {58, 60, 64}}, 0}};
+  file.in_room = {1, 0};
+  std::vector<SectorFile> sectors = {file};
+  const LevelLight light = lightOf(sectors);
+  CHECK(shareAt(light, {30.9, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
+  CHECK(shareAt(light, {31.1, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
+  CHECK(shareAt(light, {40.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
+  // The second room has no cell: its own probe serves, or nothing.
+  CHECK(shareAt(light, {57.0, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
+  sectors[0].room[1].probe = kNoProbe;
+  const LevelLight bare = lightOf(sectors);
+  CHECK_FALSE(bare.at({57.0, 10.0, 20.0}, kUp));
+}
+
+TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
+  // The same box has another number on either side of the border.
+  SectorFile west = sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; });
+  SectorFile east = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 1 ? 1 : 0); });
+  const Box hall = {{-20, -10, 0}, {3, 60, 64}};
+  west.room = {{{{-60, -10, 0}, {-50, 60, 64}}, kNoProbe}, {hall, 0}};
+  west.in_room = {2, 0};
+  east.room = {{hall, 1}};
+  east.in_room = {0, 1};
+  const std::vector<SectorFile> sectors = {west, east};
+  const LevelLight light = lightOf(sectors);
+  CHECK(shareAt(light, {-1.0, 10.0, 20.0}) == Approx(0.375).margin(kEncoding));
+  CHECK(shareAt(light, {1.0, 10.0, 20.0}) == Approx(0.625).margin(kEncoding));
+  CHECK(shareAt(light, {2.9, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
+  CHECK(shareAt(light, {3.1, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
 }
 
 TEST_CASE("LevelLight, TheSurfaceIsLeftAlongItsNormal") {

@@ -18,7 +18,7 @@ using tests::place;
 
 bool same(const PlacedSector& a, const PlacedSector& b) {
   return a.id == b.id && a.low_y == b.low_y && a.cell_height_m == b.cell_height_m && a.grid == b.grid &&
-         a.top == b.top &&
+         a.top == b.top && a.in_room == b.in_room &&
          std::equal(a.probe.begin(), a.probe.end(), b.probe.begin(), b.probe.end(),
                     [](const Probe& p, const Probe& q) { return p.position == q.position; });
 }
@@ -167,6 +167,40 @@ TEST_CASE("Placement, RoomsHaveProbesOfTheirOwn") {
         REQUIRE(probe != kNoProbe);
         CHECK(roomOf(settings, sector.probe[probe].position) == roomOf(settings, middle));
       }
+}
+
+TEST_CASE("Placement, RoomsNameTheirProbes") {
+  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  PlacementSettings settings;
+  settings.room = {{{200, -1, 200}, {210, 4, 210}},  // of another sector
+                   {{-30, -1, 8}, {20, 4, 40}},      // of two
+                   {{10, -1, 8}, {30, 4, 40}},       // partly the first one's
+                   {{50, 20, 50}, {60, 30, 60}}};    // in the air
+  for (const SectorId id : {SectorId{0, 0}, SectorId{-1, 0}}) {
+    const PlacedSector sector = place(s, id, settings);
+    CAPTURE(id.x);
+    REQUIRE(sector.room.size() == (id.x == 0 ? 3 : 1));
+    REQUIRE(sector.in_room.size() == sector.probe.size());
+    for (std::size_t i = 0; i < sector.probe.size(); ++i) {
+      const std::size_t of_level = roomOf(settings, sector.probe[i].position);
+      CHECK(std::size_t{sector.in_room[i]} == (of_level == 0 ? 0 : of_level - 1));
+    }
+    for (std::size_t r = 0; r < sector.room.size(); ++r) CHECK(sector.room[r].box == settings.room[r + 1]);
+    // The nearest of the room's probes to the middle of its part of the sector.
+    const Number3 middle = id.x == 0 ? Number3(10, 1.5, 24) : Number3(-15, 1.5, 24);
+    REQUIRE(sector.room[0].probe != kNoProbe);
+    for (std::size_t i = 0; i < sector.probe.size(); ++i)
+      if (sector.in_room[i] == 1)
+        CHECK(distanceOf(sector.probe[i].position, middle) >=
+              distanceOf(sector.probe[sector.room[0].probe].position, middle));
+  }
+  const PlacedSector sector = place(s, {0, 0}, settings);
+  CHECK(roomOf(settings, sector.probe[sector.room[1].probe].position) == 3);
+  CHECK(sector.room[2].probe == kNoProbe);
+  CHECK((place(s, {1, 1}, settings).room.empty() && place(s, {1, 1}, settings).in_room.empty()));
+  settings.room.assign(kMostRooms + 1, {{0, -1, 0}, {9, 4, 9}});
+  CHECK_THROWS_WITH(place(s, {0, 0}, settings), Catch::Contains("[[room]]: more than 254 touch sector 0_0"));
+  CHECK(place(s, {1, 0}, settings).room.empty());
 }
 
 TEST_CASE("Placement, SettingsOutOfRangeAreErrors") {

@@ -20,6 +20,10 @@ SectorFile someSector() {
   s.cell_height_m = 5.0;
   s.grid.fill(kNoProbe);
   s.grid[17] = 1;
+  s.top[255] = 1;
+  s.room = {{{{-190, -1, 450}, {-180, 3.5, 460}}, kNoProbe}, {{{-160, 0, 450}, {-150, 4, 470}}, 1}};
+  s.in_room = {0, 2};
+  s.unlit = 1;
   s.sun = SunTransfer::directional;
   EncodedProbes& p = s.probes;
   p.low_y = -1.0F;
@@ -93,11 +97,17 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(r.baked_from == s.baked_from);
   CHECK(r.placement.cells_without == 9);
   CHECK(r.rays == s.rays);
+  CHECK(r.top == s.top);
+  CHECK(r.in_room == s.in_room);
+  REQUIRE(r.room.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK((r.room[i].box == s.room[i].box && r.room[i].probe == s.room[i].probe));
+  CHECK(r.unlit == 1);
   CHECK(r.error.sampling_probe == 1);
   CHECK(r.error.encoding.emitted == 0.05);
   CHECK(r.error.modes.worst == 0.08);
   SectorFile empty;
   empty.grid.fill(kNoProbe);
+  empty.top.fill(kNoProbe);
   CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
 }
 
@@ -168,6 +178,17 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("the grid has a height", [=](auto& s) { s.cell_height_m = 0.0; });
   refused("the grid has a height", [=](auto& s) { s.low_y = double{nan}; });
   refused("the sector", [](auto& s) { s.id.x = 15625; });
+  refused("the view from above", [](auto& s) { s.top[3] = 2; });
+  refused("the view from above", [](auto& s) { s.top[3] = kNoProbe; });
+  refused("the unlit", [](auto& s) { s.unlit = 3; });
+  refused("the rooms must be there", [](auto& s) { s.room.clear(); });
+  refused("the rooms must say", [](auto& s) { s.in_room.pop_back(); });
+  refused("the rooms must say", [](auto& s) { s.in_room[0] = 3; });
+  refused("a probe of their own", [](auto& s) { s.in_room[1] = 1; });
+  refused("a probe of their own", [](auto& s) { s.room[1].probe = 2; });
+  refused("must be boxes", [](auto& s) { std::swap(s.room[0].box.low, s.room[0].box.high); });
+  refused("must be boxes", [=](auto& s) { s.room[1].box.high.y = double{nan}; });
+  refused("at most 254", [](auto& s) { s.room.resize(255, s.room[0]); });
   refused("a position", [](auto& s) { s.probes.position.pop_back(); });
   refused("a visibility", [](auto& s) { s.probes.visibility.push_back(0); });
   refused("coefficient of the sky", [](auto& s) { s.probes.sky.pop_back(); });

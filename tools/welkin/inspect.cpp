@@ -140,6 +140,8 @@ void inspectSector(const std::string& path, bool as_json) {
   for (const auto& [name, count] : parts.items()) fmt::print("{:10} {:8} bytes\n", name, count.get<std::size_t>());
   fmt::print("sampling   within {:.3g} %, worst at probe {}\n", 100.0 * sector.error.sampling,
              sector.error.sampling_probe);
+  if (!sector.room.empty()) fmt::print("rooms      {}, with probes of their own\n", sector.room.size());
+  if (sector.unlit > 0) fmt::print("unlit      {} probes: no light of sky, sun, moon or emission\n", sector.unlit);
   if (!sector.local) return;
   const auto& local = *sector.local;
   fmt::print("local      {} virtual lights, {} transfers; {} dropped with {:.3g} % of the influence\n",

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "format/container.h"
+#include "format/sector_check.h"
 #include "probes/level/bake_section.h"
+#include "probes/occlusion_tile.h"
 #include "probes/sector_name.h"
 
 namespace welkin::tools {
@@ -94,6 +96,23 @@ Json lightsJson(const probes::SectorFile& s) {
   return lights;
 }
 
+Json roomsJson(const std::vector<probes::Room>& rooms) {
+  Json list = Json::array();
+  for (const probes::Room& r : rooms)
+    list.push_back({{"box", {r.box.low.x, r.box.low.y, r.box.low.z, r.box.high.x, r.box.high.y, r.box.high.z}},
+                    {"probe", r.probe}});
+  return list;
+}
+
+/// By cell from above; empty arrays in a sector without probes.
+Json occlusionJson(const probes::SectorFile& s, const probes::SectorProbes& decoded) {
+  const auto tile = probes::occlusionTileOf(s.top, decoded);
+  const Json none = Json::array();
+  return {{"probe", tile ? Json(s.top) : none},
+          {"sky_visibility", tile ? Json(tile->sky_visibility) : none},
+          {"probe_y", tile ? Json(tile->probe_y) : none}};
+}
+
 Json modesJson(const probes::SunModes& m) {
   Json modes = Json::array();
   for (std::size_t i = 0; i < m.count(); ++i) {
@@ -112,10 +131,17 @@ Json bytesJson(const probes::SectorFile& s, std::size_t total) {
   const std::size_t grid = s.grid.size();
   const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
-  return {{"probes", probes}, {"grid", grid},
-          {"local", local},   {"settings", settings},
-          {"header", header}, {"structure", total - header - probes - grid - local - settings},
-          {"total", total},   {"a_probe", s.probes.bytesAProbe()}};
+  const std::size_t rooms = s.room.size() * sizeof(format::Room) + s.in_room.size();
+  return {{"probes", probes},
+          {"grid", grid},
+          {"occlusion", s.top.size()},
+          {"rooms", rooms},
+          {"local", local},
+          {"settings", settings},
+          {"header", header},
+          {"structure", total - header - probes - grid - s.top.size() - rooms - local - settings},
+          {"total", total},
+          {"a_probe", s.probes.bytesAProbe()}};
 }
 
 Json sectorJson(const probes::SectorFile& s, std::size_t total) {
@@ -126,6 +152,7 @@ Json sectorJson(const probes::SectorFile& s, std::size_t total) {
   for (std::size_t i = 0; i < decoded.position.size(); ++i)
     list.push_back(probeJson(decoded.position[i], decoded.transfer[i], decoded.sun[i],
                              s.local ? s.local->encoded.count[i] : std::size_t{0}));
+  for (std::size_t i = 0; i < s.in_room.size(); ++i) list[i]["room"] = s.in_room[i];
   Json sector = {
       {"x", s.id.x},
       {"z", s.id.z},
@@ -141,7 +168,10 @@ Json sectorJson(const probes::SectorFile& s, std::size_t total) {
       {"light", modesJson(decoded.modes)},
       {"virtual_lights", lightsJson(s)},
       {"probes", list},
-      {"grid", s.grid}};
+      {"grid", s.grid},
+      {"occlusion", occlusionJson(s, decoded)},
+      {"rooms", roomsJson(s.room)},
+      {"unlit", s.unlit}};
   return {{"sector", sector}, {"settings", Json::parse(s.settings, nullptr, false)}};
 }
 
@@ -155,6 +185,7 @@ Json reportJson(const probes::SectorFile& s, const probes::SectorEntry& entry) {
           {"probe_bytes", s.probes.bytesAProbe()},
           {"local_bytes", s.local ? s.local->encoded.bytes() : std::size_t{0}},
           {"rays", s.rays},
+          {"unlit", s.unlit},
           {"error", errorJson(s)},
           {"placement", placementJson(s.placement)}};
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/placement/rooms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "probes/placement/validity.h"
+#include "probes/reach.h"
+#include "sky/error.h"
+
+namespace welkin::probes {
+namespace {
+
+/// Of the box's part of the sector.
+Number3 middleOf(const Box& box, const Column& square) {
+  return {0.5 * (std::max(box.low.x, square.low_x) + std::min(box.high.x, square.high_x)),
+          0.5 * (box.low.y + box.high.y),
+          0.5 * (std::max(box.low.z, square.low_z) + std::min(box.high.z, square.high_z))};
+}
+
+}  // namespace
+
+void setRooms(const PlacementSettings& settings, PlacedSector& sector) {
+  const Column square = columnOf(sector.id, 0.0);
+  std::vector<std::size_t> room_of;
+  for (const Probe& p : sector.probe) room_of.push_back(roomOf(settings, p.position));
+  std::vector<std::uint8_t> in_room(sector.probe.size(), 0);
+  sector.room.clear();
+  for (std::size_t r = 0; r < settings.room.size(); ++r) {
+    const Box& box = settings.room[r];
+    if (!square.touches(box.low.x, box.high.x, box.low.z, box.high.z)) continue;
+    if (sector.room.size() == kMostRooms)
+      throw Error(ExitStatus::content, fmt::format("[[room]]: more than {} touch sector {}_{}; at most {} may",
+                                                   kMostRooms, sector.id.x, sector.id.z, kMostRooms));
+    Room& room = sector.room.emplace_back(Room{box});
+    const Number3 middle = middleOf(box, square);
+    double nearest_m = 0.0;
+    for (std::size_t i = 0; i < room_of.size(); ++i) {
+      if (room_of[i] != r + 1) continue;
+      in_room[i] = static_cast<std::uint8_t>(sector.room.size());
+      const double distance_m = distanceOf(middle, sector.probe[i].position);
+      if (room.probe != kNoProbe && distance_m >= nearest_m) continue;
+      room.probe = static_cast<std::uint8_t>(i);
+      nearest_m = distance_m;
+    }
+  }
+  sector.in_room = sector.room.empty() ? std::vector<std::uint8_t>() : std::move(in_room);
+}
+
+}  // namespace welkin::probes
