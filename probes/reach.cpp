@@ -69,6 +69,8 @@ class Part {
     if (any_colour_) near_.surfaces.colour = std::move(colour_);
     for (const PointLight& light : level_.light)
       if (column.holds(light.position)) near_.surfaces.light.push_back(light);
+    for (const Number3& place : level_.spot)
+      if (column.holds(place)) near_.surfaces.spot.push_back(place);
     return std::move(near_);
   }
 
@@ -166,6 +168,8 @@ void addTo(Hasher& hasher, const NearSurfaces& near, const std::vector<Hash128>&
     addTo(hasher, light.position);
     addTo(hasher, light.intensity);
   }
+  hasher.add(std::uint64_t{s.spot.size()});
+  for (const Number3& place : s.spot) addTo(hasher, place);
 }
 
 }  // namespace welkin::probes

@@ -11,7 +11,7 @@
 namespace welkin::probes {
 
 /// Sectors farther out than this, on either axis, are refused: a million metres.
-inline constexpr int kFarthestSector = 15624;
+inline constexpr int kFarthestSector = 15625;
 
 /// "X_Z", such as "-1_12".
 std::string nameOf(SectorId sector);

@@ -63,6 +63,7 @@ struct Surfaces {
   std::vector<Texture> texture;
   std::vector<Object> object;
   std::vector<PointLight> light;
+  std::vector<Number3> spot;          ///< places of spot lights: nothing is lit by them, dynamic lights are expected
   std::size_t dropped_triangles = 0;  ///< without area or with numbers that are not finite
   std::vector<std::string> warning;   ///< what the files hold that has no effect here, or another one; with their names
   std::vector<std::filesystem::path> file;  ///< all that were read: level.toml's geometry, buffers, materials, images

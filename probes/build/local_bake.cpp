@@ -30,7 +30,7 @@ bool hasLocalTransfer(const TransferSection& transfer, const Surfaces& near) {
   using Where = LocalLights::Where;
   if (transfer.bounces == 0) return false;  // it is bounced light alone
   return transfer.local_lights.where == Where::everywhere ||
-         (transfer.local_lights.where == Where::near_lights && !near.light.empty());
+         (transfer.local_lights.where == Where::near_lights && !(near.light.empty() && near.spot.empty()));
 }
 
 std::vector<Number3> virtualLights(const Tracer& tracer, const PlacedSector& sector, const BakeSection& section) {

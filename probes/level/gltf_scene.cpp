@@ -31,9 +31,12 @@ class GltfSource : public GeometrySource {
 
   void place(const GeometryEntry& entry) override {
     visited_.assign(model_.nodes.size(), false);
-    lights_left_out_ = 0;
+    directional_lights_ = 0;
+    const std::size_t spots = builder_.scene().spots.size();
     for (const int root : roots()) placeNode(root, entry, entry.transform, entry.role, 0);
-    warn(lights_left_out_ > 0, fmt::format("{} directional or spot lights are left out", lights_left_out_));
+    warn(directional_lights_ > 0, fmt::format("{} directional lights are left out", directional_lights_));
+    const std::size_t placed = builder_.scene().spots.size() - spots;
+    warn(placed > 0, fmt::format("{} spot lights light nothing; sectors near them get local transfer", placed));
   }
 
  private:
@@ -91,10 +94,14 @@ class GltfSource : public GeometrySource {
       builder_.scene().lights.push_back({transform.translation, lightIntensity(light, who, reader_)});
       return;
     }
-    if (light.type != "directional" && light.type != "spot")
+    if (light.type == "spot") {
+      builder_.scene().spots.push_back(transform.translation);
+      return;
+    }
+    if (light.type != "directional")
       reader_.refuse(
           who, fmt::format("the light's type = \"{}\": must be directional, point or spot", light.type.substr(0, 20)));
-    ++lights_left_out_;
+    ++directional_lights_;
   }
 
   SceneBuilder& builder_;
@@ -102,7 +109,7 @@ class GltfSource : public GeometrySource {
   AccessorReader reader_;
   GltfMeshes meshes_;
   std::vector<bool> visited_;
-  int lights_left_out_ = 0;
+  int directional_lights_ = 0;
 };
 
 }  // namespace

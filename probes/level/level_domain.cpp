@@ -95,7 +95,7 @@ sky::Domain rows() {
        "",
        {},
        "auto",
-       "which sectors get transfer for dynamic lights; `auto`: those near lights of the level",
+       "which sectors get transfer for dynamic lights; `auto`: those near point and spot lights of the level",
        "refused",
        {"auto"}},
       {"transfer",

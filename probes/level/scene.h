@@ -78,6 +78,7 @@ struct Scene {
   std::vector<TextureSource> textures;
   std::vector<Object> objects;
   std::vector<PointLight> lights;
+  std::vector<f64::Number3> spots;           ///< places of spot lights
   std::vector<std::string> warnings;         ///< what the files hold that has no effect here, or another one
   std::vector<std::filesystem::path> files;  ///< all that were read
   Bounds bounds;                             ///< of all but the water

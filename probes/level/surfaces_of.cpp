@@ -37,6 +37,7 @@ class Flattening {
   Surfaces run() {
     result_.object = scene_.objects;
     result_.light = scene_.lights;
+    result_.spot = scene_.spots;
     result_.warning = scene_.warnings;
     result_.file = scene_.files;
     for (const TextureSource& source : scene_.textures) result_.texture.push_back(decodeTexture(source));

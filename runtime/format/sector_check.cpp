@@ -170,7 +170,7 @@ Fault sectorFaultOf(const File& file) {
       !check.that(sector->baked_from() != nullptr, "the hash of what it was baked from", "is missing"))
     return check.fault;
   check.that(file.settings() != nullptr, "settings", "are missing");
-  check.that(isPlace(sector->x(), sector->z()), "the sector", "must be -15624 to 15624 on each axis");
+  check.that(isPlace(sector->x(), sector->z()), "the sector", "must be -15625 to 15625 on each axis");
   check.that(sector->sun() <= SunTransfer::MAX, "sun", "must be none, sh or directional");
   check.that(within(sector->low_y(), -kFarthest_m, kFarthest_m) && within(sector->cell_height_m(), 1e-3, kFarthest_m),
              "the grid", "has a height out of its domain");

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kMostRooms = 254;            ///< of a sector
 inline constexpr std::uint32_t kMostSunModes = 16;          ///< of a sector
 inline constexpr std::uint32_t kMostLocalLights = 128;      ///< of a probe
 inline constexpr std::uint32_t kMostVirtualLights = 65536;  ///< of a sector
-inline constexpr std::int32_t kFarthestSector = 15624;
+inline constexpr std::int32_t kFarthestSector = 15625;
 
 /// What is wrong, and what it must be: "the grid", "must have 4096 cells".
 struct Fault {

@@ -169,7 +169,7 @@ TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
   checkRefused("[transfer]\nrays = 1024.0", "whole number");
   checkRefused("[transfer]\nsun = \"SH\"", "must be one of \"directional\", \"sh\", \"none\"");
   checkRefused("[transfer]\nlocal_lights = 1", "list of sectors");
-  for (const char* name : {"1", "1_", "_1", "01_1", "-0_1", "1_2_3", "1_x", "15625_0", "0_-15625", " 1_1"})
+  for (const char* name : {"1", "1_", "_1", "01_1", "-0_1", "1_2_3", "1_x", "15626_0", "0_-15626", " 1_1"})
     checkRefused(fmt::format("[transfer]\nlocal_lights = [\"0_0\", \"{}\"]", name), "no sector");
   checkRefused("[transfer]\nlocal_lights = [\"1_1\", \"0_0\", \"1_1\"]", "twice");
   try {

@@ -72,6 +72,7 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
     more.triangle.push_back(t);
   }
   more.light.push_back({{500, 1, 1}, Number3(1.0)});
+  more.spot.push_back({1, 1, 500});
   CHECK(hashOfSector(more, {0, 0}, 16.0) == hash);
   CHECK_FALSE(hashOfSector(more, {0, 0}, 1000.0) == hash);
   const Surfaces near = withTexels(surfacesWithin(more, columnOf({0, 0}, 16.0)), more);
@@ -101,6 +102,7 @@ TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
   differs("a texel", [](auto& s) { s.texture[0].rgba[2] = 31; });
   differs("a wrap", [](auto& s) { s.texture[0].wrap_v = Texture::Wrap::mirrored; });
   differs("a role", [](auto& s) { s.object[0].role = Role::vegetation; });
+  differs("a spot light", [](auto& s) { s.spot.push_back({5, 5, 5}); });
   differs("a light", [](auto& s) { s.light.push_back({{5, 5, 5}, Number3(1.0)}); });
   differs("a triangle the other way round",
           [](auto& s) { std::swap(s.triangle[0].vertex[1], s.triangle[0].vertex[2]); });

@@ -177,7 +177,7 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("the grid names a probe", [](auto& s) { s.grid[4095] = 2; });
   refused("the grid has a height", [=](auto& s) { s.cell_height_m = 0.0; });
   refused("the grid has a height", [=](auto& s) { s.low_y = double{nan}; });
-  refused("the sector", [](auto& s) { s.id.x = 15625; });
+  refused("the sector", [](auto& s) { s.id.x = 15626; });
   refused("the view from above", [](auto& s) { s.top[3] = 2; });
   refused("the view from above", [](auto& s) { s.top[3] = kNoProbe; });
   refused("the unlit", [](auto& s) { s.unlit = 3; });

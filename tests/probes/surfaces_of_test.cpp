@@ -154,11 +154,15 @@ TEST_CASE("SurfacesOf, PointLightsAreReadAndOthersReported") {
   gltf.json["nodes"][0]["children"] = {1, 2, 3};
   gltf.json["nodes"][0]["scale"] = {2, 2, 2};
   gltf.json["nodes"][1]["translation"] = {1, 2, 3};
+  gltf.json["nodes"][2]["translation"] = {3, 0, 0};
   const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
   REQUIRE(s.light.size() == 1);
   checkNear(s.light[0].position, {2, 4, 6}, 0);
   checkNear(s.light[0].intensity, {10, 5, 0}, 0);
-  CHECK(warns(s, "a.gltf: 2 directional or spot lights"));
+  REQUIRE(s.spot.size() == 1);
+  checkNear(s.spot[0], {6, 0, 0}, 0);
+  CHECK(warns(s, "a.gltf: 1 directional lights"));
+  CHECK(warns(s, "a.gltf: 1 spot lights"));
   json& lights = gltf.json["extensions"]["KHR_lights_punctual"]["lights"];
   lights[0]["intensity"] = -1;
   checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "intensity"});
