@@ -13,22 +13,34 @@ libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev
 draw="mesa-vulkan-drivers fonts-dejavu-core"
 test=""
 if [ "${1-}" = --tests ]; then
-  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr"
+  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr parallel
+libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
 fi
 
 missing=""
 for package in $build $link $draw $test; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing="$missing $package"
 done
-[ -n "$missing" ] || exit 0
-
-echo "setup: installing$missing"
-root=""
-if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || { echo "setup: run this as root, or install:$missing" >&2; exit 1; }
-  root="sudo"
+if [ -n "$missing" ]; then
+  echo "setup: installing$missing"
+  root=""
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "setup: run this as root, or install:$missing" >&2; exit 1; }
+    root="sudo"
+  fi
+  export DEBIAN_FRONTEND=noninteractive
+  $root apt-get update -qq
+  # shellcheck disable=SC2086  # a list of packages
+  $root apt-get install -y -qq --no-install-recommends $missing >/dev/null
 fi
-export DEBIAN_FRONTEND=noninteractive
-$root apt-get update -qq
-# shellcheck disable=SC2086  # a list of packages
-$root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+
+# The tests' own Slurm is unpacked and not installed: on a machine with systemd its daemons would start.
+slurm="$(dirname "$0")/../build/slurm"
+if [ "${1-}" = --tests ] && [ ! -x "$slurm/usr/sbin/slurmctld-wlm" ]; then
+  mkdir -p "$slurm"
+  if ! (cd "$slurm" && apt-get download -qq liblua5.1-0 libmunge2 slurm-wlm-basic-plugins slurm-client slurmd slurmctld \
+      >/dev/null 2>&1 && for package in *.deb; do dpkg -x "$package" . && rm "$package"; done); then
+    rm -rf "$slurm"
+    echo "setup: Slurm cannot be had: its test will be skipped"
+  fi
+fi
