@@ -22,7 +22,7 @@ TEST_CASE("Level, BakesSectorsAndIndexAndRepeatsNothing") {
   REQUIRE(filesUnder(level.path() / "out") ==
           std::vector<std::string>{"level.welkin", "report.json", "sectors/sector_-1_0.welkin",
                                    "sectors/sector_0_0.welkin", "sectors/sector_1_0.welkin",
-                                   "sectors/sector_2_0.welkin", "sky.welkin", "timing.json"});
+                                   "sectors/sector_2_0.welkin", "sky.json", "sky.welkin", "timing.json"});
   const std::string report = readBytes(level / "out/report.json");
   REQUIRE(json::parse(report)["sectors"].size() == kSectors);
   const auto date = fs::last_write_time(level / "out/level.welkin");
@@ -109,7 +109,7 @@ TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
   requireSame(level.path() / "one", level.path() / "named");
   REQUIRE(runTool({"merge", level / "shards"}).status == 0);  // again
   REQUIRE(level.bake("shards") == 0);
-  REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 2 + 2 + 6);  // no parts, but the shards' reports
+  REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 3 + 2 + 6);  // no parts, but the shards' reports
 }
 
 TEST_CASE("Level, MergeSaysWhatIsMissingOrAnother") {
@@ -231,7 +231,11 @@ TEST_CASE("Level, CommandLinesThatAreWrong") {
   }
   for (const std::string sectors : {"9_9", "0", "0_0,", "0_0;1_0"})
     REQUIRE(runTool(level.command("out", {"--sectors=" + sectors})).status == 1);
-  REQUIRE(runTool({"bake", level / "sky.toml", "-o", level / "out", "--force"}).status == 1);
+  for (const std::string word : {"--shard=0/1", "--sectors=0_0"}) {
+    const Run run = runTool({"bake", level / "sky.toml", "-o", level / "out", word});
+    REQUIRE(run.status == 1);
+    REQUIRE(run.said("is no level file"));
+  }
   level.writeLevel("rays = \"auto\"");
   const Run run = runTool(level.command("out"));
   REQUIRE(run.status == 3);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin bake: a sky file, or a level, into a folder. welkin merge: the index of a level that shards have baked.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "welkin/certificate_text.h"
 #include "welkin/commands.h"
 #include "welkin/level_files.h"
+#include "welkin/shared_options.h"
 #include "welkin/subject.h"
 #include "welkin/warnings.h"
 
@@ -23,10 +23,12 @@ namespace welkin::tools {
 namespace {
 
 struct Options {
-  std::string file, folder, report, depfile, progress = "auto", certify = "fast";
+  std::string file, folder, report, depfile;
   std::string shard, sectors;
+  ProgressOption progress;
+  ThreadsOption threads;
+  CertifyOption certify;
   BudgetOption budget;
-  int threads = 0;
   bool force = false;
 };
 
@@ -47,9 +49,8 @@ std::string textOf(const nlohmann::ordered_json& json) {
 }
 
 void requireLevel(const Options& options) {
-  for (const auto& [name, given] : {std::pair("--shard", !options.shard.empty()),
-                                    {"--sectors", !options.sectors.empty()},
-                                    {"--force", options.force}})
+  for (const auto& [name, given] :
+       {std::pair("--shard", !options.shard.empty()), {"--sectors", !options.sectors.empty()}})
     if (given)
       throw Error(ExitStatus::usage, fmt::format("{}: {} is no level file: it has no sectors", name, options.file));
 }
@@ -62,7 +63,7 @@ void writeRule(const Options& options, const Subject& subject, const std::option
   const std::filesystem::path folder = options.folder;
   makeFolder(folder);
   std::vector<std::filesystem::path> inputs;
-  for (const auto& input : subject.sky.inputs) inputs.push_back(input.path);
+  for (const auto& input : subject.inputs()) inputs.push_back(input.path);
   if (level)
     for (const auto& file : level->files)
       if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
@@ -74,9 +75,7 @@ void writeRule(const Options& options, const Subject& subject, const std::option
 void bake(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   catchInterrupts();
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = options.threads.limit();
   const auto shard = options.shard.empty() ? std::nullopt : std::optional(parseShard(options.shard));
   Subject subject = readSubject(options.file);
   sky::SkyFile& file = subject.sky;
@@ -86,17 +85,15 @@ void bake(const Options& options) {
   if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
   LevelOptions wanted{options.folder, shard, {}, options.force};
   if (!options.sectors.empty()) wanted.sectors = parseSectors(options.sectors, level->bake.sectors());
-  const Certify how = options.certify == "none"   ? Certify::none
-                      : options.certify == "full" ? Certify::full
-                                                  : Certify::fast;
-  const auto style = ProgressReport::styleOf(options.progress);
+  const auto style = options.progress.style();
   const std::filesystem::path folder = options.folder;
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
   if (!options.depfile.empty()) writeRule(options, subject, level);
   nlohmann::ordered_json timing;
   nlohmann::ordered_json report = {{"warnings", nlohmann::ordered_json::array()}};
-  if (!shard || shard->index == 0) report = bakeSky(file, folder, how, style, timing);  // else another shard bakes it
+  if (!shard || shard->index == 0)  // else another shard bakes it
+    report = bakeSky(subject, folder, {options.certify.value(), options.force}, style, timing);
   if (level) bakeSectors(*level, wanted, style, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writeFile(folder / reportName(shard, "timing"), textOf(timing));
@@ -117,24 +114,16 @@ void addBake(CLI::App& app) {
                    "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
       ->required();
   command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
-  command->add_option("--threads", options->threads, "Threads; 0: all. The outputs do not depend on it")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
+  options->threads.addTo(*command, "The outputs do not depend on it");
   command->add_option("--report", options->report, "Write the report here instead of DIR/report.json");
   command->add_option("--depfile", options->depfile, "Write the inputs here as a make rule");
-  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
-      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
-      ->capture_default_str();
+  options->progress.addTo(*command);
   auto* shard = command->add_option("--shard", options->shard,
                                     "i/n: every n-th sector from the i-th, 0 <= i < n; shard 0 bakes the sky, too");
   command->add_option("--sectors", options->sectors, "Only these sectors: X_Z,X_Z,...")->excludes(shard);
-  command->add_flag("--force", options->force, "Bake sectors that are up to date, too");
+  command->add_flag("--force", options->force, "Bake what is up to date, too");
   options->budget.addTo(*command);
-  command
-      ->add_option("--certify", options->certify,
-                   "How to measure the error that the bake makes: fast, full (minutes) or none")
-      ->check(CLI::IsMember({"fast", "full", "none"}))
-      ->capture_default_str();
+  options->certify.addTo(*command);
   command->callback([options] { bake(*options); });
 }
 

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a sky into a folder: sky.welkin, cubemaps, report and timing.
+// The bake of a sky into a folder: sky.welkin, cubemaps and the record of both; what is up to date stays.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include "certify/certify.h"
-#include "sky/sky_file.h"
 #include "welkin/progress.h"
+#include "welkin/sky_record.h"
+#include "welkin/subject.h"
 
 namespace welkin::tools {
 
-/// File name of the cubemap of a time, without suffix: sky_HHMMSSmmm, to the nearest millisecond.
-std::string cubemapName(double time_h);
-
-/// Bakes into `folder` and measures what was baked. Returns the report; `timing` gets what each part cost in seconds.
+/// Bakes into `folder` and measures what was baked, unless that is there and up to date or `request` says otherwise.
+/// Returns the report, which is the same either way; `timing` gets what each part cost in seconds, and "sky_baked".
 /// Throws Error, before anything is written when a budget cannot be met.
-nlohmann::ordered_json bakeSky(const sky::SkyFile& file, const std::filesystem::path& folder, Certify certify,
+nlohmann::ordered_json bakeSky(const Subject& subject, const std::filesystem::path& folder, const SkyRequest& request,
                                ProgressReport::Style style, nlohmann::ordered_json& timing);
 
 }  // namespace welkin::tools

@@ -14,7 +14,9 @@
 #include "welkin/bake_level.h"
 #include "welkin/budget_option.h"
 #include "welkin/commands.h"
-#include "welkin/sky_plan.h"
+#include "welkin/shared_options.h"
+#include "welkin/sky_plan_json.h"
+#include "welkin/sky_record.h"
 #include "welkin/subject.h"
 #include "welkin/warnings.h"
 
@@ -102,10 +104,63 @@ void drawPictures(const std::optional<LevelInput>& level, const std::filesystem:
 }
 
 struct Options {
-  std::string file, folder, pictures, progress = "auto";
+  std::string file, folder, pictures;
+  ProgressOption progress;
+  CertifyOption certify;
   bool json = false;
   BudgetOption budget;
 };
+
+/// What a bake into the folder would do with the sky. One that is up to date is not planned: its record has its plan.
+nlohmann::ordered_json skyJson(const Options& options, const Subject& subject) {
+  const sky::SkyFile& file = subject.sky;
+  auto inputs = nlohmann::ordered_json::array();
+  for (const auto& input : subject.inputs()) inputs.push_back(input.name);
+  nlohmann::ordered_json json = {{"inputs", inputs}};
+  const SkyState state = skyState(options.folder, file, options.certify.value());
+  const bool fresh = state.stale.empty();
+  const auto style = options.json ? ProgressReport::Style::none : options.progress.style();
+  const nlohmann::ordered_json plan =
+      fresh ? state.made
+            : planJson(SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0)), file.bake.max_error);
+  for (const char* part : {"table", "gradients", "cubemaps", "left_out"}) json[part] = plan[part];
+  const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
+  json["stars"] = {{"bytes", star_bytes}};
+  json["moon"] = file.sky.moon.has_value();
+  json["sun_path"] = highestJson(file.sky.sun.path);
+  json["moon_path"] = file.sky.moon ? highestJson(file.sky.moon->path) : nullptr;
+  std::size_t bytes = star_bytes;
+  for (const char* part : {"table", "gradients", "cubemaps"}) bytes += plan[part]["bytes"].get<std::size_t>();
+  json["bytes"] = bytes;
+  json["sky"] = {{"bake", !fresh}, {"why", fresh ? "up to date" : state.stale}};
+  json["warnings"] = warningsJson(file);
+  return json;
+}
+
+void printSky(const nlohmann::ordered_json& plan, const sky::SkyFile& file) {
+  const auto text = [](const nlohmann::ordered_json& value) { return value.get<std::string>(); };
+  const auto number = [](const nlohmann::ordered_json& value) { return value.get<std::size_t>(); };
+  const auto& table = plan["table"];
+  const auto& cubemaps = plan["cubemaps"];
+  if (file.bake.max_error)
+    fmt::print("error      {:.3g} % of {:.3g} % for irradiance, at the instants that the plan looks at\n",
+               100.0 * table["predicted_error"].get<double>(), 100.0 * *file.bake.max_error);
+  fmt::print("table      {} keys x {}, {} channels, {}: {} bytes\n", number(table["keys"]), text(table["name"]),
+             number(table["channels"]), text(table["encoding"]), number(table["bytes"]));
+  fmt::print("quadrature {}\n", text(table["quadrature"]));
+  fmt::print("gradients  {} x {} and {} x {} {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
+             file.sky.gradient_anti.width, file.sky.gradient_anti.height, text(plan["gradients"]["format"]),
+             number(plan["gradients"]["bytes"]));
+  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", number(cubemaps["count"]),
+             number(cubemaps["size"]), number(cubemaps["size"]), text(cubemaps["format"]), number(cubemaps["bytes"]));
+  fmt::print("stars      {} bytes\n", number(plan["stars"]["bytes"]));
+  fmt::print("sun        {}\n", highestText(file.sky.sun.path));
+  fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
+  for (const auto& l : plan["left_out"])
+    fmt::print("left out   {}: {}{}\n", text(l["what"]), text(l["why"]),
+               number(l["bytes"]) > 0 ? fmt::format("; saves {} bytes", number(l["bytes"])) : "");
+  fmt::print("sky.welkin about {} bytes  {}\n", number(plan["bytes"]), text(plan["sky"]["why"]));
+}
 
 void plan(const Options& options) {
   catchInterrupts();
@@ -114,30 +169,7 @@ void plan(const Options& options) {
   options.budget.applyTo(file.bake);
   std::optional<LevelInput> level;
   if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
-  const auto style = options.json ? ProgressReport::Style::none : ProgressReport::styleOf(options.progress);
-  const SkyPlan plan = SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0));
-  const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
-  const std::size_t bytes = plan.table_bytes + plan.gradient_bytes + star_bytes + plan.cubemap_bytes;
-  nlohmann::ordered_json inputs = nlohmann::json::array();
-  for (const auto& input : file.inputs) inputs.push_back(input.name);
-  nlohmann::ordered_json json = {{"inputs", inputs},
-                                 {"table", planJson(plan, file.bake.max_error)},
-                                 {"gradients",
-                                  {{"format", sky::nameOf(plan.gradient_format)},
-                                   {"bytes", plan.gradient_bytes},
-                                   {"dome_error", plan.dome_error}}},
-                                 {"stars", {{"bytes", star_bytes}}},
-                                 {"cubemaps",
-                                  {{"count", plan.cubemap_time_h.size()},
-                                   {"size", plan.cubemap_size},
-                                   {"format", format::nameOf(plan.cubemap_format)},
-                                   {"bytes", plan.cubemap_bytes}}},
-                                 {"moon", file.sky.moon.has_value()},
-                                 {"sun_path", highestJson(file.sky.sun.path)},
-                                 {"moon_path", file.sky.moon ? highestJson(file.sky.moon->path) : nullptr},
-                                 {"left_out", leftOutJson(plan)},
-                                 {"bytes", bytes},
-                                 {"warnings", warningsJson(file)}};
+  nlohmann::ordered_json json = skyJson(options, subject);
   if (level) json["sectors"] = sectorsJson(*level, options.folder);
   if (!options.pictures.empty()) drawPictures(level, options.pictures);
   printWarnings(json["warnings"]);
@@ -145,23 +177,7 @@ void plan(const Options& options) {
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
-  if (file.bake.max_error)
-    fmt::print("error      {:.3g} % of {:.3g} % for irradiance, at the instants that the plan looks at\n",
-               100.0 * plan.predicted_error, 100.0 * *file.bake.max_error);
-  fmt::print("table      {} keys x {}, {} channels, {}: {} bytes\n", plan.table.key_time_h.size(),
-             plan.representation.name(), plan.table.channels, sky::nameOf(plan.encoding), plan.table_bytes);
-  fmt::print("quadrature {}\n", textOf(plan.quadrature));
-  fmt::print("gradients  {} x {} and {} x {} {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
-             file.sky.gradient_anti.width, file.sky.gradient_anti.height, sky::nameOf(plan.gradient_format),
-             plan.gradient_bytes);
-  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", plan.cubemap_time_h.size(),
-             plan.cubemap_size, plan.cubemap_size, format::nameOf(plan.cubemap_format), plan.cubemap_bytes);
-  fmt::print("stars      {} bytes\n", star_bytes);
-  fmt::print("sun        {}\n", highestText(file.sky.sun.path));
-  fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
-  for (const LeftOut& l : plan.left_out)
-    fmt::print("left out   {}: {}{}\n", l.what, l.why, l.bytes > 0 ? fmt::format("; saves {} bytes", l.bytes) : "");
-  fmt::print("sky.welkin about {} bytes\n", bytes);
+  printSky(json, file);
   if (level) printSectors(json["sectors"]);
 }
 
@@ -174,14 +190,13 @@ void addPlan(CLI::App& app) {
       ->add_option("FILE", options->file,
                    "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
       ->required();
-  command->add_option("-o", options->folder, "The folder of a bake: which of its sectors are out of date, and why");
+  command->add_option("-o", options->folder, "The folder of a bake: what of it is out of date, and why");
   command->add_option("--pictures", options->pictures,
                       "A folder for placement.png, a level's probes and grid from above, and section.png");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
-      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
-      ->capture_default_str();
+  options->progress.addTo(*command);
   options->budget.addTo(*command);
+  options->certify.addTo(*command);
   command->callback([options] { plan(*options); });
 }
 

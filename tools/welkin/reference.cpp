@@ -3,7 +3,6 @@
 #include "probes/reference/reference.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -15,18 +14,19 @@
 #include "sky/sky_file.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
-#include "welkin/progress.h"
+#include "welkin/shared_options.h"
 
 namespace welkin::tools {
 namespace {
 
 struct Options {
-  std::string file, time, position, normal, progress = "auto";
+  std::string file, time, position, normal;
+  ProgressOption progress;
+  ThreadsOption threads;
   std::vector<std::string> lights;
   std::size_t samples = 65536;
   std::optional<int> bounces;
   std::uint64_t seed = 0;
-  int threads = 0;
   bool json = false;
 };
 
@@ -53,9 +53,7 @@ void reference(const Options& options) {
   const double time_h = parseTime(options.time);
   std::vector<probes::LocalLight> lights;
   for (const std::string& light : options.lights) lights.push_back(parseLight(light));
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = options.threads.limit();
   const probes::LevelFile level = probes::readLevelFile(options.file);
   const sky::SkyFile sky = sky::readSkyFile(level.sky);
   probes::Surfaces surfaces = probes::readSurfaces(level);
@@ -66,7 +64,7 @@ void reference(const Options& options) {
   const probes::ReferenceSettings settings{options.samples, bounces, options.seed};
   probes::ReferenceIrradiance result;
   {
-    ProgressReport progress(ProgressReport::styleOf(options.progress), "paths", probes::referenceBatches(settings));
+    ProgressReport progress(options.progress.style(), "paths", probes::referenceBatches(settings));
     result = probes::traceReference(tracer, probes::DistantLight(sky.sky, time_h), lights, position, normal, settings,
                                     [&] { return progress.step(); });
   }
@@ -117,12 +115,8 @@ void addReference(CLI::App& app) {
                    "Surfaces that light bounces off at most; the level's own number when left out")
       ->check(CLI::Range(0, 1000));
   command->add_option("--seed", options->seed, "Other seeds draw independent paths")->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
-  command->add_option("--progress", options->progress, "auto, bar, plain, json or none")
-      ->check(CLI::IsMember({"auto", "bar", "plain", "json", "none"}))
-      ->capture_default_str();
+  options->threads.addTo(*command, "The result does not depend on it");
+  options->progress.addTo(*command);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { reference(*options); });
 }

@@ -198,44 +198,4 @@ void SkyPlanner::planGradients(SkyPlan& plan) {
       (is_small ? 4 : 12) * (file_.sky.gradient_sun.rgb.size() + file_.sky.gradient_anti.rgb.size()) / 3;
 }
 
-std::string textOf(const sky::Quadrature& quadrature) {
-  if (quadrature.circles == nullptr) return fmt::format("coefficients within {:.0e} of c0", quadrature.tolerance);
-  return fmt::format("circles in {} panels or more, within {:.1e} of the mean", quadrature.circles->panels,
-                     quadrature.circles->error);
-}
-
-nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error) {
-  nlohmann::ordered_json considered = nlohmann::json::array();
-  for (const sky::PlanChoice& c : plan.considered) {
-    considered.push_back({{"name", c.name}, {"error_at_keys", c.error}});
-    if (c.keys > 0) considered.back()["keys"] = c.keys, considered.back()["bytes"] = c.bytes;
-  }
-  const auto& modes = plan.table.modes;
-  nlohmann::ordered_json json = {{"bands", plan.table.bands},
-                                 {"coefficients", plan.table.bands * plan.table.bands},
-                                 {"reconstruction", sky::nameOf(plan.representation.reconstruction)},
-                                 {"numbers_of_key", plan.table.numbersOfKey()},
-                                 {"channels", plan.table.channels},
-                                 {"encoding", sky::nameOf(plan.encoding)},
-                                 {"keys", plan.table.key_time_h.size()}};
-  if (modes) json["modes"] = {{"count", modes->count}, {"columns", modes->columns}, {"rows", modes->rows}};
-  if (plan.window_strength > 0.0) json["window_strength"] = plan.window_strength;
-  json["quadrature"] = textOf(plan.quadrature);
-  json["evaluations"] = plan.table.evaluations;
-  json["bytes"] = plan.table_bytes;
-  if (max_error) {
-    json["max_error"] = *max_error;
-    json["predicted_error"] = plan.predicted_error;
-    json["considered"] = considered;
-  }
-  return json;
-}
-
-nlohmann::ordered_json leftOutJson(const SkyPlan& plan) {
-  nlohmann::ordered_json list = nlohmann::json::array();
-  for (const LeftOut& l : plan.left_out)
-    list.push_back({{"what", l.what}, {"why", l.why}, {"bytes", l.bytes}, {"evaluations", l.evaluations}});
-  return list;
-}
-
 }  // namespace welkin::tools

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +47,6 @@ struct SkyPlan {
   std::vector<LeftOut> left_out;
 };
 
-/// What a table's moments come from, in words.
-std::string textOf(const sky::Quadrature& quadrature);
-
 /// Plans one sky file, perhaps more than once.
 class SkyPlanner {
  public:
@@ -73,9 +69,5 @@ class SkyPlanner {
   std::optional<sky::CubemapPlan> cubemaps_;  ///< the same for every aim
   std::optional<double> dome_error_;          ///< of RGB9E5
 };
-
-/// For report.json and `plan --json`.
-nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error);
-nlohmann::ordered_json leftOutJson(const SkyPlan& plan);
 
 }  // namespace welkin::tools

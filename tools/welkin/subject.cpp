@@ -15,6 +15,12 @@ bool isLevel(const std::filesystem::path& path, std::span<const std::byte> bytes
 
 }  // namespace
 
+std::vector<sky::Input> Subject::inputs() const {
+  std::vector<sky::Input> inputs = sky.inputs;
+  inputs.insert(inputs.end(), level_inputs.begin(), level_inputs.end());
+  return inputs;
+}
+
 Subject readSubject(const std::filesystem::path& path) {
   constexpr std::size_t kLargestFile = std::size_t{16} << 20;
   const auto bytes = readFile(path, kLargestFile);
@@ -22,9 +28,9 @@ Subject readSubject(const std::filesystem::path& path) {
   const probes::LevelFile level = probes::readLevelFile(path);
   Subject subject{sky::readSkyFile(level.sky)};
   subject.level = path;
-  subject.sky.inputs.push_back(sky::inputOf(path.filename().string(), path, bytes));
+  subject.level_inputs.push_back(sky::inputOf(path.filename().string(), path, bytes));
   for (const probes::GeometryEntry& geometry : level.geometry)
-    subject.sky.inputs.push_back(
+    subject.level_inputs.push_back(
         sky::inputOf(geometry.path.filename().string(), geometry.path, readFile(geometry.path)));
   subject.nothing_reflects = probes::readScene(level).least_roughness > kReflectiveRoughness;
   sky::BakeSettings& bake = subject.sky.bake;

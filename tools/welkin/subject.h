@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "sky/sky_file.h"
 
@@ -13,10 +14,14 @@ namespace welkin::tools {
 inline constexpr double kReflectiveRoughness = 0.5;
 
 struct Subject {
-  sky::SkyFile sky;               ///< its inputs include the level's files
+  sky::SkyFile sky;
   bool nothing_reflects = false;  ///< a level without a surface of kReflectiveRoughness or less: no cubemaps then,
                                   ///< unless the sky file asks for some
   std::optional<std::filesystem::path> level = std::nullopt;  ///< the level file, where it is one
+  std::vector<sky::Input> level_inputs{};  ///< it and its geometry, of which sky.welkin holds nothing
+
+  /// What was read: of the sky, then of the level.
+  std::vector<sky::Input> inputs() const;
 };
 
 /// Reads a sky file or a level file, told apart by their sections. Throws Error.
