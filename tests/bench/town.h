@@ -19,24 +19,29 @@ inline void addTriangles(probes::Surfaces& s, std::initializer_list<Number3> cor
   s.triangle.push_back({{first, first + 2, first + 3}, material, 0});
 }
 
-/// Hills of 1 m triangles over 160 m and a house in most squares of 12 m, each of its own colour.
-inline probes::Surfaces town() {
+struct Ground {
+  int low_x, high_x, low_z, high_z;  ///< metres
+};
+
+/// Adds hills of triangles as wide as `step_m`, which the ground is a multiple of, and a house in every square of 12 m
+/// but the share `empty`, each of its own colour. Grounds that touch fit.
+inline void addTown(probes::Surfaces& s, const Ground& ground, int step_m, double empty) {
   using probes::Random;
-  probes::Surfaces s;
-  s.object.push_back({"town", probes::Role::fixed});
-  s.material.resize(1);
-  s.material[0].albedo = {0.3, 0.35, 0.2};
+  if (s.object.empty()) s.object.push_back({"town", probes::Role::fixed});
+  const auto soil = static_cast<std::uint32_t>(s.material.size());
+  s.material.emplace_back().albedo = {0.3, 0.35, 0.2};
   const auto height = [](double x, double z) { return 2.0 * std::sin(0.07 * x) * std::cos(0.05 * z + 1.0); };
   const auto at = [&](double x, double z) { return Number3(x, height(x, z), z); };
-  for (int i = -80; i < 80; ++i)
-    for (int j = -80; j < 80; ++j) addTriangles(s, {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)}, 0);
+  for (int i = ground.low_x; i < ground.high_x; i += step_m)
+    for (int j = ground.low_z; j < ground.high_z; j += step_m)
+      addTriangles(s, {at(i, j), at(i, j + step_m), at(i + step_m, j + step_m), at(i + step_m, j)}, soil);
   Random random(5);
-  for (double x = -76; x < 76; x += 12)
-    for (double z = -76; z < 76; z += 12) {
+  for (double x = ground.low_x + 4; x < ground.high_x - 4; x += 12)
+    for (double z = ground.low_z + 4; z < ground.high_z - 4; z += 12) {
       const double w = 3.0 + 5.0 * random.unit();
       const double h = height(x, z) + 3.0 + 9.0 * random.unit();
       const Number3 colour(0.1 + 0.8 * random.unit(), 0.1 + 0.8 * random.unit(), 0.1 + 0.8 * random.unit());
-      if (random.unit() < 0.2) continue;
+      if (random.unit() < empty || x + w > ground.high_x || z + w > ground.high_z) continue;
       const auto house = static_cast<std::uint32_t>(s.material.size());
       s.material.emplace_back().albedo = colour;
       const Number3 a(x, -3, z), b(x + w, -3, z), c(x + w, -3, z + w), d(x, -3, z + w);
@@ -47,6 +52,12 @@ inline probes::Surfaces town() {
       addTriangles(s, {d, d + up, a + up, a}, house);
       addTriangles(s, {a + up, d + up, c + up, b + up}, house);
     }
+}
+
+/// The town on 160 x 160 m.
+inline probes::Surfaces town() {
+  probes::Surfaces s;
+  addTown(s, {-80, 80, -80, 80}, 1, 0.2);
   return s;
 }
 
