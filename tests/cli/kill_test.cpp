@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bake that is killed: every file is the old or the new one, and the next bake clears up.
-#include <signal.h>
-
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <thread>
 
+#include "kill_sweep.h"
 #include "two_bakes.h"
 
 using namespace welkin::test;
@@ -22,40 +19,22 @@ void requireRecovers(const TwoBakes& bakes, int turn) {
   bakes.requireIs(sky);
 }
 
+/// Of the new sky's bake, over the old one or in a new folder.
+KillSweep sweepOf(TwoBakes& bakes, bool fresh) {
+  return {bakes.command("new"), [&bakes, fresh] { fresh ? bakes.putNothing() : bakes.putOld(); },
+          [&bakes](int turn) { requireRecovers(bakes, turn); }};
+}
+
 }  // namespace
 
 TEST_CASE("Kill, AtEveryCallThatChangesTheDisk") {
   const bool fresh = GENERATE(false, true);
   TwoBakes bakes(4);
-  for (int call = 1;; ++call) {
-    fresh ? bakes.putNothing() : bakes.putOld();
-    const Run run = runTool(bakes.command("new"), on({"kill", std::to_string(call), ""}));
-    INFO("killed at call " << call << (fresh ? " in a new folder: " : ": ") << run.err);
-    if (run.status == 0) {
-      REQUIRE(call > 5 * 8);
-      break;
-    }
-    REQUIRE(run.status == -SIGKILL);
-    requireRecovers(bakes, call);
-  }
+  INFO((fresh ? "in a new folder" : "over an old bake"));
+  killAtEveryCall(sweepOf(bakes, fresh), 5 * 8);
 }
 
 TEST_CASE("Kill, AtAnyTime") {
-  constexpr int kKills = 40;
   TwoBakes bakes(32);
-  bakes.putOld();
-  const double whole_s = runTool(bakes.command("new")).seconds;
-  int killed = 0;
-  for (int i = 0; i < kKills; ++i) {
-    bakes.putOld();
-    Tool tool(bakes.command("new"));
-    std::this_thread::sleep_for(std::chrono::duration<double>(1.25 * whole_s * i / (kKills - 1)));
-    tool.send(SIGKILL);
-    const Run run = tool.wait();
-    INFO("killed after " << i << "/" << kKills << " of the sweep: " << run.err);
-    REQUIRE((run.status == 0 || run.status == -SIGKILL));
-    killed += run.status != 0;
-    requireRecovers(bakes, i);
-  }
-  REQUIRE(killed > 0);
+  killAtAnyTime(sweepOf(bakes, false), 40);
 }

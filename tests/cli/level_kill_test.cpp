@@ -5,10 +5,9 @@
 
 #include <catch2/catch.hpp>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <thread>
 
+#include "kill_sweep.h"
 #include "level_text.h"
 #include "two_bakes.h"
 
@@ -42,43 +41,24 @@ void requireResumes(const SmallLevel& level, const std::string& out) {
   REQUIRE(filesUnder(level.path() / out) == filesUnder(level.path() / "whole"));
 }
 
+/// Of a bake into a new folder.
+KillSweep sweepOf(const SmallLevel& level) {
+  return {level.command("out"), [&level] { fs::remove_all(level / "out"); },
+          [&level](int) { requireResumes(level, "out"); }};
+}
+
 }  // namespace
 
 TEST_CASE("LevelKill, AtEveryCallThatChangesTheDisk") {
   const SmallLevel level;
   level.bake("whole");
-  for (int call = 1;; ++call) {
-    fs::remove_all(level / "out");
-    const Run run = runTool(level.command("out"), on({"kill", std::to_string(call), ""}));
-    INFO("killed at call " << call << ": " << run.err);
-    if (run.status == 0) {
-      REQUIRE(call > 5 * (kSectors + 3));
-      break;
-    }
-    REQUIRE(run.status == -SIGKILL);
-    requireResumes(level, "out");
-  }
+  killAtEveryCall(sweepOf(level), 5 * (kSectors + 3));
 }
 
 TEST_CASE("LevelKill, AtAnyTime") {
-  constexpr int kKills = 50;
   const SmallLevel level(1024);
   level.bake("whole");
-  fs::remove_all(level / "out");
-  const double whole_s = runTool(level.command("out")).seconds;
-  int killed = 0;
-  for (int i = 0; i < kKills; ++i) {
-    fs::remove_all(level / "out");
-    Tool tool(level.command("out"));
-    std::this_thread::sleep_for(std::chrono::duration<double>(1.25 * whole_s * i / (kKills - 1)));
-    tool.send(SIGKILL);
-    const Run run = tool.wait();
-    INFO("killed after " << i << "/" << kKills << " of the sweep: " << run.err);
-    REQUIRE((run.status == 0 || run.status == -SIGKILL));
-    killed += run.status != 0;
-    requireResumes(level, "out");
-  }
-  REQUIRE(killed > 0);
+  killAtAnyTime(sweepOf(level), 50);
 }
 
 TEST_CASE("LevelKill, InterruptKeepsFinishedSectors") {

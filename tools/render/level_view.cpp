@@ -122,6 +122,16 @@ void LevelView::bind(VkCommandBuffer commands, VkPipeline pipeline, const Target
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 2, sets, 0, nullptr);
 }
 
+void LevelView::beginOver(VkCommandBuffer commands, Target& target, const ImageUse& depth_use, Image& radiance,
+                          VkAttachmentLoadOp load, VkPipeline pipeline) {
+  target.depth.use(commands, depth_use);
+  radiance.use(commands, kDrawnColour, load == VK_ATTACHMENT_LOAD_OP_CLEAR);
+  const VkRenderingAttachmentInfo colour = attachmentOf(radiance, kDrawnColour.layout, load);
+  const VkRenderingAttachmentInfo depth = attachmentOf(target.depth, depth_use.layout, VK_ATTACHMENT_LOAD_OP_LOAD);
+  beginRendering(commands, radiance.extent(), 1, &colour, &depth);
+  bind(commands, pipeline, target);
+}
+
 void LevelView::recordShadow(VkCommandBuffer commands, const Target& target) {
   shadow_.use(commands, kDrawnDepth, true);
   VkRenderingAttachmentInfo depth =
@@ -154,13 +164,7 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
 
   target.albedo.use(commands, kSampled);
   target.normal.use(commands, kSampled);
-  target.depth.use(commands, kTestedDepth);
-  radiance.use(commands, kDrawnColour, true);
-  const VkRenderingAttachmentInfo colour = attachmentOf(radiance, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR);
-  const VkRenderingAttachmentInfo tested =
-      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-  beginRendering(commands, radiance.extent(), 1, &colour, &tested);
-  bind(commands, pipelines_.light, target);
+  beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
   vkCmdDraw(commands, 3, 1, 0, 0);
   if (dome != nullptr) sky_.recordDome(commands, *dome);
   vkCmdEndRendering(commands);
@@ -176,33 +180,19 @@ void LevelView::setProbes(std::span<const ProbeSphere> probes) {
 
 void LevelView::recordProbes(VkCommandBuffer commands, Target& target, Image& radiance) {
   if (!probes_) return;
-  target.depth.use(commands, kDrawnDepth);
-  radiance.use(commands, kDrawnColour);
-  const VkRenderingAttachmentInfo colour =
-      attachmentOf(radiance, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-  const VkRenderingAttachmentInfo depth =
-      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-  beginRendering(commands, radiance.extent(), 1, &colour, &depth);
-  bind(commands, pipelines_.probes, target);
+  beginOver(commands, target, kDrawnDepth, radiance, VK_ATTACHMENT_LOAD_OP_LOAD, pipelines_.probes);
   const VkDeviceSize offset = 0;
   const VkBuffer probes = probes_->handle();
   vkCmdBindVertexBuffers(commands, 0, 1, &probes, &offset);
   vkCmdDraw(commands, ProbeSphere::kVertices, static_cast<uint32_t>(probes_->bytes() / sizeof(ProbeSphere)), 0, 0);
   vkCmdEndRendering(commands);
-  target.depth.use(commands, kTestedDepth);
 }
 
 void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection) {
   recordCopy(commands, radiance, copy);
   copy.use(commands, kSampled);
   reflection.use(commands, kSampled);
-  radiance.use(commands, kDrawnColour);
-  const VkRenderingAttachmentInfo colour =
-      attachmentOf(radiance, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-  const VkRenderingAttachmentInfo tested =
-      attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-  beginRendering(commands, radiance.extent(), 1, &colour, &tested);
-  bind(commands, pipelines_.water, target);
+  beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_LOAD, pipelines_.water);
   vkCmdDraw(commands, 12, 1, 0, 0);
   vkCmdEndRendering(commands);
 }

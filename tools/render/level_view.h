@@ -39,10 +39,13 @@ class LevelView {
   /// Records the level without the sea; with `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
-  /// Draws the probes over a scene; `radiance` and depth stay as recordScene leaves them.
+  /// Draws the probes over a scene.
   void recordProbes(VkCommandBuffer commands, Target& target, Image& radiance);
   void recordShadow(VkCommandBuffer commands, const Target& target);
   void recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection);
+  /// Begins to draw into `radiance` over a scene, by whose depth it tests and which it writes as `depth_use` says.
+  void beginOver(VkCommandBuffer commands, Target& target, const ImageUse& depth_use, Image& radiance,
+                 VkAttachmentLoadOp load, VkPipeline pipeline);
   void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
 
   VulkanDevice& device_;
