@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "sky/farthest.h"
+
 namespace welkin::sky {
 namespace {
 
@@ -82,20 +84,8 @@ std::vector<std::size_t> placeKeys(const DayValues& day, const Representation& r
   while (keys.back() < count) {
     if (keys.size() > most) return {};
     const std::size_t first = keys.back();
-    std::size_t good = first + 1;
-    std::size_t bad = count + 1;
-    for (std::size_t step = guess; good < count; step *= 2) {  // gallop, then bisect
-      const std::size_t next = std::min(std::max(first + step, good + 1), count);
-      if (!round.reaches(first, next, error)) {
-        bad = next;
-        break;
-      }
-      good = next;
-    }
-    while (good + 1 < bad && good < count) {
-      const std::size_t middle = (good + bad) / 2;
-      (round.reaches(first, middle, error) ? good : bad) = middle;
-    }
+    const std::size_t good =
+        farthest(first, count, guess, [&](std::size_t next) { return round.reaches(first, next, error); });
     guess = std::max<std::size_t>(1, (good - first) * 3 / 4);
     keys.push_back(good);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "probes/level/level_domain.h"
+#include "probes/level/level_file.h"
 #include "probes/sector_name.h"
 #include "sky/atomic_file.h"
 #include "sky/section.h"
@@ -17,7 +18,6 @@ namespace {
 using sky::Section;
 using sky::TomlTable;
 
-constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;
 constexpr const char* kPoint = "[x, y, z]";
 constexpr const char* kBox = "[min_x, min_y, min_z, max_x, max_y, max_z]";
 

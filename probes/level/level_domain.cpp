@@ -11,7 +11,7 @@ using sky::Required;
 constexpr Range kMetres{-1e6, 1e6};
 constexpr Range kDegrees{-36000.0, 36000.0};
 constexpr Range kFraction{0.0, 1.0};
-constexpr Range kScale{1e-6, 1e6};
+constexpr Range kScale{1e-6, 1e6};  // a mirrored level would mirror its sky
 constexpr Range kSpacing{0.25, 64.0};
 constexpr Range kMultiplier{0.0, 1000.0};
 constexpr std::string_view kMetre = "m";

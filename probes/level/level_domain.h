@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The domain of every parameter of level.toml. The loader of the bake's sections takes its ranges from here, the page
-// docs/level_file.md its table.
+// The domain of every parameter of level.toml. Its loaders take their ranges from here, the page docs/level_file.md its
+// table.
 #pragma once
 
 #include "sky/domain.h"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "probes/level/level_domain.h"
 #include "sky/atomic_file.h"
 #include "sky/toml_table.h"
 
@@ -14,12 +15,11 @@ using f64::Number3;
 using sky::Range;
 using sky::TomlTable;
 
-constexpr Range kMetres{-1e6, 1e6};
-constexpr Range kDegrees{-36000.0, 36000.0};
-constexpr Range kFraction{0.0, 1.0};
-constexpr Range kScale{1e-6, 1e6};  // a mirrored level would mirror its sky
-constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;
 constexpr double kRadians = f64::kPi / 180.0;
+
+const Range& rangeOf(std::string_view key) {
+  return sky::parameterOf(levelDomain(), "[geometry]", key).range;
+}
 
 std::string requiredName(TomlTable& table, const std::string& key) {
   const std::string name = table.string(key, {}, "");
@@ -29,8 +29,8 @@ std::string requiredName(TomlTable& table, const std::string& key) {
 
 Number3 readScale(TomlTable& table) {
   const toml::node* n = table.node("scale");
-  if (n == nullptr || n->is_array()) return table.colour("scale", kScale, Number3(1.0));
-  return Number3(table.number("scale", kScale, 1.0));
+  if (n == nullptr || n->is_array()) return table.colour("scale", rangeOf("scale"), Number3(1.0));
+  return Number3(table.number("scale", rangeOf("scale"), 1.0));
 }
 
 std::vector<std::string> readPatterns(TomlTable& table) {
@@ -49,12 +49,12 @@ std::vector<std::string> readPatterns(TomlTable& table) {
 GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder) {
   GeometryEntry entry;
   entry.path = folder / requiredName(table, "file");
-  const Number3 translation = table.colour("translation", kMetres, Number3(0.0));
-  const Number3 rotation_deg = table.colour("rotation_deg", kDegrees, Number3(0.0));
+  const Number3 translation = table.colour("translation", rangeOf("translation"), Number3(0.0));
+  const Number3 rotation_deg = table.colour("rotation_deg", rangeOf("rotation_deg"), Number3(0.0));
   entry.transform = fromEuler(translation, rotation_deg * kRadians, readScale(table));
   entry.role = *roleOf(table.string("role", {"static", "vegetation", "ignore"}, "static"));
   entry.vegetation_nodes = readPatterns(table);
-  entry.albedo = table.colour("albedo", kFraction, entry.albedo);
+  entry.albedo = table.colour("albedo", rangeOf("albedo"), entry.albedo);
   table.finish();
   return entry;
 }

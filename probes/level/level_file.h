@@ -11,6 +11,8 @@
 
 namespace welkin::probes {
 
+inline constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;  ///< bytes of level.toml
+
 /// What a surface is to the bake and to the picture. Water is drawn as such and casts no shadow; what is ignored is
 /// neither baked nor drawn.
 enum class Role { fixed, vegetation, water, ignored };

@@ -2,6 +2,7 @@
 // The dome behind a scene: depth test and multisampling, as a game's own pass has them.
 #include <catch2/catch.hpp>
 
+#include "render/runtime_sky.h"
 #include "render/views.h"
 #include "test_sky.h"
 
@@ -84,14 +85,7 @@ class Attachment {
 /// Alpha of the middle pixel after the dome was drawn at `depth` with 4 samples over depth 0.5: 1 where it was drawn.
 float drawnAlpha(tools::VulkanDevice& device, const Sky& sky, VkCompareOp compare, float depth) {
   constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-  WelkinVulkanCreateInfo info{};
-  info.struct_size = sizeof(info);
-  info.api_version = VK_API_VERSION_1_3;
-  info.get_instance_proc_addr = vkGetInstanceProcAddr;
-  info.instance = device.instance();
-  info.physical_device = device.physical();
-  info.device = device.device();
-  info.frames_in_flight = 1;
+  WelkinVulkanCreateInfo info = tools::createInfo(device, 1);
   info.colour_format = kFormat;
   info.depth_format = kDepthFormat;
   info.depth_compare = compare;

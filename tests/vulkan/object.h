@@ -5,24 +5,12 @@
 #include <catch2/catch.hpp>
 
 #include "render/offscreen.h"
+#include "render/runtime_sky.h"
 #include "render/vulkan_device.h"
 #include "welkin/welkin.hpp"
 #include "welkin/welkin_vulkan.h"
 
 namespace welkin::tests {
-
-inline WelkinVulkanCreateInfo createInfo(const tools::VulkanDevice& device, uint32_t frames) {
-  WelkinVulkanCreateInfo info{};
-  info.struct_size = sizeof(info);
-  info.api_version = VK_API_VERSION_1_3;
-  info.get_instance_proc_addr = vkGetInstanceProcAddr;
-  info.instance = device.instance();
-  info.physical_device = device.physical();
-  info.device = device.device();
-  info.frames_in_flight = frames;
-  info.colour_format = tools::Offscreen::kFormat;
-  return info;
-}
 
 inline WelkinVulkanView fisheye(WelkinVulkanSource source) {
   WelkinVulkanView view{};

@@ -15,8 +15,7 @@ void require(WelkinResult result, const char* call) {
     throw Error(ExitStatus::internal, std::string(call) + " failed: " + welkin_result_string(result));
 }
 
-RuntimeSky::RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_format, VkCompareOp depth_compare)
-    : sky_(sky) {
+WelkinVulkanCreateInfo createInfo(const VulkanDevice& device, uint32_t frames_in_flight) {
   WelkinVulkanCreateInfo info{};
   info.struct_size = sizeof(info);
   info.api_version = VK_API_VERSION_1_3;
@@ -24,8 +23,14 @@ RuntimeSky::RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_form
   info.instance = device.instance();
   info.physical_device = device.physical();
   info.device = device.device();
-  info.frames_in_flight = 1;
+  info.frames_in_flight = frames_in_flight;
   info.colour_format = Offscreen::kFormat;
+  return info;
+}
+
+RuntimeSky::RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_format, VkCompareOp depth_compare)
+    : sky_(sky) {
+  WelkinVulkanCreateInfo info = createInfo(device, 1);
   info.depth_format = depth_format;
   info.depth_compare = depth_compare;
   WelkinVulkanSky* runtime = nullptr;

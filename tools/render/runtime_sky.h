@@ -14,6 +14,9 @@ namespace welkin::tools {
 /// Throws Error(internal) when a runtime call that cannot fail has failed.
 void require(WelkinResult result, const char* call);
 
+/// For a sky drawn into Offscreen's format, without a depth attachment.
+WelkinVulkanCreateInfo createInfo(const VulkanDevice& device, uint32_t frames_in_flight);
+
 class RuntimeSky {
  public:
   /// For a dome drawn into Offscreen's format, without a depth attachment unless `depth_format` is given. `sky` and

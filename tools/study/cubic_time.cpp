@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "sky/farthest.h"
+
 namespace welkin::study {
 namespace {
 
@@ -129,21 +131,8 @@ std::vector<std::size_t> placeHermiteKeys(const sky::DayValues& day, const sky::
   std::vector<std::size_t> keys = {0};
   while (keys.back() < count) {
     const std::size_t first = keys.back();
-    std::size_t good = first + 1;
-    std::size_t bad = count + 1;
-    for (std::size_t step = 2; good < count; step *= 2) {  // gallop, then bisect
-      const std::size_t next = std::min(first + step, count);
-      if (!hermiteReaches(round, first, next, error)) {
-        bad = next;
-        break;
-      }
-      good = next;
-    }
-    while (good + 1 < bad && good < count) {
-      const std::size_t middle = (good + bad) / 2;
-      (hermiteReaches(round, first, middle, error) ? good : bad) = middle;
-    }
-    keys.push_back(good);
+    keys.push_back(
+        sky::farthest(first, count, 2, [&](std::size_t next) { return hermiteReaches(round, first, next, error); }));
   }
   keys.pop_back();  // the first again
   return keys;
