@@ -32,7 +32,9 @@ int wholeSectors(const SmallLevel& level, const std::string& out) {
 /// The same command bakes what is missing, and leaves what a bake leaves that nobody disturbed.
 void requireResumes(const SmallLevel& level, const std::string& out) {
   const int there = wholeSectors(level, out);
+  const bool has_sky = fs::exists(level.path() / out / "sky.welkin");
   REQUIRE(level.bake(out) == kSectors - there);
+  REQUIRE(nlohmann::json::parse(readBytes(level / (out + "/timing.json")))["sky_baked"] == !has_sky);
   for (const auto& name : filesUnder(level.path() / "whole"))
     if (name != "timing.json") {
       INFO(name);
