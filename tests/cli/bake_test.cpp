@@ -59,7 +59,7 @@ TEST_CASE("Bake, SameBytesForAnyThreadsAndFolder") {
   bake(sky, folder / "one", {"--threads", "1"});
   bake(sky, folder / "another/place", {"--threads", "2"});
   const auto names = filesUnder(folder / "one");
-  REQUIRE(names.size() == 3 * 2 + 4);  // an EXR cube and a latlong for each time; sky.welkin, its record, report and timing
+  REQUIRE(names.size() == 3 * 2 + 4);  // EXR cubes and latlongs; sky.welkin, record, report, timing
   REQUIRE(filesUnder(folder / "another/place") == names);
   for (const std::string& name : names) {
     INFO(name);
