@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/build/level_bake.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "probes/build/local_bake.h"
@@ -48,6 +50,10 @@ LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::S
   if (!section.transfer.rays && !max_error)
     throw Error(ExitStatus::content,
                 "[transfer] rays = \"auto\": needs a budget, --max-error, --quality or max_error of the sky file");
+  if (!section.transfer.rays && !(*max_error < 1.0))
+    throw Error(ExitStatus::content, fmt::format("[transfer] rays = \"auto\": needs a budget below 1, and not {}; it "
+                                                 "comes from --max-error, --quality or max_error of the sky file",
+                                                 *max_error));
   for (Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
   for (PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
   if (sky.moon) moon_path_ = sky.moon->path;

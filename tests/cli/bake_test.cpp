@@ -142,7 +142,10 @@ TEST_CASE("Bake, ProgressIsLinesOfJsonOrNothing") {
     if (line.starts_with("welkin: ")) continue;  // the certificate
     const json progress = json::parse(line);
     REQUIRE(progress["elapsed_s"].get<double>() >= 0.0);
-    REQUIRE(progress["left_s"].get<double>() >= 0.0);
+    if (progress["done"] == 0)
+      REQUIRE(progress["left_s"].is_null());
+    else
+      REQUIRE(progress["left_s"].get<double>() >= 0.0);
     if (progress["done"] == progress["total"]) finished.push_back(progress["progress"]);
   }
   REQUIRE(finished == std::vector<std::string>{"table", "certificate", "cubemaps", "cubemaps' error", "images"});

@@ -112,6 +112,36 @@ TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
   REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 3 + 2 + 6);  // no parts, but the shards' reports
 }
 
+TEST_CASE("Level, TheDepfileNamesWhatIsWrittenLast") {
+  const SmallLevel level;
+  const auto target = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"--depfile", level / "d"};
+    words.insert(words.end(), more.begin(), more.end());
+    REQUIRE(runTool(level.command("out", words)).status == 0);
+    const std::string rule = readBytes(level / "d");
+    REQUIRE(rule.find(level / "level.gltf") != std::string::npos);
+    return rule.substr(0, rule.find(':'));
+  };
+  REQUIRE(target({}) == level / "out/level.welkin");
+  REQUIRE(target({"--shard", "1/2"}) == level / "out/level.1-of-2.welkin");
+}
+
+TEST_CASE("Level, FoldersAreInspectedAndHalfOnesRefused") {
+  const SmallLevel level;
+  level.bake("out");
+  const json all = json::parse(runTool({"inspect", level / "out", "--json"}).out);
+  REQUIRE(all["level"]["sectors"].size() == kSectors);
+  REQUIRE(all["sky"]["keys"].size() > 0);
+  REQUIRE(runTool({"inspect", level / "out"}).out.find("level, 4 sectors") != std::string::npos);
+  REQUIRE(runTool({"validate", level / "level.toml", level / "out"}).status == 0);
+  fs::remove(level / "out/level.welkin");
+  const Run half = runTool({"validate", level / "out"});
+  REQUIRE(half.status == 3);
+  REQUIRE(half.said("no level.welkin"));
+  std::ofstream(level / "level.gltf") << "{}";
+  REQUIRE(runTool({"validate", level / "level.toml"}).status == 3);
+}
+
 TEST_CASE("Level, MergeSaysWhatIsMissingOrAnother") {
   const SmallLevel level;
   const auto merge = [&](int status, const std::string& why) {

@@ -1,19 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 # Baking as a step of a game's build; part of the package's component `bake`, and of the source tree.
 
-# welkin_add_bake(TARGET name SKY sky.toml OUTPUT dir [OPTIONS option...])
-# A target of the default build that runs `welkin bake SKY -o OUTPUT OPTIONS`. SKY is relative to the calling source
-# folder, OUTPUT to its binary folder. Its property WELKIN_SKY is the path of the baked file: what depends on that file
-# runs after the bake. Rebakes when the sky file, an image that it names or the tool has a new date; with Ninja, what
-# depends on the baked file runs again only if its bytes changed.
+# welkin_add_bake(TARGET name <SKY sky.toml | LEVEL level.toml> OUTPUT dir [OPTIONS option...])
+# A target of the default build that runs `welkin bake FILE -o OUTPUT OPTIONS`. FILE is relative to the calling source
+# folder, OUTPUT to its binary folder. Its property WELKIN_SKY is the path of the baked sky, WELKIN_LEVEL that of a
+# level's index, which changes with any of its files: what depends on one of them runs after the bake. Rebakes when the
+# file, one that it names or the tool has a new date; with Ninja, what depends on a baked file runs again only if its
+# bytes changed.
 function(welkin_add_bake)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;SKY;OUTPUT" "OPTIONS")
-  foreach(name TARGET SKY OUTPUT)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;SKY;LEVEL;OUTPUT" "OPTIONS")
+  set(usage "welkin_add_bake(TARGET name <SKY sky.toml | LEVEL level.toml> OUTPUT dir [OPTIONS option...])")
+  foreach(name TARGET OUTPUT)
     if(NOT arg_${name})
-      message(FATAL_ERROR "welkin_add_bake: ${name} is missing; "
-        "welkin_add_bake(TARGET name SKY sky.toml OUTPUT dir [OPTIONS option...])")
+      message(FATAL_ERROR "welkin_add_bake: ${name} is missing; ${usage}")
     endif()
   endforeach()
+  if((arg_SKY AND arg_LEVEL) OR NOT (arg_SKY OR arg_LEVEL))
+    message(FATAL_ERROR "welkin_add_bake: needs either SKY or LEVEL; ${usage}")
+  endif()
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "welkin_add_bake: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -22,16 +26,22 @@ function(welkin_add_bake)
       "find_package(Welkin COMPONENTS bake), or in a source tree with WELKIN_BUILD_TOOLS=ON")
   endif()
   foreach(option IN LISTS arg_OPTIONS)
-    if(option MATCHES "^(-o.*|--depfile.*)$")
-      message(FATAL_ERROR "welkin_add_bake: OPTIONS has ${option}, which the function sets itself")
+    if(option MATCHES "^(-o.*|--depfile.*|--shard.*|--sectors.*)$")
+      message(FATAL_ERROR "welkin_add_bake: OPTIONS has ${option}, which is the function's own, or leaves the output unfinished")
     endif()
   endforeach()
 
-  cmake_path(ABSOLUTE_PATH arg_SKY NORMALIZE OUTPUT_VARIABLE sky)
+  set(file ${arg_SKY}${arg_LEVEL})
+  cmake_path(ABSOLUTE_PATH file NORMALIZE OUTPUT_VARIABLE path)
   cmake_path(ABSOLUTE_PATH arg_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE OUTPUT_VARIABLE folder)
   string(REGEX REPLACE "/+$" "" folder ${folder})
   set(options ${arg_OPTIONS})
   set(byproducts ${folder}/sky.json ${folder}/timing.json)
+  set(output ${folder}/sky.welkin)
+  if(arg_LEVEL)
+    set(output ${folder}/level.welkin)
+    list(APPEND byproducts ${folder}/sky.welkin)
+  endif()
   if(NOT options MATCHES "--report")
     list(APPEND byproducts ${folder}/report.json)
   endif()
@@ -41,19 +51,20 @@ function(welkin_add_bake)
   # The tool leaves files alone that would not change. Ninja knows; others compare dates.
   set(touch "")
   if(NOT CMAKE_GENERATOR MATCHES "Ninja")
-    set(touch COMMAND ${CMAKE_COMMAND} -E touch ${folder}/sky.welkin)
+    set(touch COMMAND ${CMAKE_COMMAND} -E touch ${output})
   endif()
   set(depfile ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${arg_TARGET}.welkin.d)
   add_custom_command(
-    OUTPUT ${folder}/sky.welkin
+    OUTPUT ${output}
     BYPRODUCTS ${byproducts}
-    COMMAND $<TARGET_FILE:welkin::bake> bake ${sky} -o ${folder} --depfile ${depfile} ${options} ${touch}
-    DEPENDS ${sky} $<TARGET_FILE:welkin::bake>
+    COMMAND $<TARGET_FILE:welkin::bake> bake ${path} -o ${folder} --depfile ${depfile} ${options} ${touch}
+    DEPENDS ${path} $<TARGET_FILE:welkin::bake>
     DEPFILE ${depfile}
-    COMMENT "Baking ${arg_SKY}"
+    COMMENT "Baking ${file}"
     VERBATIM)
-  add_custom_target(${arg_TARGET} ALL DEPENDS ${folder}/sky.welkin)
+  add_custom_target(${arg_TARGET} ALL DEPENDS ${output})
   set_target_properties(${arg_TARGET} PROPERTIES
     WELKIN_SKY ${folder}/sky.welkin
-    ADDITIONAL_CLEAN_FILES ${folder}/cubemaps)
+    WELKIN_LEVEL "$<$<BOOL:${arg_LEVEL}>:${output}>"
+    ADDITIONAL_CLEAN_FILES "${folder}/cubemaps;${folder}/sectors")
 endfunction()

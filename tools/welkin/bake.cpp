@@ -59,7 +59,15 @@ std::string reportName(const std::optional<Shard>& shard, const char* what) {
   return shard ? fmt::format("{}.{}-of-{}.json", what, shard->index, shard->count) : fmt::format("{}.json", what);
 }
 
-void writeRule(const Options& options, const Subject& subject, const std::optional<LevelInput>& level) {
+/// The output whose date says that the bake ran to its end: of a level its index, or a shard's part of it.
+std::filesystem::path ruleTarget(const std::filesystem::path& folder, const std::optional<Shard>& shard,
+                                 bool of_level) {
+  if (shard) return partPath(folder, *shard);
+  return of_level ? indexPath(folder) : folder / "sky.welkin";
+}
+
+void writeRule(const Options& options, const Subject& subject, const std::optional<LevelInput>& level,
+               const std::optional<Shard>& shard) {
   const std::filesystem::path folder = options.folder;
   makeFolder(folder);
   std::vector<std::filesystem::path> inputs;
@@ -67,7 +75,7 @@ void writeRule(const Options& options, const Subject& subject, const std::option
   if (level)
     for (const auto& file : level->files)
       if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
-  std::string rule = escaped(folder / "sky.welkin") + ":";
+  std::string rule = escaped(ruleTarget(folder, shard, level.has_value())) + ":";
   for (const auto& input : inputs) rule += " " + escaped(input);
   writeFile(options.depfile, rule + "\n");
 }
@@ -89,7 +97,7 @@ void bake(const Options& options) {
   const std::filesystem::path folder = options.folder;
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
-  if (!options.depfile.empty()) writeRule(options, subject, level);
+  if (!options.depfile.empty()) writeRule(options, subject, level, shard);
   nlohmann::ordered_json timing;
   nlohmann::ordered_json report = {{"warnings", nlohmann::ordered_json::array()}};
   if (!shard || shard->index == 0)  // else another shard bakes it
@@ -116,7 +124,9 @@ void addBake(CLI::App& app) {
   command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
   options->threads.addTo(*command, "The outputs do not depend on it");
   command->add_option("--report", options->report, "Write the report here instead of DIR/report.json");
-  command->add_option("--depfile", options->depfile, "Write the inputs here as a make rule");
+  command->add_option(
+      "--depfile", options->depfile,
+      "Write the inputs here as a make rule of sky.welkin; of a level, level.welkin or the shard's part of it");
   options->progress.addTo(*command);
   auto* shard = command->add_option("--shard", options->shard,
                                     "i/n: every n-th sector from the i-th, 0 <= i < n; shard 0 bakes the sky, too");

@@ -9,8 +9,10 @@
 
 #include "format/container.h"
 #include "probes/level/bake_section.h"
+#include "probes/level/surfaces_of.h"
 #include "probes/sector_name.h"
 #include "sky/atomic_file.h"
+#include "sky/error.h"
 #include "sky/sky_file.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
@@ -160,6 +162,12 @@ void inspectLevel(const std::string& path, bool as_json) {
     fmt::print("{:>9} {:4} probes {:8} bytes\n", probes::nameOf(s.id), s.probes, s.bytes);
 }
 
+/// Whether a folder is that of a level: it has an index.
+bool isLevelFolder(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error) && std::filesystem::exists(indexPath(path), error);
+}
+
 void inspect(const std::string& path, bool as_json) {
   const std::string file = skyFileOf(path);
   const Holds holds = whatHolds(file);
@@ -167,9 +175,12 @@ void inspect(const std::string& path, bool as_json) {
   if (holds == Holds::level) return inspectLevel(file, as_json);
   const Sky sky = openSky(file);
   if (as_json) {
-    fmt::print("{}\n", skyJson(sky).dump(2));
+    Json json = skyJson(sky);
+    if (isLevelFolder(path)) json["level"] = indexJson(readIndex(indexPath(path)))["level"];
+    fmt::print("{}\n", json.dump(2));
     return;
   }
+  if (isLevelFolder(path)) inspectLevel(indexPath(path).string(), false);
   const WelkinSkyInfo info = sky.info();
   fmt::print("{}: sky, {} keys x {} bands{}, {} cubemaps of {}{}{}, {}moon\n", file, info.key_count, info.bands,
              info.mode_count > 0 ? fmt::format(", {} modes", info.mode_count) : "", info.cubemap_count,
@@ -196,8 +207,13 @@ void inspect(const std::string& path, bool as_json) {
 void validateFile(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") {
     const Subject subject = readSubject(path);
-    if (subject.level) probes::readBakeSection(*subject.level);
-    return printWarnings(warningsJson(subject.sky));
+    Json warnings = warningsJson(subject.sky);
+    if (subject.level) {
+      probes::readBakeSection(*subject.level);
+      for (const std::string& warning : probes::readSurfaces(probes::readLevelFile(*subject.level)).warning)
+        warnings.push_back({{"id", "geometry"}, {"message", warning}});
+    }
+    return printWarnings(warnings);
   }
   const Holds holds = whatHolds(path);
   if (holds == Holds::sector)
@@ -208,13 +224,22 @@ void validateFile(const std::string& path) {
     openSky(path);
 }
 
-/// A folder is its sky and, where it has an index, the level that the index names.
+/// Sectors without an index are half of a level.
+void requireNoSectors(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_directory(folder / "sectors", error) && !std::filesystem::is_empty(folder / "sectors", error))
+    throw Error(ExitStatus::content, fmt::format("{}: holds sectors and no level.welkin: its bake did not end, or "
+                                                 "welkin merge is to come",
+                                                 folder.string()));
+}
+
+/// A folder is its sky and, where it has sectors, the level that the index names.
 void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    std::error_code error;
-    const std::filesystem::path index = indexPath(path);
-    if (std::filesystem::is_directory(path, error) && std::filesystem::exists(index, error))
-      checkLevel(path, readIndex(index));
+    if (isLevelFolder(path))
+      checkLevel(path, readIndex(indexPath(path)));
+    else
+      requireNoSectors(path);
     const std::string file = skyFileOf(path);
     validateFile(file);
     fmt::print("{}: ok\n", file);

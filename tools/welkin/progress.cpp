@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 namespace welkin::tools {
 namespace {
@@ -78,21 +79,25 @@ void ProgressReport::note(std::string text, std::string json) {
 void ProgressReport::print(std::size_t done, bool last) {
   const double elapsed = seconds(Clock::now() - start_);
   const std::size_t total = std::max(total_, done);  // work whose extent shows as it goes has 0
-  const double left = done > 0 ? elapsed * static_cast<double>(total - done) / static_cast<double>(done) : 0.0;
+  std::optional<double> left;                        // nobody knows before a piece is done
+  if (done > 0 || total == 0)
+    left = total > done ? elapsed * static_cast<double>(total - done) / static_cast<double>(done) : 0.0;
+  const std::string left_text = left ? fmt::format("{:.1f} s left", *left) : "";
   switch (style_) {
     case Style::bar: {
       const std::size_t filled = total > 0 ? done * 30 / total : 30;
-      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {:.1f} s left  {} {}", what_, "", filled, "", 30 - filled, done,
-                       total, left, note_, last ? "\n" : ""));
+      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {}  {} {}", what_, "", filled, "", 30 - filled, done, total,
+                       left_text, note_, last ? "\n" : ""));
       break;
     }
     case Style::plain:
-      show(fmt::format("{}: {}/{}, {:.1f} s{}{}\n", what_, done, total, elapsed, note_.empty() ? "" : ", ", note_));
+      show(fmt::format("{}: {}/{}, {:.1f} s{}{}{}{}\n", what_, done, total, elapsed, last || !left ? "" : ", ",
+                       last ? "" : left_text, note_.empty() ? "" : ", ", note_));
       break;
     case Style::json:
       show(fmt::format(
-          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {:.3f}{}}}\n", what_,
-          done, total, elapsed, left, json_note_));
+          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {}{}}}\n", what_,
+          done, total, elapsed, left ? fmt::format("{:.3f}", *left) : "null", json_note_));
       break;
     case Style::none:
       break;
