@@ -35,6 +35,7 @@ Offset<format::Probes> encode(FlatBufferBuilder& b, const EncodedProbes& p) {
   const auto visibility = vectorOf(b, p.visibility);
   const auto sky_scale = vectorOf(b, p.sky_scale);
   const auto sky = vectorOf(b, p.sky);
+  const auto sky_side = vectorOf(b, p.sky_side);
   const auto sun_scale = vectorOf(b, p.sun_scale);
   const auto sun = vectorOf(b, p.sun);
   const auto emitted_scale = vectorOf(b, p.emitted_scale);
@@ -44,8 +45,8 @@ Offset<format::Probes> encode(FlatBufferBuilder& b, const EncodedProbes& p) {
   const auto coefficient_scale = vectorOf(b, p.coefficient_scale);
   const auto mode_scale = vectorOf(b, p.mode_scale);
   const auto mode = vectorOf(b, p.mode);
-  return format::CreateProbes(b, p.low_y, p.high_y, position, visibility, sky_scale, sky, sun_scale, sun, emitted_scale,
-                              emitted, sun_time_h, moon_time_h, coefficient_scale, mode_scale, mode);
+  return format::CreateProbes(b, p.low_y, p.high_y, position, visibility, sky_scale, sky, sky_side, sun_scale, sun,
+                              emitted_scale, emitted, sun_time_h, moon_time_h, coefficient_scale, mode_scale, mode);
 }
 
 EncodedProbes decode(const format::Probes& p) {
@@ -56,6 +57,7 @@ EncodedProbes decode(const format::Probes& p) {
   e.visibility = copyOf(p.visibility());
   e.sky_scale = copyOf(p.sky_scale());
   e.sky = copyOf(p.sky());
+  e.sky_side = copyOf(p.sky_side());
   e.sun_scale = copyOf(p.sun_scale());
   e.sun = copyOf(p.sun());
   e.emitted_scale = copyOf(p.emitted_scale());

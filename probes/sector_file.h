@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "probes/hash.h"
-#include "probes/transfer/encoding.h"
+#include "probes/transfer/encoding_error.h"
 #include "probes/transfer/local_encoding.h"
 #include "probes/transfer/relight.h"
 

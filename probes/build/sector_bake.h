@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kBakeVersion = 3;
 /// Knots of a light's path that its transfer is traced at, when it is up all day.
 inline constexpr int kKnotsADay = 24;
 
-/// Modes of the sun without a budget: with them a probe takes the talk's 152 bytes.
+/// Modes of the sun without a budget: with them a probe takes 104 bytes, and further ones give little (docs/probes.md).
 inline constexpr std::size_t kSunModes = 10;
 
 /// What a sector's bake is told besides its surfaces.

@@ -14,8 +14,8 @@ namespace welkin::probes {
 namespace {
 
 constexpr std::size_t kUp = 3;                     ///< directions that see the sky
-constexpr std::size_t kSky = kDirections * 4 * 3;  ///< numbers a probe
-constexpr std::size_t kColours = kDirections * 3;  ///< likewise
+constexpr std::size_t kColours = kDirections * 3;  ///< numbers a probe
+constexpr std::size_t kSky = 2 * kColours;         ///< of coefficients 0 and 1, and of 2 and 3
 constexpr double kLargest = 3e38;
 constexpr double kMostSun = 1e6;  ///< far above what a light of normal irradiance 1 can give
 
@@ -37,28 +37,49 @@ class Checked {
   std::size_t probe_;
 };
 
-std::array<double, kSky> skyNumbers(const ProbeTransfer& t) {
+/// Of coefficients `first` and the next, [direction][coefficient][channel].
+template <typename Transfer>
+decltype(auto) skyNumber(Transfer& t, std::size_t first, std::size_t i) {
+  return t.sky[i / 6][first + i / 3 % 2][static_cast<int>(i % 3)];
+}
+
+std::array<double, kSky> skyNumbers(const ProbeTransfer& t, std::size_t first) {
   std::array<double, kSky> number;
-  for (std::size_t b = 0; b < kDirections; ++b)
-    for (std::size_t k = 0; k < 4; ++k)
-      for (int c = 0; c < 3; ++c) number[(b * 4 + k) * 3 + static_cast<std::size_t>(c)] = t.sky[b][k][c];
+  for (std::size_t i = 0; i < kSky; ++i) number[i] = skyNumber(t, first, i);
   return number;
 }
 
 std::array<double, kColours> emittedNumbers(const ProbeTransfer& t) {
   std::array<double, kColours> number;
-  for (std::size_t b = 0; b < kDirections; ++b)
-    for (int c = 0; c < 3; ++c) number[b * 3 + static_cast<std::size_t>(c)] = t.emitted[b][c];
+  for (std::size_t i = 0; i < kColours; ++i) number[i] = t.emitted[i / 3][static_cast<int>(i % 3)];
   return number;
+}
+
+double largestOf(std::span<const double> number) {
+  double largest = 0.0;
+  for (const double x : number) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+template <typename Integer>
+void append(std::span<const double> number, double scale, std::vector<Integer>& steps) {
+  for (const double x : number) steps.push_back(toFixed<Integer>(x, scale));
 }
 
 /// Appends a scale and the numbers over it.
 template <typename Integer>
 void append(std::span<const double> number, std::vector<std::uint16_t>& scales, std::vector<Integer>& steps) {
-  double largest = 0.0;
-  for (const double x : number) largest = std::max(largest, std::abs(x));
-  scales.push_back(scaleFor(largest));
-  for (const double x : number) steps.push_back(toFixed<Integer>(x, scaleOf(scales.back())));
+  scales.push_back(scaleFor(largestOf(number)));
+  append(number, scaleOf(scales.back()), steps);
+}
+
+void encodeSky(const ProbeTransfer& t, EncodedProbes& encoded) {
+  const auto sky = skyNumbers(t, 0);
+  const auto side = skyNumbers(t, 2);
+  encoded.sky_scale.push_back(scaleFor(std::max(largestOf(sky), largestOf(side))));
+  const double scale = scaleOf(encoded.sky_scale.back());
+  append(sky, scale, encoded.sky);
+  append(side, scale, encoded.sky_side);
 }
 
 double largestOf(std::span<const Number3> colours) {
@@ -116,16 +137,18 @@ std::size_t bytesOf(const std::vector<T>& array) {
 
 }  // namespace
 
-std::size_t EncodedProbes::bytesAProbe() const {
-  if (probes() == 0) return 0;
-  const std::size_t all = bytesOf(position) + bytesOf(visibility) + bytesOf(sky_scale) + bytesOf(sky) +
-                          bytesOf(sun_scale) + bytesOf(sun) + bytesOf(emitted_scale) + bytesOf(emitted);
-  return all / probes();
-}
-
-std::size_t EncodedProbes::bytes() const {
-  return probes() * bytesAProbe() + bytesOf(sun_time_h) + bytesOf(moon_time_h) + bytesOf(coefficient_scale) +
-         bytesOf(mode_scale) + bytesOf(mode) + sizeof low_y + sizeof high_y;
+ProbeBytes EncodedProbes::bytes() const {
+  ProbeBytes bytes;
+  bytes.position = bytesOf(position);
+  bytes.visibility = bytesOf(visibility);
+  bytes.sky = bytesOf(sky) + bytesOf(sky_side);
+  bytes.sun = bytesOf(sun);
+  bytes.emitted = bytesOf(emitted);
+  bytes.scales = bytesOf(sky_scale) + bytesOf(sun_scale) + bytesOf(emitted_scale);
+  bytes.heights = sizeof low_y + sizeof high_y;
+  bytes.modes =
+      bytesOf(sun_time_h) + bytesOf(moon_time_h) + bytesOf(coefficient_scale) + bytesOf(mode_scale) + bytesOf(mode);
+  return bytes;
 }
 
 EncodedProbes encodeProbes(const SectorProbes& probes) {
@@ -138,7 +161,8 @@ EncodedProbes encodeProbes(const SectorProbes& probes) {
     checked.of(probes.position[i].y, "y", -1e6, 1e6);
     const ProbeTransfer& t = probes.transfer[i];
     for (std::size_t b = 0; b < kDirections; ++b) checked.of(t.visibility[b], "visibility", 0.0, b < kUp ? 1.0 : 0.0);
-    for (const double x : skyNumbers(t)) checked.of(x, "transfer of the sky");
+    for (const double x : skyNumbers(t, 0)) checked.of(x, "transfer of the sky", 0.0);
+    for (const double x : skyNumbers(t, 2)) checked.of(x, "transfer of the sky");
     for (std::size_t b = 0; b < kDirections; ++b) {
       for (int c = 0; c < 3; ++c) checked.of(t.emitted[b][c], "emitted light", 0.0);
       for (const double coefficient : probes.sun[i][b])
@@ -159,9 +183,9 @@ EncodedProbes encodeProbes(const SectorProbes& probes) {
     encoded.position.push_back(toFixed<std::uint16_t>(place.y - low, height));
     encoded.position.push_back(toFixed<std::uint16_t>(place.z, kSector_m));
     for (std::size_t b = 0; b < kUp; ++b) encoded.visibility.push_back(toFixed<std::uint16_t>(t.visibility[b], 1.0));
-    append<std::int16_t>(skyNumbers(t), encoded.sky_scale, encoded.sky);
+    encodeSky(t, encoded);
     encodeSun(probes.sun[i], encoded);
-    if (emissive) append<std::uint16_t>(emittedNumbers(t), encoded.emitted_scale, encoded.emitted);
+    if (emissive) append<std::uint8_t>(emittedNumbers(t), encoded.emitted_scale, encoded.emitted);
   }
   return encoded;
 }
@@ -172,9 +196,10 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
   const std::size_t knots = e.sun_time_h.size() + e.moon_time_h.size();
   const bool emissive = !e.emitted_scale.empty();
   if (e.position.size() != n * 3 || e.visibility.size() != n * kUp || e.sky.size() != n * kSky ||
-      e.sun_scale.size() != (modes > 0 ? n : 0) || e.sun.size() != n * modes * kDirections ||
-      e.coefficient_scale.size() != modes || e.mode.size() != modes * knots * 3 ||
-      (emissive && e.emitted_scale.size() != n) || e.emitted.size() != (emissive ? n * kColours : 0))
+      e.sky_side.size() != n * kSky || e.sun_scale.size() != (modes > 0 ? n : 0) ||
+      e.sun.size() != n * modes * kDirections || e.coefficient_scale.size() != modes ||
+      e.mode.size() != modes * knots * 3 || (emissive && e.emitted_scale.size() != n) ||
+      e.emitted.size() != (emissive ? n * kColours : 0))
     throw Error(ExitStatus::content, fmt::format("sector {}_{}: its arrays do not fit each other", id.x, id.z));
   SectorProbes probes;
   probes.id = id;
@@ -194,58 +219,17 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
     ProbeTransfer& t = probes.transfer.emplace_back();
     SunCoefficients& sun = probes.sun.emplace_back();
     for (std::size_t b = 0; b < kUp; ++b) t.visibility[b] = fromFixed(e.visibility[kUp * i + b], 1.0);
-    for (std::size_t b = 0; b < kDirections; ++b) {
-      for (std::size_t m = 0; m < modes; ++m)
-        sun[b].push_back(fromFixed(e.sun[(i * kDirections + b) * modes + m], scaleOf(e.sun_scale[i])) *
-                         double{e.coefficient_scale[m]});
-      for (int c = 0; c < 3; ++c) {
-        for (std::size_t k = 0; k < 4; ++k)
-          t.sky[b][k][c] =
-              fromFixed(e.sky[kSky * i + (b * 4 + k) * 3 + static_cast<std::size_t>(c)], scaleOf(e.sky_scale[i]));
-        if (emissive)
-          t.emitted[b][c] =
-              fromFixed(e.emitted[kColours * i + b * 3 + static_cast<std::size_t>(c)], scaleOf(e.emitted_scale[i]));
-      }
+    for (std::size_t j = 0; j < kDirections * modes; ++j)
+      sun[j / modes].push_back(fromFixed(e.sun[kDirections * modes * i + j], scaleOf(e.sun_scale[i])) *
+                               double{e.coefficient_scale[j % modes]});
+    for (std::size_t j = 0; j < kSky; ++j) {
+      skyNumber(t, 0, j) = fromFixed(e.sky[kSky * i + j], scaleOf(e.sky_scale[i]));
+      skyNumber(t, 2, j) = fromFixed(e.sky_side[kSky * i + j], scaleOf(e.sky_scale[i]));
     }
+    for (std::size_t j = 0; emissive && j < kColours; ++j)
+      t.emitted[j / 3][static_cast<int>(j % 3)] = fromFixed(e.emitted[kColours * i + j], scaleOf(e.emitted_scale[i]));
   }
   return probes;
-}
-
-EncodingError encodingError(const SectorProbes& probes, const SectorProbes& decoded) {
-  EncodingError error;
-  const auto worse = [](double& worst, double a, double b, double over = 1.0) {
-    worst = std::max(worst, std::abs(a - b) / over);
-  };
-  const auto mode_at = [](const SunModes& modes, std::size_t knot) {
-    std::vector<Number3> value;
-    for (std::size_t m = 0; m < modes.count(); ++m) value.push_back(modes.value[m * modes.knots() + knot]);
-    return value;
-  };
-  for (std::size_t i = 0; i < probes.position.size(); ++i) {
-    const ProbeTransfer& a = probes.transfer[i];
-    const ProbeTransfer& b = decoded.transfer[i];
-    double brightest = 0.0;
-    for (const Number3& emitted : a.emitted) brightest = std::max({brightest, emitted.x, emitted.y, emitted.z});
-    for (int c = 0; c < 3; ++c) worse(error.position_m, probes.position[i][c], decoded.position[i][c]);
-    for (std::size_t d = 0; d < kDirections; ++d) {
-      worse(error.visibility, a.visibility[d], b.visibility[d]);
-      for (int c = 0; c < 3; ++c) {
-        for (std::size_t k = 0; k < 4; ++k) worse(error.sky, a.sky[d][k][c], b.sky[d][k][c]);
-        if (brightest > 0.0) worse(error.emitted, a.emitted[d][c], b.emitted[d][c], brightest);
-      }
-    }
-  }
-  for (std::size_t knot = 0; knot < probes.modes.knots(); ++knot) {
-    const auto mode = mode_at(probes.modes, knot);
-    const auto decoded_mode = mode_at(decoded.modes, knot);
-    for (std::size_t i = 0; i < probes.position.size(); ++i)
-      for (std::size_t d = 0; d < kDirections; ++d) {
-        const Number3 a = sunTransfer(probes.sun[i][d], mode);
-        const Number3 b = sunTransfer(decoded.sun[i][d], decoded_mode);
-        for (int c = 0; c < 3; ++c) worse(error.sun, a[c], b[c]);
-      }
-  }
-  return error;
 }
 
 }  // namespace welkin::probes

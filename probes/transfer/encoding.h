@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The probes of a sector in few bytes: fixed point with scales per probe. Without modes of the sun, as `sun = "sh"`
-// needs them, 110 bytes a probe:
+// The probes of a sector in few bytes: fixed point over scales. Without modes of the sun, as `sun = "sh"` needs them,
+// 62 bytes a probe:
 //
-//     position     3 x u16   x and z in 64 m / 65535 from the sector's corner, y in (high_y - low_y) / 65535 above
-//     low_y visibility   3 x u16   in 1 / 65535, of the directions up; that of down is 0 sky_scale        u16   the
-//     first 16 bits of a float32 >= 0 sky         48 x i16   in sky_scale / 32767: [direction][coefficient][channel]
+// - position, 3 x u16: x and z in 64 m / 65535 from the sector's corner, y in (high_y - low_y) / 65535 above low_y
+// - visibility, 3 x u16: in 1 / 65535, of the directions up; that of down is 0
+// - sky_scale, u16: the first 16 bits of a float32 >= 0
+// - sky, 24 x u8: in sky_scale / 255, [direction][coefficient 0, 1][channel], which are never below 0: nothing arrives
+//   from below the horizon
+// - sky_side, 24 x i8: in sky_scale / 127, [direction][coefficient 2, 3][channel]
 //
-// with n modes of the sun 2 + 4 n more, 152 with 10:
+// with n modes of the sun 2 + 4 n more, 104 with 10:
 //
-//     sun_scale        u16   as above, times the mode's coefficient_scale
-//     sun         4n x i8    in sun_scale coefficient_scale / 127: [direction][mode]
+// - sun_scale, u16: as above, times the mode's coefficient_scale
+// - sun, 4n x i8: in sun_scale coefficient_scale / 127, [direction][mode]
 //
-// and where the level has emissive surfaces 26 more:
+// and where the level has emissive surfaces 14 more:
 //
-//     emitted_scale    u16   as above
-//     emitted     12 x u16   in emitted_scale / 65535: [direction][channel]
+// - emitted_scale, u16: as above
+// - emitted, 12 x u8: in emitted_scale / 255, [direction][channel]
 //
-// Once a sector: the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at each knot in mode_scale / 127, and
-// two float32 scales a mode.
+// Once a sector: the two heights as float32, the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at each knot
+// in mode_scale / 127, and two float32 scales a mode. What fewer and more bits would err by: docs/probes.md.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +41,17 @@ struct SectorProbes {
   SunModes modes;
 };
 
+/// Bytes of a sector's probes, by what they hold.
+struct ProbeBytes {
+  std::size_t position = 0, visibility = 0, sky = 0, sun = 0, emitted = 0;
+  std::size_t scales = 0;   ///< of the probes
+  std::size_t heights = 0;  ///< once a sector
+  std::size_t modes = 0;    ///< likewise: knots, scales and values
+
+  std::size_t ofProbes() const { return position + visibility + sky + sun + emitted + scales; }
+  std::size_t total() const { return ofProbes() + heights + modes; }
+};
+
 /// Arrays as a file holds them: one entry after the other in the order above, probe by probe.
 struct EncodedProbes {
   float low_y = 0.0F;
@@ -45,11 +59,12 @@ struct EncodedProbes {
   std::vector<std::uint16_t> position;
   std::vector<std::uint16_t> visibility;
   std::vector<std::uint16_t> sky_scale;
-  std::vector<std::int16_t> sky;
+  std::vector<std::uint8_t> sky;
+  std::vector<std::int8_t> sky_side;
   std::vector<std::uint16_t> sun_scale;  ///< empty without modes
   std::vector<std::int8_t> sun;
   std::vector<std::uint16_t> emitted_scale;  ///< empty where no emitted light reaches a probe
-  std::vector<std::uint16_t> emitted;
+  std::vector<std::uint8_t> emitted;
   std::vector<float> sun_time_h;  ///< knots
   std::vector<float> moon_time_h;
   std::vector<float> coefficient_scale;  ///< [mode]
@@ -58,25 +73,15 @@ struct EncodedProbes {
 
   std::size_t probes() const { return sky_scale.size(); }
   std::size_t modes() const { return mode_scale.size(); }
-  std::size_t bytesAProbe() const;  ///< 0 without probes
-  std::size_t bytes() const;        ///< of all arrays and the two heights
+  ProbeBytes bytes() const;
+  std::size_t bytesAProbe() const { return probes() == 0 ? 0 : bytes().ofProbes() / probes(); }
 };
 
-/// Throws Error(content) for numbers that are not finite, a visibility outside [0, 1], emitted light below 0 and a
-/// position outside the sector.
+/// Throws Error(content) for numbers that are not finite, a visibility outside [0, 1], coefficients 0 and 1 of the sky
+/// or emitted light below 0 and a position outside the sector.
 EncodedProbes encodeProbes(const SectorProbes& probes);
 
 /// Throws Error(content) where arrays do not fit each other.
 SectorProbes decodedProbes(const EncodedProbes& encoded, SectorId id);
-
-/// The worst difference between probes and what became of them.
-struct EncodingError {
-  double position_m = 0.0;  ///< of a component
-  double visibility = 0.0;
-  double sky = 0.0;      ///< irradiance of a coefficient 1 of the sky
-  double sun = 0.0;      ///< irradiance, at a knot, of a light of normal irradiance 1, clamped at 0
-  double emitted = 0.0;  ///< irradiance, over the probe's largest
-};
-EncodingError encodingError(const SectorProbes& probes, const SectorProbes& decoded);
 
 }  // namespace welkin::probes

@@ -72,7 +72,8 @@ void checkProbes(Check& check, const Probes& p, SunTransfer sun) {
              kName, "have a height out of its domain");
   check.that(spanOf(p.position()).size() == 3 * n, kName, "must have a position each");
   check.that(spanOf(p.visibility()).size() == 3 * n, kName, "must have a visibility for every direction up");
-  check.that(spanOf(p.sky()).size() == kDirections * 4 * 3 * n, kName, "must have every coefficient of the sky");
+  check.that(spanOf(p.sky()).size() == kDirections * 2 * 3 * n && spanOf(p.sky_side()).size() == spanOf(p.sky()).size(),
+             kName, "must have every coefficient of the sky");
   checkModes(check, p, sun);
   check.that(spanOf(p.sun_scale()).size() == (modes > 0 ? n : 0) && spanOf(p.sun()).size() == kDirections * modes * n,
              kName, "must have a number of the sun for every direction and mode");

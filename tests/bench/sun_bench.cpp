@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each byte of the sun's transfer buys: the error of 2 bands and of 1 to 12 modes, encoded, in a sector of a town,
+// What each byte of the sun's transfer buys: the error of 2 bands and of 1 to 16 modes, encoded, in a sector of a town,
 // against the same probes traced with many paths at every knot and between.
 //   sun_bench [PROBES [PATHS [KNOTS A DAY]]]
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "probes/directions.h"
-#include "probes/transfer/encoding.h"
+#include "probes/transfer/encoding_error.h"
 #include "probes/transfer/relight.h"
 #include "probes/transfer/trace_transfer.h"
 #include "town.h"
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     numbers.position.push_back(sector.probe[i].position);
     numbers.transfer.push_back(traced[i].transfer);
   }
-  const SunModesFit all = fitSunModes(probes, track, {}, 12);
+  const SunModesFit all = fitSunModes(probes, track, {}, kMostSunModes);
   const auto errorOf = [&](const SectorProbes& p, SunTransfer way) {
     Error error;
     for (std::size_t k = 0; k < fine.time_h.size(); ++k) {
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     const SectorProbes decoded = decodedProbes(encoded, {0, 0});
     const Error error = errorOf(decoded, m == 0 ? SunTransfer::sh : SunTransfer::directional);
     fmt::print("{:<12} {:>13} {:>8} {:>8.4f} {:>7.4f}   {:.4f} worst\n", m == 0 ? "sh" : fmt::format("{} modes", m),
-               encoded.bytesAProbe(), encoded.bytes() + 4096, error.rms(), error.worst,
+               encoded.bytesAProbe(), encoded.bytes().total() + 4096, error.rms(), error.worst,
                encodingError(numbers, decoded).sun);
   }
   return EXIT_SUCCESS;

@@ -31,11 +31,12 @@ SectorFile someSector() {
   p.position = {0, 1, 2, 65535, 4, 5};
   p.visibility = {0, 65535, 7, 8, 9, 10};
   p.sky_scale = {0x3f80, 0x4000};
-  for (int i = 0; i < 96; ++i) p.sky.push_back(static_cast<std::int16_t>(i * 300 - 14000));
+  for (int i = 0; i < 48; ++i) p.sky.push_back(static_cast<std::uint8_t>(i * 5));
+  for (int i = 0; i < 48; ++i) p.sky_side.push_back(static_cast<std::int8_t>(i * 5 - 127));
   p.sun_scale = {0x3f00, 0};
   for (int i = 0; i < 16; ++i) p.sun.push_back(static_cast<std::int8_t>(i * 16 - 127));
   p.emitted_scale = {0, 0x3f80};
-  p.emitted.assign(24, 1000);
+  p.emitted.assign(24, 200);
   p.sun_time_h = {6.0F, 12.0F, 17.5F};
   p.moon_time_h = {0.0F};
   p.coefficient_scale = {1.0F, 0.5F};
@@ -90,9 +91,10 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(r.sun == s.sun);
   CHECK(r.probes.position == s.probes.position);
   CHECK(r.probes.sky == s.probes.sky);
+  CHECK(r.probes.sky_side == s.probes.sky_side);
   CHECK(r.probes.sun == s.probes.sun);
   CHECK(r.probes.mode == s.probes.mode);
-  CHECK(r.probes.bytes() == s.probes.bytes());
+  CHECK(r.probes.bytes().total() == s.probes.bytes().total());
   CHECK(r.settings == s.settings);
   CHECK(r.baked_from == s.baked_from);
   CHECK(r.placement.cells_without == 9);
@@ -109,6 +111,37 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   empty.grid.fill(kNoProbe);
   empty.top.fill(kNoProbe);
   CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
+}
+
+TEST_CASE("SectorFile, SeventyProbesAreWithin15KB") {
+  // The talk's sector, with ten modes of a summer's day and a moon's night, everything of the file counted.
+  constexpr std::size_t kProbes = 70;
+  constexpr std::size_t kModes = 10;
+  constexpr std::size_t kSunKnots = 17;
+  constexpr std::size_t kMoonKnots = 16;
+  constexpr std::size_t kOcclusionTile = 256;
+  SectorFile s = someSector();
+  s.settings.assign(1000, ' ');
+  EncodedProbes& p = s.probes;
+  p.position.resize(3 * kProbes);
+  p.visibility.resize(3 * kProbes);
+  p.sky_scale.resize(kProbes);
+  p.sky.resize(24 * kProbes);
+  p.sky_side.resize(24 * kProbes);
+  p.sun_scale.resize(kProbes);
+  p.sun.resize(4 * kModes * kProbes);
+  p.emitted_scale.clear();
+  p.emitted.clear();
+  p.sun_time_h.resize(kSunKnots);
+  p.moon_time_h.resize(kMoonKnots);
+  for (std::size_t i = 0; i < kSunKnots; ++i) p.sun_time_h[i] = 4.0F + static_cast<float>(i);
+  for (std::size_t i = 0; i < kMoonKnots; ++i) p.moon_time_h[i] = static_cast<float>(i);
+  p.coefficient_scale.resize(kModes);
+  p.mode_scale.resize(kModes);
+  p.mode.resize(3 * kModes * (kSunKnots + kMoonKnots));
+  const auto bytes = encodeSector(s);
+  CHECK(decodeSector(bytes, "the sector").probes.bytesAProbe() == 104);
+  CHECK(bytes.size() + kOcclusionTile <= 15 * 1024);
 }
 
 TEST_CASE("SectorFile, GivesBackLocalTransfer") {
@@ -192,6 +225,7 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("a position", [](auto& s) { s.probes.position.pop_back(); });
   refused("a visibility", [](auto& s) { s.probes.visibility.push_back(0); });
   refused("coefficient of the sky", [](auto& s) { s.probes.sky.pop_back(); });
+  refused("coefficient of the sky", [](auto& s) { s.probes.sky_side.push_back(1); });
   refused("number of the sun", [](auto& s) { s.probes.sun.pop_back(); });
   refused("number of the sun", [](auto& s) { s.probes.sun_scale.clear(); });
   refused("emitted light", [](auto& s) { s.probes.emitted_scale.pop_back(); });

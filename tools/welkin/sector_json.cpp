@@ -127,7 +127,7 @@ Json modesJson(const probes::SunModes& m) {
 
 Json bytesJson(const probes::SectorFile& s, std::size_t total) {
   const std::size_t header = sizeof(format::Header);
-  const std::size_t probes = s.probes.bytes();
+  const std::size_t probes = s.probes.bytes().total();
   const std::size_t grid = s.grid.size();
   const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
