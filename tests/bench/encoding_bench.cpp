@@ -166,12 +166,12 @@ void run(const std::filesystem::path& file, std::size_t most) {
              probes.all());
   for (const std::size_t rays : {64, 256, 1024, 4096, 16384}) {
     const std::string text = difference(probes.traced(rays, error), truth, instants);
-    fmt::print("{:>5} rays, not {:<32} {}   95 % within {:.2f}\n", rays, kTruthPaths, text, 100.0 * error);
+    fmt::print("{:>5} rays, not {:<39} {}   95 % within {:.2f}\n", rays, kTruthPaths, text, 100.0 * error);
   }
   const auto row = [&](const std::string& name, double bytes, auto&& encoded) {
     Transfers other;
     for (const ProbeTransfer& t : truth) other.push_back(encoded(t));
-    fmt::print("{:<40} {:4.0f} bytes {}\n", name, bytes, difference(other, truth, instants));
+    fmt::print("{:<47} {:4.1f} bytes {}\n", name, bytes, difference(other, truth, instants));
   };
   for (const int bits : {16, 12, 10, 8, 7, 6})
     for (const Sharing& sharing : kSharing)

@@ -211,6 +211,13 @@ TEST_CASE("Level, InspectExplainsEveryByte") {
   for (const char* tile : {"probe", "sky_visibility", "probe_y"}) REQUIRE(sector["occlusion"][tile].size() == 256);
   for (const json& share : sector["occlusion"]["sky_visibility"]) REQUIRE(share > 0.5);
   REQUIRE((sector["rooms"].empty() && bytes["rooms"] == 0 && sector["unlit"] == 0));
+  std::size_t probes = 0;
+  for (const auto& [part, count] : bytes.items())
+    if (part.rfind("probes_", 0) == 0) probes += count.get<std::size_t>();
+  REQUIRE(bytes["probes"] == probes);
+  REQUIRE(bytes["probes_sky"] == 48 * sector["probes"].size());
+  REQUIRE(bytes["probes_position"] == 6 * sector["probes"].size());
+  REQUIRE(bytes["a_probe"] == 104);
   REQUIRE(sector["probes"].size() > 4);
   for (const json& probe : sector["probes"]) {
     REQUIRE(probe["position"][0] >= 128.0);
@@ -298,7 +305,10 @@ TEST_CASE("Level, SectorsThatMissTheBudgetAreNamed") {
       }
     const auto& error = report["sectors"][0]["error"];
     const double most = std::stod(budget);
-    REQUIRE((named > 0) == (error["sampling"] > most || error["modes"]["worst_row"] > most));
+    const auto& encoding = error["encoding"];
+    const bool coarse = encoding["sky"] > most || encoding["sun"] > most;
+    REQUIRE(named == std::size_t{error["sampling"] > most} + std::size_t{error["modes"]["worst_row"] > most} +
+                         std::size_t{coarse});
     return named;
   };
   REQUIRE(hard("0.2") == 0);

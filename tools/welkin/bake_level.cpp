@@ -100,6 +100,7 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
   };
   past(file.error.sampling, fmt::format("probe {}, after the most rays that one may take,", file.error.sampling_probe));
   past(file.error.modes.worst_row, fmt::format("the sun in {} modes", file.probes.modes()));
+  past(std::max(file.error.encoding.sky, file.error.encoding.sun), "its encoding");
   add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");
 }
 

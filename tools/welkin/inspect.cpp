@@ -139,7 +139,7 @@ void inspectSector(const std::string& path, bool as_json) {
   fmt::print("{}: sector {}, {} probes x {} bytes, {} modes of the sun\n", path, probes::nameOf(sector.id),
              sector.probes.probes(), sector.probes.bytesAProbe(), sector.probes.modes());
   const Json parts = bytesJson(sector, bytes.size());
-  for (const auto& [name, count] : parts.items()) fmt::print("{:10} {:8} bytes\n", name, count.get<std::size_t>());
+  for (const auto& [name, count] : parts.items()) fmt::print("{:17} {:8} bytes\n", name, count.get<std::size_t>());
   fmt::print("sampling   within {:.3g} %, worst at probe {}\n", 100.0 * sector.error.sampling,
              sector.error.sampling_probe);
   if (!sector.room.empty()) fmt::print("rooms      {}, with probes of their own\n", sector.room.size());

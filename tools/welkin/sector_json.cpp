@@ -123,6 +123,18 @@ Json modesJson(const probes::SunModes& m) {
   return {{"sun_time_h", m.sun_time_h}, {"moon_time_h", m.moon_time_h}, {"modes", modes}};
 }
 
+/// What the bytes of "probes" hold.
+void addParts(Json& bytes, const probes::ProbeBytes& probes) {
+  bytes["probes_position"] = probes.position;
+  bytes["probes_visibility"] = probes.visibility;
+  bytes["probes_sky"] = probes.sky;
+  bytes["probes_sun"] = probes.sun;
+  bytes["probes_emitted"] = probes.emitted;
+  bytes["probes_scales"] = probes.scales;
+  bytes["probes_heights"] = probes.heights;
+  bytes["probes_modes"] = probes.modes;
+}
+
 }  // namespace
 
 Json bytesJson(const probes::SectorFile& s, std::size_t total) {
@@ -132,16 +144,18 @@ Json bytesJson(const probes::SectorFile& s, std::size_t total) {
   const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
   const std::size_t rooms = s.room.size() * sizeof(format::Room) + s.in_room.size();
-  return {{"probes", probes},
-          {"grid", grid},
-          {"occlusion", s.top.size()},
-          {"rooms", rooms},
-          {"local", local},
-          {"settings", settings},
-          {"header", header},
-          {"structure", total - header - probes - grid - s.top.size() - rooms - local - settings},
-          {"total", total},
-          {"a_probe", s.probes.bytesAProbe()}};
+  Json bytes = {{"probes", probes},
+                {"grid", grid},
+                {"occlusion", s.top.size()},
+                {"rooms", rooms},
+                {"local", local},
+                {"settings", settings},
+                {"header", header},
+                {"structure", total - header - probes - grid - s.top.size() - rooms - local - settings},
+                {"total", total},
+                {"a_probe", s.probes.bytesAProbe()}};
+  addParts(bytes, s.probes.bytes());
+  return bytes;
 }
 
 Json sectorJson(const probes::SectorFile& s, std::size_t total) {
