@@ -37,7 +37,11 @@ void checkSector(const probes::SectorFile& sector) {
     for (std::size_t b = 0; b < probes::kDirections; ++b) {
       const double visibility = decoded.transfer[i].visibility[b];
       require(visibility >= 0.0 && visibility <= 1.0, "a visibility is 0 to 1");
-      for (const auto& coefficient : decoded.transfer[i].sky[b]) require(isFinite(coefficient), "the sky is finite");
+      const auto& sky = decoded.transfer[i].sky[b];
+      for (const auto& coefficient : sky) require(isFinite(coefficient), "the sky is finite");
+      for (const auto& never_below_0 : {sky[0], sky[1], decoded.transfer[i].emitted[b]})
+        require(isFinite(never_below_0) && std::min({never_below_0.x, never_below_0.y, never_below_0.z}) >= 0.0,
+                "light of the whole sky and of surfaces is not below 0");
       for (const double number : decoded.sun[i][b]) require(std::isfinite(number), "the sun is finite");
     }
   for (const auto& mode : decoded.modes.value) require(isFinite(mode), "a mode is finite");
