@@ -113,37 +113,6 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
 }
 
-TEST_CASE("SectorFile, SeventyProbesAreWithin15KB") {
-  // The talk's sector, with ten modes of a summer's day and a moon's night, everything of the file counted.
-  constexpr std::size_t kProbes = 70;
-  constexpr std::size_t kModes = 10;
-  constexpr std::size_t kSunKnots = 17;
-  constexpr std::size_t kMoonKnots = 16;
-  SectorFile s = someSector();
-  s.settings.assign(1000, ' ');
-  s.in_room.resize(kProbes);
-  EncodedProbes& p = s.probes;
-  p.position.resize(3 * kProbes);
-  p.visibility.resize(3 * kProbes);
-  p.sky_scale.resize(kProbes);
-  p.sky.resize(24 * kProbes);
-  p.sky_side.resize(24 * kProbes);
-  p.sun_scale.resize(kProbes);
-  p.sun.resize(4 * kModes * kProbes);
-  p.emitted_scale.clear();
-  p.emitted.clear();
-  p.sun_time_h.resize(kSunKnots);
-  p.moon_time_h.resize(kMoonKnots);
-  for (std::size_t i = 0; i < kSunKnots; ++i) p.sun_time_h[i] = 4.0F + static_cast<float>(i);
-  for (std::size_t i = 0; i < kMoonKnots; ++i) p.moon_time_h[i] = static_cast<float>(i);
-  p.coefficient_scale.resize(kModes);
-  p.mode_scale.resize(kModes);
-  p.mode.resize(3 * kModes * (kSunKnots + kMoonKnots));
-  const auto bytes = encodeSector(s);
-  CHECK(decodeSector(bytes, "the sector").probes.bytesAProbe() == 104);
-  CHECK(bytes.size() <= 15 * 1024);
-}
-
 TEST_CASE("SectorFile, GivesBackLocalTransfer") {
   const SectorFile s = someLitSector();
   const std::vector<std::byte> bytes = encodeSector(s);
