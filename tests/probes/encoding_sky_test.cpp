@@ -199,7 +199,7 @@ TEST_CASE("EncodingOfSky, ItsErrorBoundsIrradianceUnderAnySky") {
   CHECK(bound <= half * (std::sqrt(1 / det::kPi) / 255 + std::sqrt(0.75 / det::kPi) * (1.0 / 255 + 1.0 / 127)));
 }
 
-TEST_CASE("EncodingOfSky, TheSunsErrorIsClampedAtNight") {
+TEST_CASE("EncodingOfSky, TheSunsErrorIsOfClampedIrradiance") {
   SectorProbes probes = probesOf({ProbeTransfer{}});
   probes.modes.sun_time_h = {6.0, 12.0};
   probes.modes.value = {Number3(1.0), Number3(-1.0)};
