@@ -89,18 +89,20 @@ Offset<format::LocalTransfer> encode(FlatBufferBuilder& b, const BakedLocal& l) 
   const auto light = vectorOf(b, l.encoded.light);
   const auto scale = vectorOf(b, l.encoded.scale);
   const auto radiance = vectorOf(b, l.encoded.radiance);
-  const auto error =
-      format::CreateLocalError(b, l.sampling, l.encoding.position_m, l.encoding.radiance,
-                               static_cast<std::uint32_t>(l.thinning.dropped), l.thinning.lost, l.thinning.worst_probe);
-  return format::CreateLocalTransfer(b, position, count, light, scale, radiance, error);
+  const auto error = format::CreateLocalError(
+      b, l.sampling.error, static_cast<std::uint8_t>(l.sampling.probe), l.encoding.position_m, l.encoding.radiance,
+      static_cast<std::uint32_t>(l.thinning.dropped), l.thinning.lost, l.thinning.worst_probe);
+  return format::CreateLocalTransfer(b, position, count, light, scale, radiance, error, l.sampling.rays);
 }
 
 BakedLocal decode(const format::LocalTransfer& l) {
   BakedLocal local;
   local.encoded = {copyOf(l.position()), copyOf(l.count()), copyOf(l.light()), copyOf(l.scale()), copyOf(l.radiance())};
+  local.sampling.rays = l.rays();
   local.thinning.kept = local.encoded.light.size();
   if (const format::LocalError* e = l.error(); e != nullptr) {
-    local.sampling = e->sampling();
+    local.sampling.error = e->sampling();
+    local.sampling.probe = e->sampling_probe();
     local.encoding = {e->position_m(), e->radiance()};
     local.thinning.dropped = e->dropped();
     local.thinning.lost = e->lost();

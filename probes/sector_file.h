@@ -22,10 +22,17 @@ struct SectorError {
   SunModesError modes;  ///< of leaving out further modes
 };
 
+/// How sure the local transfer of a sector is, before thinning, and what that took.
+struct LocalSampling {
+  double error = 0.0;  ///< LocalProbe::error of the worst probe
+  std::size_t probe = 0;
+  std::uint64_t rays = 0;
+};
+
 /// A sector's local transfer as it was baked.
 struct BakedLocal {
   EncodedLocal encoded;
-  double sampling = 0.0;  ///< standard errors over influences, both summed over the sector, before thinning
+  LocalSampling sampling;
   LocalEncodingError encoding;
   LocalThinning thinning;
 };

@@ -12,16 +12,26 @@
 namespace welkin::probes {
 namespace {
 
-/// Standard errors of all transfers over their influences.
-double samplingError(const std::vector<LocalProbe>& probes) {
-  double error = 0.0;
-  double influence = 0.0;
-  for (const LocalProbe& probe : probes)
-    for (std::size_t i = 0; i < probe.transfer.size(); ++i) {
-      error += probe.error[i].x + probe.error[i].y + probe.error[i].z;
-      influence += probe.transfer[i].influence();
+LocalSettings localSettings(const SectorSettings& s) {
+  const TransferSection& transfer = s.section.transfer;
+  LocalSettings settings;
+  settings.rays = transfer.rays ? static_cast<std::size_t>(*transfer.rays) : kMostLocalPaths;
+  settings.bounces = transfer.bounces;
+  settings.nearest_m = kNearest_m;
+  settings.max_error = transfer.rays ? 0.0 : s.max_error;
+  return settings;
+}
+
+LocalSampling samplingOf(const std::vector<LocalProbe>& probes) {
+  LocalSampling sampling;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    sampling.rays += probes[i].rays;
+    if (probes[i].error > sampling.error) {
+      sampling.error = probes[i].error;
+      sampling.probe = i;
     }
-  return influence > 0.0 ? error / influence : 0.0;
+  }
+  return sampling;
 }
 
 }  // namespace
@@ -48,13 +58,9 @@ std::vector<Number3> virtualLights(const Tracer& tracer, const PlacedSector& sec
   return lights;
 }
 
-std::optional<BakedLocal> bakeLocal(const Tracer& tracer, const PlacedSector& sector, const BakeSection& section,
-                                    const BakeProgress& progress, std::uint64_t& rays) {
-  LocalSettings settings;
-  settings.rays = section.transfer.rays ? static_cast<std::size_t>(*section.transfer.rays) : kLocalPaths;
-  settings.bounces = section.transfer.bounces;
-  settings.nearest_m = kNearest_m;
-  const LocalTransferTracer transfer(tracer, settings, virtualLights(tracer, sector, section));
+std::optional<BakedLocal> bakeLocal(const Tracer& tracer, const PlacedSector& sector, const SectorSettings& settings,
+                                    const BakeProgress& progress) {
+  const LocalTransferTracer transfer(tracer, localSettings(settings), virtualLights(tracer, sector, settings.section));
   if (!progress(0)) return std::nullopt;
   std::vector<LocalProbe> traced(sector.probe.size());
   std::atomic<bool> go = true;
@@ -64,12 +70,11 @@ std::optional<BakedLocal> bakeLocal(const Tracer& tracer, const PlacedSector& se
     if (!progress(traced[i].rays)) go = false;
   });
   if (!go) return std::nullopt;
-  for (const LocalProbe& probe : traced) rays += probe.rays;
   BakedLocal baked;
   const SectorLocal local = thinnedLocal(transfer.lights(), traced, kMostLocalBytes, baked.thinning);
   baked.encoded = encodeLocal(local);
   baked.encoding = encodingError(local, decodedLocal(baked.encoded));
-  baked.sampling = samplingError(traced);
+  baked.sampling = samplingOf(traced);
   return baked;
 }
 

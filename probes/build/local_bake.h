@@ -10,8 +10,8 @@
 
 namespace welkin::probes {
 
-/// Paths a probe for its local transfer where [transfer] rays leaves their number to a budget.
-inline constexpr std::size_t kLocalPaths = 1024;
+/// Paths of a probe for its local transfer under a budget, at most.
+inline constexpr std::size_t kMostLocalPaths = std::size_t{1} << 16;
 
 /// LocalSettings::nearest_m. Each virtual light stands for lamps some metres about it, so one beside a wall must not
 /// light the spot behind it as a lamp there would: every lamp that shares it would make that spot (local_bench has the
@@ -28,9 +28,9 @@ bool hasLocalTransfer(const TransferSection& transfer, const Surfaces& near);
 /// agree: a sector's file has the places of its lights.
 std::vector<Number3> virtualLights(const Tracer& tracer, const PlacedSector& sector, const BakeSection& section);
 
-/// The local transfer of a sector that has probes, thinned to kMostLocalBytes; adds to `rays`. None when told to end.
-/// On all threads of the caller's arena; the same for any number of them.
-std::optional<BakedLocal> bakeLocal(const Tracer& tracer, const PlacedSector& sector, const BakeSection& section,
-                                    const BakeProgress& progress, std::uint64_t& rays);
+/// The local transfer of a sector that has probes, thinned to kMostLocalBytes. None when told to end. On all threads of
+/// the caller's arena; the same for any number of them.
+std::optional<BakedLocal> bakeLocal(const Tracer& tracer, const PlacedSector& sector, const SectorSettings& settings,
+                                    const BakeProgress& progress);
 
 }  // namespace welkin::probes

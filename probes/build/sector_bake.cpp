@@ -182,8 +182,9 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   file.probes = encodeProbes(probes);
   file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
   if (!placed.probe.empty() && hasLocalTransfer(settings.section.transfer, near)) {
-    file.local = bakeLocal(tracer, placed, settings.section, progress, file.rays);
+    file.local = bakeLocal(tracer, placed, settings, progress);
     if (!file.local) stop();
+    file.rays += file.local->sampling.rays;
   }
   return file;
 }

@@ -43,8 +43,8 @@ void check(const LocalTransfer& t, std::size_t probe, std::size_t lights) {
                          i < 3 ? 0.0 : -kLargest, kLargest));
 }
 
-constexpr std::size_t kTransferBytes = 2 * sizeof(std::uint16_t) + kNumbers * sizeof(std::int16_t);
-constexpr std::size_t kLightBytes = 3 * sizeof(float);
+static_assert(kLocalTransferBytes == 2 * sizeof(std::uint16_t) + kNumbers * sizeof(std::int8_t));
+static_assert(kVirtualLightBytes == 3 * sizeof(float));
 
 struct Entry {
   double influence;
@@ -77,7 +77,7 @@ SectorLocal thinnedLocal(const std::vector<Number3>& lights, const std::vector<L
   std::size_t bytes = probes.size() * sizeof(std::uint8_t);
   thinning = {};
   for (const Entry& e : entry) {
-    const std::size_t more = kTransferBytes + (used[e.transfer.light] ? 0 : kLightBytes);
+    const std::size_t more = kLocalTransferBytes + (used[e.transfer.light] ? 0 : kVirtualLightBytes);
     // Once one does not fit, none of less influence is kept in its place.
     if (thinning.dropped > 0 || bytes + more > most_bytes) {
       ++thinning.dropped;
@@ -115,7 +115,7 @@ SectorLocal thinnedLocal(const std::vector<Number3>& lights, const std::vector<L
 
 std::size_t EncodedLocal::bytes() const {
   return position.size() * sizeof(float) + count.size() + light.size() * sizeof(std::uint16_t) +
-         scale.size() * sizeof(std::uint16_t) + radiance.size() * sizeof(std::int16_t);
+         scale.size() * sizeof(std::uint16_t) + radiance.size() * sizeof(std::int8_t);
 }
 
 EncodedLocal encodeLocal(const SectorLocal& local) {
@@ -138,7 +138,7 @@ EncodedLocal encodeLocal(const SectorLocal& local) {
       encoded.light.push_back(static_cast<std::uint16_t>(t.light));
       encoded.scale.push_back(scaleFor(largestOf(t)));
       for (const double x : numbersOf(t))
-        encoded.radiance.push_back(toFixed<std::int16_t>(x, scaleOf(encoded.scale.back())));
+        encoded.radiance.push_back(toFixed<std::int8_t>(x, scaleOf(encoded.scale.back())));
     }
   }
   return encoded;

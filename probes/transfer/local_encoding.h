@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The local transfer of a sector in at most 210 KB. 28 bytes a transfer, probe by probe, lights ascending:
+// The local transfer of a sector in at most 210 KB. 16 bytes a transfer, probe by probe, lights ascending:
 //
 //     light         u16        index of its position
 //     scale         u16        the first 16 bits of a float32 >= 0
-//     radiance     12 x i16    in scale / 32767: [coefficient][channel]
+//     radiance     12 x i8     in scale / 127: [coefficient][channel]
 //
 // a byte a probe:
 //
@@ -24,6 +24,8 @@
 namespace welkin::probes {
 
 inline constexpr std::size_t kMostLocalBytes = 210 * 1024;  ///< of a sector
+inline constexpr std::size_t kLocalTransferBytes = 16;
+inline constexpr std::size_t kVirtualLightBytes = 12;
 
 /// Local transfer of a sector; LocalTransfer::light is of `light`.
 struct SectorLocal {
@@ -51,7 +53,7 @@ struct EncodedLocal {
   std::vector<std::uint8_t> count;
   std::vector<std::uint16_t> light;
   std::vector<std::uint16_t> scale;
-  std::vector<std::int16_t> radiance;
+  std::vector<std::int8_t> radiance;
 
   std::size_t bytes() const;  ///< of all arrays
 };

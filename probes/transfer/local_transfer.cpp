@@ -10,6 +10,7 @@
 
 #include "probes/random.h"
 #include "probes/transfer/local_lights.h"
+#include "probes/transfer/rounds.h"
 #include "probes/transfer/sums.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sh/deterministic.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::uint64_t kLocal = 0x6c6f63616cU;  ///< keeps these paths apart from those of the distant light
 constexpr std::uint32_t kBlock = 256;            ///< paths at once: it bounds the memory
+constexpr std::uint32_t kChoicePaths = 128;      ///< for the choice under a budget: that has no error to keep
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ExitStatus::content, "local transfer: " + what);
@@ -35,6 +37,8 @@ void check(const LocalSettings& s, const std::vector<Number3>& lights) {
     refuse(fmt::format("lights a probe: {}; allowed: 1 to {}", s.lights, kMostLocalLights));
   if (!(s.nearest_m >= 0.0 && s.nearest_m <= kSector_m))
     refuse(fmt::format("nearest distance: {} m; allowed: 0 to {}", s.nearest_m, kSector_m));
+  if (!(s.max_error >= 0.0 && s.max_error < 1.0))
+    refuse(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
   for (const Number3& p : lights)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       refuse(fmt::format("the light at ({}, {}, {}): allowed: finite positions", p.x, p.y, p.z));
@@ -49,21 +53,27 @@ void addRadiance(Radiance& sum, const Number3& first, const Number3& radiance) {
   sum[3] += radiance * (det::kShLinear * first.x);
 }
 
+/// Sums over the paths of a replicate, by light.
+using ReplicateSums = std::array<std::vector<Radiance>, kReplicates>;
+
 /// Means over replicates, and the spread of coefficient 0.
 class ReplicateMeans {
  public:
-  explicit ReplicateMeans(std::size_t lights) : mean_(lights), squares_(lights, Number3(0.0)) {}
-
-  void add(const std::vector<Radiance>& replicate) {
+  /// `paths`: of each replicate.
+  ReplicateMeans(const ReplicateSums& sums, std::uint32_t paths)
+      : mean_(sums[0].size()), squares_(sums[0].size(), Number3(0.0)) {
     constexpr double kShare = 1.0 / double{kReplicates};
-    for (std::size_t l = 0; l < mean_.size(); ++l) {
-      for (std::size_t k = 0; k < 4; ++k) mean_[l][k] += replicate[l][k] * kShare;
-      squares_[l] += replicate[l][0] * replicate[l][0] * kShare;
-    }
+    const double density = 4.0 * det::kPi / static_cast<double>(paths);
+    for (const std::vector<Radiance>& sum : sums)
+      for (std::size_t l = 0; l < mean_.size(); ++l) {
+        for (std::size_t k = 0; k < 4; ++k) mean_[l][k] += sum[l][k] * density * kShare;
+        const Number3 constant = sum[l][0] * density;
+        squares_[l] += constant * constant * kShare;
+      }
   }
 
   const Radiance& mean(std::size_t l) const { return mean_[l]; }
-  Number3 error(std::size_t l) const {
+  Number3 standardError(std::size_t l) const {
     Number3 result;
     for (int c = 0; c < 3; ++c) {
       const double variance = squares_[l][c] - mean_[l][0][c] * mean_[l][0][c];
@@ -77,6 +87,24 @@ class ReplicateMeans {
   std::vector<Number3> squares_;
 };
 
+/// The transfers that some light arrived by, and their errors.
+void setTransfer(const std::vector<std::size_t>& chosen, const ReplicateMeans& means, LocalProbe& probe) {
+  probe.transfer.clear();
+  probe.standard_error.clear();
+  double influence = 0.0;
+  double interval = 0.0;
+  for (std::size_t l = 0; l < chosen.size(); ++l) {
+    const LocalTransfer transfer{static_cast<std::uint32_t>(chosen[l]), means.mean(l)};
+    if (transfer.influence() == 0.0) continue;
+    const Number3 error = means.standardError(l);
+    probe.transfer.push_back(transfer);
+    probe.standard_error.push_back(error);
+    influence += transfer.influence();
+    interval += kStudent * (error.x + error.y + error.z);
+  }
+  probe.error = influence > 0.0 ? interval / influence : 0.0;
+}
+
 }  // namespace
 
 LocalTransferTracer::LocalTransferTracer(const Tracer& tracer, const LocalSettings& settings,
@@ -86,7 +114,7 @@ LocalTransferTracer::LocalTransferTracer(const Tracer& tracer, const LocalSettin
 }
 
 LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe) const {
-  const auto paths = static_cast<std::uint32_t>(settings_.rays / kReplicates);
+  const auto most = static_cast<std::uint32_t>(settings_.rays / kReplicates);
   const auto points_of = [&](std::size_t replicate) {
     return PathPoints(circle_, Random(sector.x, sector.z, probe, replicate, kLocal).next(), settings_.bounces);
   };
@@ -96,39 +124,37 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, 
   std::vector<PathVertex> vertices;
   if (light_.size() > settings_.lights) {
     // Paths of their own: the choice knows nothing of what is measured then, which keeps that unbiased.
+    const std::uint32_t paths = settings_.max_error > 0.0 ? std::min(most, kChoicePaths) : most;
     result.rays += traceVertices(*tracer_, position, points_of(kReplicates), 0, paths, settings_.bounces, vertices);
     const auto influence =
         influenceOf(*tracer_, position, vertices, light_, settings_.light_rays, settings_.nearest_m, result.rays);
     chosen = mostInfluential(influence, settings_.lights);
   }
+  if (chosen.empty()) return result;
   std::vector<Number3> light;
   for (const std::size_t l : chosen) light.push_back(light_[l]);
   LightDraw draw(light, settings_.light_rays, settings_.nearest_m);
-  ReplicateMeans means(light.size());
-  for (std::size_t r = 0; r < kReplicates && !light.empty(); ++r) {
-    const PathPoints points = points_of(r);
-    std::vector<Radiance> sum(light.size());
-    for (std::uint32_t from = 0; from < paths; from += kBlock) {
-      vertices.clear();
-      result.rays +=
-          traceVertices(*tracer_, position, points, from, std::min(from + kBlock, paths), settings_.bounces, vertices);
-      for (const PathVertex& vertex : vertices)
-        draw.at(vertex, [&](std::size_t l, double irradiance) {
-          ++result.rays;
-          if (seesEachOther(*tracer_, vertex.origin, light[l]))
-            addRadiance(sum[l], vertex.first, vertex.reflected * irradiance);
-        });
-    }
-    for (Radiance& radiance : sum)
-      for (Number3& k : radiance) k *= 4.0 * det::kPi / static_cast<double>(paths);
-    means.add(sum);
-  }
-  for (std::size_t l = 0; l < light.size(); ++l) {
-    const LocalTransfer transfer{static_cast<std::uint32_t>(chosen[l]), means.mean(l)};
-    if (transfer.influence() == 0.0) continue;
-    result.transfer.push_back(transfer);
-    result.error.push_back(means.error(l));
-  }
+  std::vector<PathPoints> points;
+  for (std::size_t r = 0; r < kReplicates; ++r) points.push_back(points_of(r));
+  ReplicateSums sums;
+  sums.fill(std::vector<Radiance>(light.size()));
+  const auto addPaths = [&](std::size_t r, std::uint32_t from, std::uint32_t to) {
+    vertices.clear();
+    result.rays += traceVertices(*tracer_, position, points[r], from, to, settings_.bounces, vertices);
+    for (const PathVertex& vertex : vertices)
+      draw.at(vertex, [&](std::size_t l, double irradiance) {
+        ++result.rays;
+        if (seesEachOther(*tracer_, vertex.origin, light[l]))
+          addRadiance(sums[r][l], vertex.first, vertex.reflected * irradiance);
+      });
+  };
+  const auto paths = traceRounds(most, settings_.max_error, [&](std::uint32_t from, std::uint32_t to) {
+    for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::uint32_t i = from; i < to; i += kBlock) addPaths(r, i, std::min(i + kBlock, to));
+    setTransfer(chosen, ReplicateMeans(sums, to), result);
+    return result.error;
+  });
+  result.paths = paths * kReplicates;
   return result;
 }
 

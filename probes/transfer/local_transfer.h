@@ -18,7 +18,8 @@ namespace welkin::probes {
 inline constexpr std::size_t kMostLocalLights = 128;  ///< of a probe
 
 struct LocalSettings {
-  std::size_t rays = 1024;                ///< paths a probe: a multiple of kReplicates, kLeastRays to kMostRays
+  /// Paths a probe: a multiple of kReplicates, kLeastRays to kMostRays. With max_error > 0, the most that one may take.
+  std::size_t rays = 1024;
   int bounces = 2;                        ///< surfaces that light bounces off at most, 1..kMostBounces
   std::size_t light_rays = 8;             ///< lights that each vertex of a path tests, at least 1
   std::size_t lights = kMostLocalLights;  ///< kept a probe, 1..kMostLocalLights
@@ -26,6 +27,9 @@ struct LocalSettings {
   /// lamps some metres about it: exact for one in its place only at 0, but then a light beside a wall makes a spot of
   /// all of them.
   double nearest_m = 0.0;
+  /// > 0, less than 1: each probe traces until its LocalProbe::error is at most that, or `rays` are spent. 0: `rays`
+  /// paths each.
+  double max_error = 0.0;
 };
 
 /// Of a virtual light of radiant intensity 1 at a probe.
@@ -41,13 +45,19 @@ struct LocalTransfer {
 
 struct LocalProbe {
   std::vector<LocalTransfer> transfer;  ///< of lights from which some light arrived, ascending
-  std::vector<Number3> error;           ///< standard error of coefficient 0 of each
-  std::uint64_t rays = 0;               ///< segments of paths and tests of lights, those of the choice included
+  std::vector<Number3> standard_error;  ///< of coefficient 0 of each
+  /// Half the 95 % confidence interval of every transfer's influence, summed, over the probe's influence: what a lamp
+  /// in a light's place is off by, averaged by influence. All of them lit alike are off by no more. 0 where no light
+  /// arrived.
+  double error = 0.0;
+  std::size_t paths = 0;   ///< without those of the choice
+  std::uint64_t rays = 0;  ///< segments of paths and tests of lights, those of the choice included
 };
 
 /// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings, list of
-/// lights, position, sector and index. Rays a probe are bounded, however many lights there are: rays bounces
-/// (1 + light_rays), and where there are more lights than `lights`, an eighth of that and one for each light more.
+/// lights, position, sector and index. Rays a probe are bounded, however many lights there are: paths bounces
+/// (1 + light_rays). Where there are more lights than `lights`, the choice takes an eighth of LocalSettings::rays as
+/// paths of its own, under a budget at most 128, and one ray for each light more.
 class LocalTransferTracer {
  public:
   /// `tracer` outlives it; `lights`: positions of virtual lights, near the sector. Throws Error(content) for settings

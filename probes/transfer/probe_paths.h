@@ -9,6 +9,7 @@
 #include "probes/random.h"
 #include "probes/sector.h"
 #include "probes/transfer/path_points.h"
+#include "probes/transfer/rounds.h"
 #include "probes/transfer/sums.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sh/deterministic.h"
@@ -122,7 +123,6 @@ inline bool anyEmissive(const Surfaces& surfaces) {
 template <typename Rays>
 TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
                        const Number3& position, SectorId sector, std::size_t probe) {
-  constexpr std::uint32_t kFirstRound = 32;  // of a replicate: fewer say too little of the error
   TransferSums sums;
   std::vector<PathPoints> points;
   for (std::size_t r = 0; r < kReplicates; ++r) {
@@ -131,16 +131,12 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
   }
   Paths<Rays> paths(rays, settings, emissive);
   const auto most = static_cast<std::uint32_t>(settings.rays / kReplicates);
-  std::uint32_t done = 0;
-  std::uint32_t next = settings.max_error > 0.0 ? std::min(kFirstRound, most) : most;
   TracedProbe result;
-  for (;;) {
-    for (std::size_t r = 0; r < kReplicates; ++r) paths.trace(position, points[r], done, next, sums[r]);
-    done = next;
+  const auto done = traceRounds(most, settings.max_error, [&](std::uint32_t from, std::uint32_t to) {
+    for (std::size_t r = 0; r < kReplicates; ++r) paths.trace(position, points[r], from, to, sums[r]);
     result = summedUp(sums, settings.ground_albedo, settings.light_directions);
-    if (done == most || result.effort.error <= settings.max_error) break;
-    next = std::min(2 * done, most);
-  }
+    return result.effort.error;
+  });
   result.effort.paths = done * kReplicates;
   result.effort.rays = paths.rayCount();
   return result;

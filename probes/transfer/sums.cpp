@@ -9,9 +9,6 @@
 namespace welkin::probes {
 namespace {
 
-constexpr double kStudent = 2.364624251592785;  ///< 97.5 % of Student's t with kReplicates - 1 degrees of freedom
-static_assert(kReplicates == 8);
-
 struct Estimate {
   double value = 0.0;
   double variance = 0.0;

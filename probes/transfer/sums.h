@@ -15,6 +15,10 @@ namespace welkin::probes {
 
 /// Independent sets of paths a probe.
 inline constexpr std::size_t kReplicates = 8;
+/// Half a 95 % confidence interval over the standard error: 97.5 % of Student's t with kReplicates - 1 degrees of
+/// freedom.
+inline constexpr double kStudent = 2.364624251592785;
+static_assert(kReplicates == 8);
 
 enum class Half : std::size_t { above = 0, below = 1 };
 

@@ -131,7 +131,8 @@ void checkLocal(Check& check, const LocalTransfer& l, std::size_t probes) {
   const LocalError& e = *l.error();
   const double errors[] = {e.sampling(), e.position_m(), e.radiance()};
   const double shares[] = {e.lost(), e.worst_probe()};
-  check.that(within(std::span<const double>(errors), 0.0, kAny) && within(std::span<const double>(shares), 0.0, 1.0),
+  check.that(within(std::span<const double>(errors), 0.0, kAny) && within(std::span<const double>(shares), 0.0, 1.0) &&
+                 (probes == 0 ? e.sampling_probe() == 0 : e.sampling_probe() < probes),
              "the errors", "have a value out of their domain");
 }
 

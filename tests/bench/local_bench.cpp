@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local transfer of a sector, with the virtual lights of the eight about it: time and rays a probe, standard error,
-// bytes, and how far from the reference the light of lamps is that shine from virtual lights' places and between them.
+// Local transfer of a sector, with the virtual lights of the eight about it: time, rays and error a probe, with a
+// number of paths and under budgets; what bits of a number take in bytes and cost in error and in transfers that find
+// no room; and how far from the reference the light of lamps is that shine from virtual lights' places and between
+// them.
 //   local_bench [PATHS [LIGHTS A VERTEX [NEAREST_M [OBJ SCALE X Z]]]]
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
@@ -10,10 +12,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "probes/build/local_bake.h"
 #include "probes/level/surfaces_of.h"
 #include "probes/placement/placement.h"
 #include "probes/random.h"
 #include "probes/reference/reference.h"
+#include "probes/transfer/fixed_point.h"
 #include "probes/transfer/local_encoding.h"
 #include "probes/transfer/local_paths.h"
 #include "probes/transfer/local_relight.h"
@@ -82,6 +86,99 @@ LampError lampError(const Tracer& tracer, const PlacedSector& sector, const Sect
   return {std::sqrt(difference / light), magnitude / sum};
 }
 
+/// Traces the sector on one thread and says what that took.
+std::vector<LocalProbe> traced(const Tracer& tracer, const PlacedSector& sector, const std::vector<Number3>& lights,
+                               const LocalSettings& settings) {
+  const LocalTransferTracer local(tracer, settings, lights);
+  std::vector<LocalProbe> probes;
+  const auto start = std::chrono::steady_clock::now();
+  tbb::task_arena(1).execute([&] { probes = local.trace(sector); });
+  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  double paths = 0.0;
+  double rays = 0.0;
+  double kept = 0.0;
+  double sum = 0.0;
+  double worst = 0.0;
+  std::size_t past = 0;
+  for (const LocalProbe& p : probes) {
+    paths += static_cast<double>(p.paths);
+    rays += static_cast<double>(p.rays);
+    kept += static_cast<double>(p.transfer.size());
+    sum += p.error;
+    worst = std::max(worst, p.error);
+    if (p.error > settings.max_error) ++past;
+  }
+  const double n = static_cast<double>(probes.size());
+  const bool budget = settings.max_error > 0.0;
+  fmt::print("{:>6} {:6.0f} {:6.0f}  {:6.1f} {:5.2f}  {:14.2f}  {:9.2f} %, {:9.2f} %  {:>15}\n",
+             budget ? fmt::format("{} %", 100.0 * settings.max_error) : "none", paths / n, rays / n, kept / n, ms / n,
+             rays / ms / 1e3, 100.0 * sum / n, 100.0 * worst, budget ? fmt::format("{}", past) : "");
+  return probes;
+}
+
+/// A number over a scale in so many bits.
+double rounded(double x, double scale, int bits) {
+  const double steps = std::exp2(bits - 1) - 1.0;
+  return scale == 0.0 ? 0.0 : std::floor(x / scale * steps + 0.5) * scale / steps;
+}
+
+/// Share of the influence that finds no room in a sector, with so many bytes a transfer.
+double lostWith(std::size_t transfer_bytes, std::size_t lights, const std::vector<LocalProbe>& probes) {
+  std::vector<double> influence;
+  for (const LocalProbe& p : probes)
+    for (const LocalTransfer& t : p.transfer) influence.push_back(t.influence());
+  std::sort(influence.rbegin(), influence.rend());
+  const std::size_t room = (kMostLocalBytes - probes.size() - kVirtualLightBytes * lights) / transfer_bytes;
+  double all = 0.0;
+  double lost = 0.0;
+  for (std::size_t i = 0; i < influence.size(); ++i) {
+    all += influence[i];
+    if (i >= room) lost += influence[i];
+  }
+  return lost / all;
+}
+
+/// What bits of a coefficient cost: of a probe's irradiance by one virtual light, and by all of them alike.
+void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>& probes) {
+  fmt::print("bits  bytes a transfer  worst of the largest number  rms of one light, all lights  influence lost\n");
+  for (const int bits : {16, 12, 8, 6, 4}) {
+    double worst = 0.0;
+    std::array<double, 2> difference{};
+    std::array<double, 2> light{};
+    const auto add = [&](std::size_t i, const std::vector<LocalTransfer>& a, const std::vector<LocalTransfer>& b) {
+      const std::vector<Number3> white(lights.size(), Number3(1.0));
+      const auto exact = relitLocal(a, white);
+      const auto coarse = relitLocal(b, white);
+      for (std::size_t d = 0; d < kDirections; ++d)
+        for (int c = 0; c < 3; ++c) {
+          light[i] += exact[d][c] * exact[d][c];
+          difference[i] += (coarse[d][c] - exact[d][c]) * (coarse[d][c] - exact[d][c]);
+        }
+    };
+    for (const LocalProbe& p : probes) {
+      std::vector<LocalTransfer> coarse = p.transfer;
+      for (std::size_t t = 0; t < coarse.size(); ++t) {
+        double largest = 0.0;
+        for (const Number3& k : p.transfer[t].radiance)
+          largest = std::max({largest, std::abs(k.x), std::abs(k.y), std::abs(k.z)});
+        const double scale = scaleOf(scaleFor(largest));
+        for (std::size_t k = 0; k < 4; ++k)
+          for (int c = 0; c < 3; ++c) {
+            double& x = coarse[t].radiance[k][c];
+            x = rounded(x, scale, bits);
+            worst = std::max(worst, std::abs(x - p.transfer[t].radiance[k][c]) / largest);
+          }
+        add(0, {p.transfer[t]}, {coarse[t]});
+      }
+      add(1, p.transfer, coarse);
+    }
+    const std::size_t bytes = 4 + static_cast<std::size_t>(12 * bits / 8);
+    fmt::print("{:4}  {:16}  {:25.4f} %  {:15.4f} %, {:8.4f} %  {:12.4f} %\n", bits, bytes, 100.0 * worst,
+               100.0 * std::sqrt(difference[0] / light[0]), 100.0 * std::sqrt(difference[1] / light[1]),
+               100.0 * lostWith(bytes, lights.size(), probes));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,32 +198,20 @@ int main(int argc, char** argv) {
   LocalSettings settings;
   settings.rays = static_cast<std::size_t>(number(1, 1024));
   settings.light_rays = static_cast<std::size_t>(number(2, 8));
-  if (argc > 3) settings.nearest_m = std::atof(argv[3]);
-  const LocalTransferTracer local(tracer, settings, lights);
-  std::vector<LocalProbe> probes;
-  const auto start = std::chrono::steady_clock::now();
-  tbb::task_arena(1).execute([&] { probes = local.trace(sector); });
-  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const double n = static_cast<double>(probes.size());
-  double rays = 0.0;
-  double kept = 0.0;
-  double influence = 0.0;
-  double weighted = 0.0;
-  for (const LocalProbe& p : probes) {
-    rays += static_cast<double>(p.rays);
-    kept += static_cast<double>(p.transfer.size());
-    for (std::size_t i = 0; i < p.transfer.size(); ++i) {
-      influence += p.transfer[i].influence();
-      weighted += p.error[i].x + p.error[i].y + p.error[i].z;
-    }
+  settings.nearest_m = argc > 3 ? std::atof(argv[3]) : kNearest_m;
+  fmt::print("{} probes, {} virtual lights, {} lights a vertex, {} m\n", sector.probe.size(), lights.size(),
+             settings.light_rays, settings.nearest_m);
+  fmt::print("budget  paths   rays  lights    ms  million rays/s  error: mean, worst probe  past the budget\n");
+  const std::vector<LocalProbe> probes = traced(tracer, sector, lights, settings);
+  for (const double budget : {0.5, 0.2, 0.1, 0.05}) {
+    LocalSettings under = settings;
+    under.rays = kMostLocalPaths;
+    under.max_error = budget;
+    traced(tracer, sector, lights, under);
   }
-  fmt::print("{} probes, {} virtual lights, {} paths, {} lights a vertex\n", probes.size(), lights.size(),
-             settings.rays, settings.light_rays);
-  fmt::print("a probe: {:.0f} rays, {:.2f} ms on one thread, {:.2f} million rays a second, {:.1f} lights\n", rays / n,
-             ms / n, rays / ms / 1e3, kept / n);
-  fmt::print("standard error, weighted by influence: {:.2f} %\n", 100.0 * weighted / influence);
+  printBits(lights, probes);
   LocalThinning thinning;
-  const SectorLocal thinned = thinnedLocal(local.lights(), probes, kMostLocalBytes, thinning);
+  const SectorLocal thinned = thinnedLocal(lights, probes, kMostLocalBytes, thinning);
   const EncodedLocal encoded = encodeLocal(thinned);
   const SectorLocal decoded = decodedLocal(encoded);
   fmt::print("{} bytes; {} transfers kept, {} dropped with {:.4f} % of the influence, at most {:.2f} % of a probe's\n",
@@ -136,7 +221,7 @@ int main(int argc, char** argv) {
   std::vector<Number3> at;
   std::vector<Number3> between;
   for (int i = 0; i < 40; ++i) {
-    const auto probe = static_cast<std::size_t>(random.unit() * n);
+    const auto probe = static_cast<std::size_t>(random.unit() * static_cast<double>(sector.probe.size()));
     at.push_back(sector.probe[probe].position);
     const double x = random.unit() - 0.5;
     between.push_back(at.back() + Number3(4.0 * x, random.unit(), 4.0 * (random.unit() - 0.5)));

@@ -22,6 +22,12 @@ BakeSection sectionWithin(double reach_m) {
   return section;
 }
 
+SectorSettings settingsWithin(double reach_m) {
+  SectorSettings settings;
+  settings.section = sectionWithin(reach_m);
+  return settings;
+}
+
 /// Ground with a wall along z, nearer to one neighbour than to the other.
 Surfaces groundWithWall() {
   Surfaces s = groundOf({0.6, 0.5, 0.4}, 150.0);
@@ -90,25 +96,30 @@ TEST_CASE("LocalBake, VirtualLightsLieWithinReach") {
 TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
   const Surfaces s = groundWithWall();
   const Tracer tracer(s);
-  const BakeSection section = sectionWithin(64.0);
-  const PlacedSector sector = place(s, {0, 0}, section.probes);
-  std::uint64_t rays = 5;
-  const auto baked = bakeLocal(tracer, sector, section, kGoOn, rays);
+  SectorSettings section = settingsWithin(64.0);
+  section.max_error = 0.01;  // of no effect: the number of rays is fixed
+  const PlacedSector sector = place(s, {0, 0}, section.section.probes);
+  const auto baked = bakeLocal(tracer, sector, section, kGoOn);
   REQUIRE(baked);
   LocalSettings settings;
   settings.rays = 64;
   settings.nearest_m = kNearest_m;
-  const auto traced = LocalTransferTracer(tracer, settings, virtualLights(tracer, sector, section)).trace(sector);
-  std::uint64_t expected_rays = 5;
+  const auto traced =
+      LocalTransferTracer(tracer, settings, virtualLights(tracer, sector, section.section)).trace(sector);
+  std::uint64_t rays = 0;
   std::size_t transfers = 0;
+  double worst = 0.0;
   for (const LocalProbe& probe : traced) {
-    expected_rays += probe.rays;
+    rays += probe.rays;
     transfers += probe.transfer.size();
+    worst = std::max(worst, probe.error);
   }
-  CHECK(rays == expected_rays);
+  CHECK(baked->sampling.rays == rays);
+  CHECK(baked->sampling.error == worst);
+  CHECK(traced[baked->sampling.probe].error == worst);
   CHECK(baked->thinning.kept == transfers);
   CHECK(baked->thinning.dropped == 0);
-  CHECK(baked->sampling > 0.0);
+  CHECK(worst > 0.01);
   const SectorLocal decoded = decodedLocal(baked->encoded);
   REQUIRE(decoded.probe.size() == sector.probe.size());
   for (std::size_t i = 0; i < traced.size(); ++i) {
@@ -117,7 +128,7 @@ TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
       // Half a step of each of the three channels, of a scale up to 1/128 above the largest number; no coefficient of
       // a radiance is above sqrt 3 times coefficient 0.
       const double influence = traced[i].transfer[j].influence();
-      CHECK(decoded.probe[i][j].influence() == Approx(influence).epsilon(0.0).margin(2.7 * influence / 32767));
+      CHECK(decoded.probe[i][j].influence() == Approx(influence).epsilon(0.0).margin(2.7 * influence / 127));
     }
   }
 }
@@ -125,10 +136,27 @@ TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
 TEST_CASE("LocalBake, EndsWhenTold") {
   const Surfaces s = groundWithWall();
   const Tracer tracer(s);
-  const BakeSection section = sectionWithin(0.0);
-  std::uint64_t rays = 0;
+  const SectorSettings settings = settingsWithin(0.0);
   const BakeProgress stop = [](std::uint64_t) { return false; };
-  CHECK_FALSE(bakeLocal(tracer, place(s, {0, 0}, section.probes), section, stop, rays));
+  CHECK_FALSE(bakeLocal(tracer, place(s, {0, 0}, settings.section.probes), settings, stop));
+}
+
+TEST_CASE("LocalBake, RaysAreThoseThatTheBudgetTakes") {
+  const Surfaces s = groundWithWall();
+  const Tracer tracer(s);
+  SectorSettings settings = settingsWithin(0.0);
+  settings.section.transfer.rays.reset();
+  const PlacedSector sector = place(s, {0, 0}, settings.section.probes);
+  std::uint64_t rays = 0;
+  for (const double budget : {0.5, 0.2, 0.1}) {
+    settings.max_error = budget;
+    const auto baked = bakeLocal(tracer, sector, settings, kGoOn);
+    REQUIRE(baked);
+    CHECK(baked->sampling.error <= budget);
+    CHECK(baked->sampling.error > 0.2 * budget);  // no more than doubled once too often
+    CHECK(baked->sampling.rays > rays);
+    rays = baked->sampling.rays;
+  }
 }
 
 }  // namespace welkin::tests

@@ -31,7 +31,8 @@ bool sameBits(const LocalProbe& a, const LocalProbe& b) {
   const auto same = [](const auto& x, const auto& y) {
     return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0;
   };
-  bool result = a.transfer.size() == b.transfer.size() && same(a.error, b.error) && a.rays == b.rays;
+  bool result = a.transfer.size() == b.transfer.size() && same(a.standard_error, b.standard_error) &&
+                a.error == b.error && a.paths == b.paths && a.rays == b.rays;
   for (std::size_t i = 0; result && i < a.transfer.size(); ++i)
     result = a.transfer[i].light == b.transfer[i].light &&
              std::memcmp(&a.transfer[i].radiance, &b.transfer[i].radiance, sizeof a.transfer[i].radiance) == 0;
@@ -188,7 +189,7 @@ TEST_CASE("LocalTransfer, StandardErrorsAreTheSpread") {
   for (std::uint32_t l = 0; l < lights.size(); ++l) {
     double stated = 0.0;
     const Measured m = measured(local, {-1.5, 1.5, 0.5}, kCount, [&](const LocalProbe& p) {
-      stated += p.error[l].y * p.error[l].y / double{kCount};
+      stated += p.standard_error[l].y * p.standard_error[l].y / double{kCount};
       return p.transfer[l].radiance[0].y;
     });
     const double spread = m.standard_error * m.standard_error * double{kCount};

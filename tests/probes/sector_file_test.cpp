@@ -59,8 +59,8 @@ SectorFile someLitSector() {
   local.encoded.light = {1, 0, 1};
   local.encoded.scale = {0x3f80, 0x3f00, 0};
   for (int i = 0; i < 36; ++i)
-    local.encoded.radiance.push_back(static_cast<std::int16_t>(i % 12 < 3 ? i * 100 : i * 300 - 6000));
-  local.sampling = 0.11;
+    local.encoded.radiance.push_back(static_cast<std::int8_t>(i % 12 < 3 ? i * 3 : i * 6 - 100));
+  local.sampling = {0.11, 1, 1U << 20};
   local.encoding = {0.12, 0.13};
   local.thinning = {3, 14, 0.15, 0.16};
   return s;
@@ -124,7 +124,9 @@ TEST_CASE("SectorFile, GivesBackLocalTransfer") {
   CHECK(r.local->encoded.light == s.local->encoded.light);
   CHECK(r.local->encoded.scale == s.local->encoded.scale);
   CHECK(r.local->encoded.radiance == s.local->encoded.radiance);
-  CHECK(r.local->sampling == 0.11);
+  CHECK(r.local->sampling.error == 0.11);
+  CHECK(r.local->sampling.probe == 1);
+  CHECK(r.local->sampling.rays == 1U << 20);
   CHECK(r.local->encoding.position_m == 0.12);
   CHECK(r.local->encoding.radiance == 0.13);
   CHECK(r.local->thinning.kept == 3);
@@ -164,7 +166,8 @@ TEST_CASE("SectorFile, LocalTransferThatDoesNotFitIsRefused") {
   refused("a scale", [](auto& l) { l.encoded.scale[1] = 0x7f80; });  // infinite
   refused("a scale", [](auto& l) { l.encoded.scale[2] = 0xbf80; });  // -1
   refused("influence below 0", [](auto& l) { l.encoded.radiance[14] = -1; });
-  refused("the errors", [](auto& l) { l.sampling = -0.1; });
+  refused("the errors", [](auto& l) { l.sampling.error = -0.1; });
+  refused("the errors", [](auto& l) { l.sampling.probe = 2; });
   refused("the errors", [](auto& l) { l.thinning.lost = 1.1; });
   refused("the errors", [](auto& l) { l.encoding.radiance = std::numeric_limits<double>::quiet_NaN(); });
 }

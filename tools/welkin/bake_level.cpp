@@ -99,6 +99,9 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
                                    probes::nameOf(file.id), what, 100.0 * error, 100.0 * *budget)}});
   };
   past(file.error.sampling, fmt::format("probe {}, after the most rays that one may take,", file.error.sampling_probe));
+  if (file.local)
+    past(file.local->sampling.error,
+         fmt::format("local transfer to probe {}, after the most rays that one may take,", file.local->sampling.probe));
   past(file.error.modes.worst_row, fmt::format("the sun in {} modes", file.probes.modes()));
   past(std::max(file.error.encoding.sky, file.error.encoding.sun), "its encoding");
   add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");

@@ -149,6 +149,8 @@ void inspectSector(const std::string& path, bool as_json) {
   fmt::print("local      {} virtual lights, {} transfers; {} dropped with {:.3g} % of the influence\n",
              local.encoded.position.size() / 3, local.thinning.kept, local.thinning.dropped,
              100.0 * local.thinning.lost);
+  fmt::print("           within {:.3g} %, worst at probe {}; {} rays\n", 100.0 * local.sampling.error,
+             local.sampling.probe, local.sampling.rays);
 }
 
 void inspectLevel(const std::string& path, bool as_json) {

@@ -40,7 +40,8 @@ std::string highestText(const sky::LightPath& path) {
 /// Bytes of a sector's local transfer, at most: it may have as many virtual lights as nine sectors like it have probes.
 std::size_t localBytes(std::size_t count) {
   const std::size_t lights = 9 * count;
-  const std::size_t most = 12 * lights + count * (1 + 28 * std::min(lights, probes::kMostLocalLights));
+  const std::size_t most = probes::kVirtualLightBytes * lights +
+                           count * (1 + probes::kLocalTransferBytes * std::min(lights, probes::kMostLocalLights));
   return std::min(most, probes::kMostLocalBytes);
 }
 

@@ -36,8 +36,22 @@ Json channelsJson(std::size_t numbers, const Value& value) {
   return json;
 }
 
+/// Local transfers of a probe: coefficients of radiance by channel.
+Json localJson(const std::vector<probes::LocalTransfer>& transfers) {
+  Json json = Json::array();
+  for (const probes::LocalTransfer& t : transfers) {
+    Json radiance;
+    for (int channel = 0; channel < 3; ++channel) {
+      Json& row = radiance[std::string(1, "rgb"[channel])];
+      for (const Number3& coefficient : t.radiance) row.push_back(coefficient[channel]);
+    }
+    json.push_back({{"light", t.light}, {"radiance", radiance}});
+  }
+  return json;
+}
+
 Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const probes::SunCoefficients& sun,
-               std::size_t local_count) {
+               const std::vector<probes::LocalTransfer>& local) {
   Json json = {{"position", vectorJson(position)},
                {"visibility", t.visibility},
                {"transfer", channelsJson(4, [&](std::size_t b, std::size_t k) { return t.sky[b][k]; })},
@@ -45,14 +59,17 @@ Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const pr
   Json emitted = Json::array();
   for (const Number3& e : t.emitted) emitted.push_back(vectorJson(e));
   json["emitted"] = emitted;
-  json["local_count"] = local_count;
+  json["local_count"] = local.size();
+  json["local"] = localJson(local);
   return json;
 }
 
 /// Null without local transfer.
 Json localErrorJson(const std::optional<probes::BakedLocal>& l) {
   if (!l) return nullptr;
-  return {{"sampling", l->sampling},
+  return {{"sampling", l->sampling.error},
+          {"sampling_probe", l->sampling.probe},
+          {"rays", l->sampling.rays},
           {"encoding", {{"position_m", l->encoding.position_m}, {"radiance", l->encoding.radiance}}},
           {"kept", l->thinning.kept},
           {"dropped", l->thinning.dropped},
@@ -155,17 +172,26 @@ Json bytesJson(const probes::SectorFile& s, std::size_t total) {
                 {"total", total},
                 {"a_probe", s.probes.bytesAProbe()}};
   addParts(bytes, s.probes.bytes());
+  if (!s.local) return bytes;
+  const probes::EncodedLocal& e = s.local->encoded;
+  const auto of = [](const auto& array) { return array.size() * sizeof array[0]; };
+  bytes["local_position"] = of(e.position);
+  bytes["local_count"] = of(e.count);
+  bytes["local_light"] = of(e.light);
+  bytes["local_scale"] = of(e.scale);
+  bytes["local_radiance"] = of(e.radiance);
   return bytes;
 }
 
 Json sectorJson(const probes::SectorFile& s, std::size_t total) {
   const probes::SectorProbes decoded = probes::decodedProbes(s.probes, s.id);
+  const probes::SectorLocal local = s.local ? probes::decodedLocal(s.local->encoded) : probes::SectorLocal{};
   const double x = s.id.x * probes::kSector_m;
   const double z = s.id.z * probes::kSector_m;
   Json list = Json::array();
   for (std::size_t i = 0; i < decoded.position.size(); ++i)
     list.push_back(probeJson(decoded.position[i], decoded.transfer[i], decoded.sun[i],
-                             s.local ? s.local->encoded.count[i] : std::size_t{0}));
+                             s.local ? local.probe[i] : std::vector<probes::LocalTransfer>{}));
   for (std::size_t i = 0; i < s.in_room.size(); ++i) list[i]["room"] = s.in_room[i];
   Json sector = {
       {"x", s.id.x},
