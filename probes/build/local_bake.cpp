@@ -15,7 +15,7 @@ namespace {
 LocalSettings localSettings(const SectorSettings& s) {
   const TransferSection& transfer = s.section.transfer;
   LocalSettings settings;
-  settings.rays = transfer.rays ? static_cast<std::size_t>(*transfer.rays) : kMostLocalPaths;
+  settings.rays = transfer.rays ? static_cast<std::size_t>(*transfer.rays) : kMostPaths;
   settings.bounces = transfer.bounces;
   settings.nearest_m = kNearest_m;
   settings.max_error = transfer.rays ? 0.0 : s.max_error;

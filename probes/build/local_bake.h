@@ -10,9 +10,6 @@
 
 namespace welkin::probes {
 
-/// Paths of a probe for its local transfer under a budget, at most.
-inline constexpr std::size_t kMostLocalPaths = std::size_t{1} << 16;
-
 /// LocalSettings::nearest_m. Each virtual light stands for lamps some metres about it, so one beside a wall must not
 /// light the spot behind it as a lamp there would: every lamp that shares it would make that spot (local_bench has the
 /// errors with and without).

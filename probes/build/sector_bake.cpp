@@ -16,9 +16,6 @@
 namespace welkin::probes {
 namespace {
 
-/// Paths of a probe under a budget, at most.
-constexpr std::size_t kMostPaths = std::size_t{1} << 20;
-
 void add(Hasher& hasher, const Number3& v) {
   for (const double number : {v.x, v.y, v.z}) hasher.add(number);
 }

@@ -20,6 +20,9 @@ inline constexpr int kKnotsADay = 24;
 /// Modes of the sun without a budget: with them a probe takes 104 bytes, and further ones give little (docs/probes.md).
 inline constexpr std::size_t kSunModes = 10;
 
+/// Paths of a probe under a budget, at most; as many more for its local transfer.
+inline constexpr std::size_t kMostPaths = std::size_t{1} << 20;
+
 /// What a sector's bake is told besides its surfaces.
 struct SectorSettings {
   BakeSection section;     ///< of the sector: only what lies within reach of it

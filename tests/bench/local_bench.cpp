@@ -205,7 +205,7 @@ int main(int argc, char** argv) {
   const std::vector<LocalProbe> probes = traced(tracer, sector, lights, settings);
   for (const double budget : {0.5, 0.2, 0.1, 0.05}) {
     LocalSettings under = settings;
-    under.rays = kMostLocalPaths;
+    under.rays = kMostPaths;
     under.max_error = budget;
     traced(tracer, sector, lights, under);
   }

@@ -178,25 +178,6 @@ TEST_CASE("LocalTransfer, IsTheSameForAnyThreadsAndOrder") {
     CHECK_FALSE(sameBits(four[0], local.trace(sector.probe[0].position, other, 0)));
 }
 
-TEST_CASE("LocalTransfer, StandardErrorsAreTheSpread") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  const std::vector<Number3> lights = {{-3, 3, 1}, {-1, 1, -3}, {-4, 3, 3}, {-2, 2, 2}};
-  const LocalTransferTracer local(tracer, {256, 2, 2}, lights);
-  constexpr std::size_t kCount = 100;
-  // Of 100 probes the variance is known to 14 %, each probe's own, from 8 replicates, to 53 %, their mean to 5 %.
-  constexpr double kRelative = 0.45;
-  for (std::uint32_t l = 0; l < lights.size(); ++l) {
-    double stated = 0.0;
-    const Measured m = measured(local, {-1.5, 1.5, 0.5}, kCount, [&](const LocalProbe& p) {
-      stated += p.standard_error[l].y * p.standard_error[l].y / double{kCount};
-      return p.transfer[l].radiance[0].y;
-    });
-    const double spread = m.standard_error * m.standard_error * double{kCount};
-    CHECK(stated == Approx(spread).epsilon(kRelative));
-  }
-}
-
 TEST_CASE("LocalTransfer, SettingsOutsideTheirRangeAreRefused") {
   const Surfaces nothing;
   const Tracer tracer(nothing);
@@ -212,6 +193,9 @@ TEST_CASE("LocalTransfer, SettingsOutsideTheirRangeAreRefused") {
   refused({1024, 2, 8, kMostLocalLights + 1});
   refused({1024, 2, 8, 1, -0.1});
   refused({1024, 2, 8, 1, 65.0});
+  refused({1024, 2, 8, 1, 0.0, -0.1});
+  refused({1024, 2, 8, 1, 0.0, 1.0});
+  refused({1024, 2, 8, 1, 0.0, std::nan("")});
   refused({1024, 2, 8}, {{0, std::nan(""), 0}});
   CHECK(LocalTransferTracer(tracer, {}, {{0, 1, 0}}).trace({0, 0, 0}, {0, 0}, 0).transfer.empty());
   CHECK(LocalTransferTracer(tracer, {}, {}).trace({0, 0, 0}, {0, 0}, 0).rays == 0);
