@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 #include "probes/build/local_bake.h"
 #include "probes/level/surfaces_of.h"
@@ -122,25 +123,31 @@ double rounded(double x, double scale, int bits) {
   return scale == 0.0 ? 0.0 : std::floor(x / scale * steps + 0.5) * scale / steps;
 }
 
-/// Share of the influence that finds no room in a sector, with so many bytes a transfer.
-double lostWith(std::size_t transfer_bytes, std::size_t lights, const std::vector<LocalProbe>& probes) {
-  std::vector<double> influence;
-  for (const LocalProbe& p : probes)
-    for (const LocalTransfer& t : p.transfer) influence.push_back(t.influence());
+/// Shares of the influence that find no room in a sector with so many bytes a transfer: of all probes', and of the
+/// worst one's.
+std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t lights,
+                                   const std::vector<LocalProbe>& probes) {
+  std::vector<std::pair<double, std::size_t>> influence;
+  std::vector<double> whole(probes.size(), 0.0);
+  std::vector<double> lost(probes.size(), 0.0);
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    for (const LocalTransfer& t : probes[i].transfer) {
+      influence.emplace_back(t.influence(), i);
+      whole[i] += t.influence();
+    }
   std::sort(influence.rbegin(), influence.rend());
   const std::size_t room = (kMostLocalBytes - probes.size() - kVirtualLightBytes * lights) / transfer_bytes;
-  double all = 0.0;
-  double lost = 0.0;
-  for (std::size_t i = 0; i < influence.size(); ++i) {
-    all += influence[i];
-    if (i >= room) lost += influence[i];
-  }
-  return lost / all;
+  for (std::size_t i = room; i < influence.size(); ++i) lost[influence[i].second] += influence[i].first;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < probes.size(); ++i) worst = std::max(worst, lost[i] > 0.0 ? lost[i] / whole[i] : 0.0);
+  return {std::accumulate(lost.begin(), lost.end(), 0.0) / std::accumulate(whole.begin(), whole.end(), 0.0), worst};
 }
 
 /// What bits of a coefficient cost: of a probe's irradiance by one virtual light, and by all of them alike.
 void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>& probes) {
-  fmt::print("bits  bytes a transfer  worst of the largest number  rms of one light, all lights  influence lost\n");
+  fmt::print(
+      "bits  bytes a transfer  worst of the largest number  rms of one light, all lights  influence lost: all, worst "
+      "probe\n");
   for (const int bits : {16, 12, 8, 6, 4}) {
     double worst = 0.0;
     std::array<double, 2> difference{};
@@ -173,9 +180,10 @@ void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>
       add(1, p.transfer, coarse);
     }
     const std::size_t bytes = 4 + static_cast<std::size_t>(12 * bits / 8);
-    fmt::print("{:4}  {:16}  {:25.4f} %  {:15.4f} %, {:8.4f} %  {:12.4f} %\n", bits, bytes, 100.0 * worst,
-               100.0 * std::sqrt(difference[0] / light[0]), 100.0 * std::sqrt(difference[1] / light[1]),
-               100.0 * lostWith(bytes, lights.size(), probes));
+    const auto [lost, worst_probe] = lostWith(bytes, lights.size(), probes);
+    fmt::print("{:4}  {:16}  {:25.4f} %  {:15.4f} %, {:8.4f} %  {:12.2f} %, {:10.2f} %\n", bits, bytes, 100.0 * worst,
+               100.0 * std::sqrt(difference[0] / light[0]), 100.0 * std::sqrt(difference[1] / light[1]), 100.0 * lost,
+               100.0 * worst_probe);
   }
 }
 

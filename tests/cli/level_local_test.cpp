@@ -77,9 +77,17 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
   REQUIRE(local["kept"] == transfers);
   REQUIRE(local["dropped"] == 0);
   REQUIRE(local["sampling"] > 0.0);
-  REQUIRE(local["sampling"] < 0.5);
+  REQUIRE(local["sampling_probe"] < sector["probes"].size());
+  REQUIRE(local["rays"] > 0);
+  REQUIRE(local["rays"] < sector["rays"]);
   const json& bytes = sector["bytes"];
-  REQUIRE(bytes["local"] == sector["probes"].size() + 12 * lights + 28 * transfers);
+  REQUIRE(bytes["local"] == sector["probes"].size() + 12 * lights + 16 * transfers);
+  const std::pair<const char*, std::size_t> arrays[] = {{"local_position", 12 * lights},
+                                                        {"local_count", sector["probes"].size()},
+                                                        {"local_light", 2 * transfers},
+                                                        {"local_scale", 2 * transfers},
+                                                        {"local_radiance", 12 * transfers}};
+  for (const auto& [name, count] : arrays) REQUIRE(bytes[name] == count);
   // Those of sector 1_0 are among them, and nothing of 0_0.
   double least_x = 1e9;
   for (const json& light : sector["virtual_lights"]) least_x = std::min(least_x, light[0].get<double>());
@@ -97,6 +105,78 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
   }
   const Run text = runTool({"inspect", level / "out/sectors/sector_2_0.welkin"});
   REQUIRE(text.out.find(std::to_string(transfers) + " transfers") != std::string::npos);
+  REQUIRE(text.out.find("local_radiance") != std::string::npos);
+}
+
+TEST_CASE("LevelLocal, EveryTransferIsShown") {
+  const SmallLevel level;
+  level.writeLevel("rays = 4096\nlocal_lights = true");
+  level.bake("out", {"--sectors", "0_0"});
+  const json sector = sectorOf(level, "out", "0_0");
+  const json& lights = sector["virtual_lights"];
+  std::size_t own = 0;
+  for (const json& probe : sector["probes"]) {
+    REQUIRE(probe["local"].size() == probe["local_count"]);
+    int before = -1;
+    for (const json& transfer : probe["local"]) {
+      const int light = transfer["light"];
+      REQUIRE(light > before);
+      REQUIRE(light < static_cast<int>(lights.size()));
+      before = light;
+      for (const char* channel : {"r", "g", "b"}) {
+        const auto radiance = transfer["radiance"][channel].get<std::vector<double>>();
+        REQUIRE(radiance.size() == 4);
+        REQUIRE(radiance[0] >= 0.0);
+        // The probe's own light, 1 m above open ground of albedo 0.5, and lit as from 2 m: of a surface at an angle
+        // whose cosine is c, radiance c / 8 pi within 60 degrees and c^3 / 2 pi beyond.
+        const auto away = [&](int axis) {
+          return std::abs(lights[static_cast<std::size_t>(light)][axis].get<double>() -
+                          probe["position"][axis].get<double>());
+        };
+        if (away(0) + away(1) + away(2) > 0.01) continue;
+        ++own;
+        const double within = (1.0 - 1.0 / 4) / 2 / 4;
+        const double beyond = 1.0 / 16 / 4;
+        REQUIRE(radiance[0] == Approx(0.28209 * (within + beyond)).epsilon(0.03));
+        REQUIRE(radiance[1] == Approx(-0.48860 * ((1.0 - 1.0 / 8) / 3 / 4 + 1.0 / 32 / 5)).epsilon(0.03));
+        REQUIRE(std::abs(radiance[2]) < 0.03 * radiance[0]);
+        REQUIRE(std::abs(radiance[3]) < 0.03 * radiance[0]);
+      }
+    }
+  }
+  REQUIRE(own == 3 * sector["probes"].size());
+}
+
+TEST_CASE("LevelLocal, TracesWhatTheBudgetTakes") {
+  const SmallLevel level;
+  level.writeLevel("rays = \"auto\"\nlocal_lights = true");
+  std::uint64_t rays = 0;
+  for (const std::string budget : {"0.5", "0.1"}) {
+    REQUIRE(level.bake("out", {"--max-error", budget, "--sectors", "0_0"}) == 1);
+    const json error = sectorOf(level, "out", "0_0")["error"]["local"];
+    REQUIRE(error["sampling"] <= std::stod(budget));
+    REQUIRE(error["rays"] > rays);
+    rays = error["rays"];
+    REQUIRE(error == json::parse(readBytes(level / "out/report.json"))["sectors"][0]["error"]["local"]);
+  }
+}
+
+TEST_CASE("LevelLocal, ASectorPastTheBudgetIsNamed") {
+  // Two probes beside the hut, for a million paths each.
+  const SmallLevel level;
+  level.writeLevel("rays = \"auto\"\nlocal_lights = true\nsun = \"none\"\nbounces = 1\nreach_m = 0",
+                   "add = [[166, 1, 28], [166, 1, 34]]\nremove = [[-1000, -1000, -1000, 1000, 1000, 1000]]");
+  for (const auto& [budget, expected] : {std::pair("0.2", 0), std::pair("0.0001", 1)}) {
+    level.bake("out", {"--max-error", budget, "--sectors", "2_0"});
+    const json report = json::parse(readBytes(level / "out/report.json"));
+    int named = 0;
+    for (const json& warning : report["warnings"])
+      if (warning["id"] == "hard-sector" &&
+          warning["message"].get<std::string>().find("sector 2_0: local transfer to probe ") == 0)
+        ++named;
+    REQUIRE(named == expected);
+    REQUIRE((report["sectors"][0]["error"]["local"]["sampling"] > std::stod(budget)) == (expected == 1));
+  }
 }
 
 TEST_CASE("LevelLocal, SameBytesForAnyThreadsShardsAndOrder") {

@@ -15,6 +15,7 @@ namespace {
 void checkLocal(const probes::BakedLocal& baked, std::size_t count) {
   const probes::SectorLocal local = probes::decodedLocal(baked.encoded);
   require(local.probe.size() == count, "every probe has its local transfer");
+  require(count == 0 || baked.sampling.probe < count, "the worst probe is there");
   for (const auto& light : local.light) require(isFinite(light), "a virtual light is somewhere");
   for (const auto& probe : local.probe)
     for (const probes::LocalTransfer& transfer : probe) {

@@ -132,6 +132,8 @@ TEST_CASE("LocalEffort, EveryRayIsCounted") {
   CHECK(raysOf().rays == 1024 * 3 * (1 + 5));
   settings.light_rays = 1;
   CHECK(raysOf().rays == 1024 * 3 * (1 + 1));
+  settings.lights = 5;  // all of them: there is nothing to choose
+  CHECK(raysOf().rays == 1024 * 3 * (1 + 1));
   // The choice: a replicate's paths of its own, with every light tested, and each light from the probe.
   settings.light_rays = 8;
   settings.lights = 3;

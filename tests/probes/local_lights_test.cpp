@@ -104,6 +104,29 @@ TEST_CASE("LocalLights, InfluenceNeedsSomeOneToSeeTheLight") {
   CHECK(mostInfluential(std::vector{0.0, 2.0}, 3) == std::vector<std::size_t>{1});
 }
 
+TEST_CASE("LocalLights, InfluenceInTheOpenIsThatOfTheVertices") {
+  const Surfaces sphere = tests::sphereInside(3.0, 3, Number3(0.5));
+  const Tracer tracer(sphere);
+  const std::vector<Number3> lights = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {-1, 0.5, 0}, {0.2, 0.1, -2.5}};
+  const CircleTable circle;
+  std::vector<PathVertex> vertices;
+  const Number3 probe(0.5, 1, 0.3);
+  traceVertices(tracer, probe, PathPoints(circle, 5, 2), 0, 64, 2, vertices);
+  REQUIRE(vertices.size() == 128);
+  for (std::size_t i = 0; i < vertices.size(); i += 2)  // or the bounces of a path would test the same lights
+    CHECK(vertices[i].draw != vertices[i + 1].draw);
+  for (const std::size_t draws : {1U, 3U, 8U}) {
+    std::uint64_t rays = 0;
+    const auto influence = influenceOf(tracer, probe, vertices, lights, draws, 0.5, rays);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      double expected = 0.0;  // nothing is in the way, and all tests pass
+      for (const PathVertex& v : vertices)
+        expected += 3.0 * v.reflected.x * unshadowedIrradiance(v.origin, v.normal, lights[l], 0.5);
+      CHECK(influence[l] == Approx(expected));
+    }
+  }
+}
+
 TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
   const Surfaces room = furnishedRoom();
   const Tracer tracer(room);
@@ -121,12 +144,14 @@ TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
   settings.lights = 30;
   const LocalTransferTracer some(tracer, settings, lights);
   double kept = 0.0;
-  const LocalProbe traced = some.trace(probe, {0, 0}, 1);
-  CHECK(traced.transfer.size() == 30);
-  for (const LocalTransfer& t : traced.transfer) kept += influence[t.light];
+  for (std::size_t i = 1; i <= 20; ++i) {
+    const LocalProbe traced = some.trace(probe, {0, 0}, i);
+    CHECK(traced.transfer.size() == 30);
+    for (const LocalTransfer& t : traced.transfer) kept += influence[t.light] / 20.0;
+    CHECK(traced.rays <= 1024 * 2 * 9 * 9 / 8 + 120);
+  }
   CAPTURE(kept, best);
-  CHECK(kept > 0.97 * best);
-  CHECK(traced.rays <= 1024 * 2 * 9 * 9 / 8 + 120);
+  CHECK(kept > 0.95 * best);
 }
 
 TEST_CASE("LocalTransfer, IsLinear") {
