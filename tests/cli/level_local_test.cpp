@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bake of a level's local transfer: which sectors get it, and the same bytes by any way to them.
 #include <catch2/catch.hpp>
+#include <fstream>
 
 #include "level_text.h"
 
@@ -103,6 +104,9 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
     REQUIRE(planned["local"] == true);
     if (planned["sector"] == "2_0") REQUIRE(planned["bytes"] >= bytes["total"]);
   }
+  level.writeLevel("rays = 64\nlocal_lights = false");
+  level.bake("without");
+  REQUIRE(sector["rays"] == sectorOf(level, "without", "2_0")["rays"].get<int>() + local["rays"].get<int>());
   const Run text = runTool({"inspect", level / "out/sectors/sector_2_0.welkin"});
   REQUIRE(text.out.find(std::to_string(transfers) + " transfers") != std::string::npos);
   REQUIRE(text.out.find("local_radiance") != std::string::npos);
@@ -111,6 +115,9 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
 TEST_CASE("LevelLocal, EveryTransferIsShown") {
   const SmallLevel level;
   level.writeLevel("rays = 4096\nlocal_lights = true");
+  std::string text = readBytes(level / "level.toml");
+  text.insert(text.find("[probes]"), "albedo = [0.5, 0.25, 0.75]\n");
+  std::ofstream(level / "level.toml") << text;
   level.bake("out", {"--sectors", "0_0"});
   const json sector = sectorOf(level, "out", "0_0");
   const json& lights = sector["virtual_lights"];
@@ -123,12 +130,12 @@ TEST_CASE("LevelLocal, EveryTransferIsShown") {
       REQUIRE(light > before);
       REQUIRE(light < static_cast<int>(lights.size()));
       before = light;
-      for (const char* channel : {"r", "g", "b"}) {
+      for (const auto& [channel, albedo] : {std::pair("r", 0.5), std::pair("g", 0.25), std::pair("b", 0.75)}) {
         const auto radiance = transfer["radiance"][channel].get<std::vector<double>>();
         REQUIRE(radiance.size() == 4);
         REQUIRE(radiance[0] >= 0.0);
-        // The probe's own light, 1 m above open ground of albedo 0.5, and lit as from 2 m: of a surface at an angle
-        // whose cosine is c, radiance c / 8 pi within 60 degrees and c^3 / 2 pi beyond.
+        // The probe's own light, 1 m above open ground that is lit as from 2 m: of a surface at an angle whose cosine
+        // is c, radiance albedo / pi times c / 4 within 60 degrees and c^3 beyond.
         const auto away = [&](int axis) {
           return std::abs(lights[static_cast<std::size_t>(light)][axis].get<double>() -
                           probe["position"][axis].get<double>());
@@ -137,8 +144,8 @@ TEST_CASE("LevelLocal, EveryTransferIsShown") {
         ++own;
         const double within = (1.0 - 1.0 / 4) / 2 / 4;
         const double beyond = 1.0 / 16 / 4;
-        REQUIRE(radiance[0] == Approx(0.28209 * (within + beyond)).epsilon(0.03));
-        REQUIRE(radiance[1] == Approx(-0.48860 * ((1.0 - 1.0 / 8) / 3 / 4 + 1.0 / 32 / 5)).epsilon(0.03));
+        REQUIRE(radiance[0] == Approx(0.28209 * 2 * albedo * (within + beyond)).epsilon(0.03));
+        REQUIRE(radiance[1] == Approx(-0.48860 * 2 * albedo * ((1.0 - 1.0 / 8) / 3 / 4 + 1.0 / 32 / 5)).epsilon(0.03));
         REQUIRE(std::abs(radiance[2]) < 0.03 * radiance[0]);
         REQUIRE(std::abs(radiance[3]) < 0.03 * radiance[0]);
       }
@@ -158,6 +165,8 @@ TEST_CASE("LevelLocal, TracesWhatTheBudgetTakes") {
     REQUIRE(error["rays"] > rays);
     rays = error["rays"];
     REQUIRE(error == json::parse(readBytes(level / "out/report.json"))["sectors"][0]["error"]["local"]);
+    level.bake("one", {"--max-error", budget, "--sectors", "0_0", "--threads", "1"});
+    REQUIRE(readBytes(level / "one/sectors/sector_0_0.welkin") == readBytes(level / "out/sectors/sector_0_0.welkin"));
   }
 }
 
