@@ -2,6 +2,8 @@
 // A baked sector as the bytes of a .welkin file (table Sector of runtime/format/welkin.fbs).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +24,12 @@ struct SectorError {
   SunModesError modes;  ///< of leaving out further modes
 };
 
+/// The error of a sector's distant light: sampling, modes and encoding of the worse of sky and sun, as if independent.
+inline double totalOf(const SectorError& e) {
+  const double sun = std::hypot(e.modes.worst_row, e.encoding.sun);
+  return std::hypot(e.sampling, std::max(e.encoding.sky, sun));
+}
+
 /// How sure the local transfer of a sector is, before thinning, and what that took.
 struct LocalSampling {
   double error = 0.0;  ///< LocalProbe::error of the worst probe
@@ -36,6 +44,11 @@ struct BakedLocal {
   LocalEncodingError encoding;
   LocalThinning thinning;
 };
+
+/// Likewise of its local transfer, before thinning.
+inline double totalOf(const BakedLocal& l) {
+  return std::hypot(l.sampling.error, l.encoding.radiance);
+}
 
 /// What a sector was baked from: hashes of everything that its bake reads.
 struct BakedFrom {

@@ -18,7 +18,7 @@ LocalSettings localSettings(const SectorSettings& s) {
   settings.rays = transfer.rays ? static_cast<std::size_t>(*transfer.rays) : kMostPaths;
   settings.bounces = transfer.bounces;
   settings.nearest_m = kNearest_m;
-  settings.max_error = transfer.rays ? 0.0 : s.max_error;
+  settings.max_error = transfer.rays ? 0.0 : kSamplingShare * s.max_error;
   return settings;
 }
 

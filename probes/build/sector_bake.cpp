@@ -42,7 +42,7 @@ TransferSettings transferSettings(const SectorSettings& s) {
   t.ground_albedo = s.ground_albedo;
   t.light_directions = s.sun.direction;
   t.light_directions.insert(t.light_directions.end(), s.moon.direction.begin(), s.moon.direction.end());
-  t.max_error = s.section.transfer.rays ? 0.0 : s.max_error;
+  t.max_error = s.section.transfer.rays ? 0.0 : kSamplingShare * s.max_error;
   return t;
 }
 
@@ -97,7 +97,7 @@ SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>
   for (const TracedProbe& t : traced) transfers.push_back(&t.transfer);
   SunModesFit fit = fitSunModes(transfers, settings.sun, settings.moon, kMostSunModes);
   const bool budget = !settings.section.transfer.rays;
-  fit = firstModes(std::move(fit), budget ? modesFor(fit, settings.max_error) : kSunModes);
+  fit = firstModes(std::move(fit), budget ? modesFor(fit, kModesShare * settings.max_error) : kSunModes);
   error = fit.error.back();
   SectorProbes probes;
   probes.id = placed.id;

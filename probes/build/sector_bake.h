@@ -23,10 +23,15 @@ inline constexpr std::size_t kSunModes = 10;
 /// Paths of a probe under a budget, at most; as many more for its local transfer.
 inline constexpr std::size_t kMostPaths = std::size_t{1} << 20;
 
+/// Shares of a budget, whose squares add up to 1 with the encoding's 0.24: of sampling, and of leaving out further
+/// modes of the sun.
+inline constexpr double kSamplingShare = 0.8;
+inline constexpr double kModesShare = 0.55;
+
 /// What a sector's bake is told besides its surfaces.
 struct SectorSettings {
   BakeSection section;     ///< of the sector: only what lies within reach of it
-  double max_error = 0.0;  ///< for as many rays as it takes; 0: no budget
+  double max_error = 0.0;  ///< that totalOf should keep, for as many rays as it takes; 0: no budget
   Number3 ground_albedo{0.0};
   LightTrack sun, moon;  ///< without knots where their transfer is not directional
 };

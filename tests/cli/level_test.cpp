@@ -105,6 +105,7 @@ TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
   REQUIRE(merged.status == 0);
   REQUIRE(merged.out == level / "shards/level.welkin" + ": 4 sectors\n");
   requireSame(level.path() / "one", level.path() / "shards");
+  REQUIRE(readBytes(level / "one/report.json") == readBytes(level / "shards/report.json"));
   for (const char* sector : {"1_0", "2_0", "-1_0", "0_0"}) level.bake("named", {"--sectors", sector});
   requireSame(level.path() / "one", level.path() / "named");
   REQUIRE(runTool({"merge", level / "shards"}).status == 0);  // again
@@ -306,9 +307,11 @@ TEST_CASE("Level, SectorsThatMissTheBudgetAreNamed") {
     const auto& error = report["sectors"][0]["error"];
     const double most = std::stod(budget);
     const auto& encoding = error["encoding"];
-    const bool coarse = encoding["sky"] > most || encoding["sun"] > most;
-    REQUIRE(named == std::size_t{error["sampling"] > most} + std::size_t{error["modes"]["worst_row"] > most} +
-                         std::size_t{coarse});
+    const double sun = std::hypot(error["modes"]["worst_row"].get<double>(), encoding["sun"].get<double>());
+    const double total = std::hypot(error["sampling"].get<double>(), std::max(encoding["sky"].get<double>(), sun));
+    REQUIRE(error["total"].get<double>() == Approx(total).epsilon(1e-12));
+    REQUIRE(named == std::size_t{total > most});
+    REQUIRE(report["sectors"][0]["rays"] > 0);
     return named;
   };
   REQUIRE(hard("0.2") == 0);

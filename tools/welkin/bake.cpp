@@ -15,6 +15,7 @@
 #include "welkin/certificate_text.h"
 #include "welkin/commands.h"
 #include "welkin/level_files.h"
+#include "welkin/merged_report.h"
 #include "welkin/shared_options.h"
 #include "welkin/subject.h"
 #include "welkin/warnings.h"
@@ -53,10 +54,6 @@ void requireLevel(const Options& options) {
        {std::pair("--shard", !options.shard.empty()), {"--sectors", !options.sectors.empty()}})
     if (given)
       throw Error(ExitStatus::usage, fmt::format("{}: {} is no level file: it has no sectors", name, options.file));
-}
-
-std::string reportName(const std::optional<Shard>& shard, const char* what) {
-  return shard ? fmt::format("{}.{}-of-{}.json", what, shard->index, shard->count) : fmt::format("{}.json", what);
 }
 
 /// The output whose date says that the bake ran to its end: of a level its index, or a shard's part of it.
@@ -104,9 +101,8 @@ void bake(const Options& options) {
     report = bakeSky(subject, folder, {options.certify.value(), options.force}, style, timing);
   if (level) bakeSectors(*level, wanted, style, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeFile(folder / reportName(shard, "timing"), textOf(timing));
-  writeFile(options.report.empty() ? folder / reportName(shard, "report") : std::filesystem::path(options.report),
-            textOf(report));
+  writeFile(timingPath(folder, shard), textOf(timing));
+  writeFile(options.report.empty() ? reportPath(folder, shard) : std::filesystem::path(options.report), textOf(report));
   printWarnings(report["warnings"]);
   if (report.contains("certificate"))
     std::fputs(fmt::format("welkin: {}\n", certificateText(report["certificate"])).c_str(), stderr);

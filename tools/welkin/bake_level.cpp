@@ -85,6 +85,7 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
   const auto add = [&](const char* id, std::size_t count, const char* what) {
     if (count > 0)
       warnings.push_back({{"id", id},
+                          {"sector", probes::nameOf(file.id)},
                           {"count", count},
                           {"message", fmt::format("sector {}: {} {}", probes::nameOf(file.id), count, what)}});
   };
@@ -93,17 +94,19 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
   add("probes-thinned", file.placement.thinned, "probes past the 255th were left out, those of least loss");
   const auto past = [&](double error, const std::string& what) {
     if (budget && error > *budget)
-      warnings.push_back(
-          {{"id", "hard-sector"},
-           {"message", fmt::format("sector {}: {} makes an error of {:.3g} %, past the budget of {:.3g} %",
-                                   probes::nameOf(file.id), what, 100.0 * error, 100.0 * *budget)}});
+      warnings.push_back({{"id", "hard-sector"},
+                          {"sector", probes::nameOf(file.id)},
+                          {"message", fmt::format("sector {}: an error of {:.3g} %, past the budget of {:.3g} %: {}",
+                                                  probes::nameOf(file.id), 100.0 * error, 100.0 * *budget, what)}});
   };
-  past(file.error.sampling, fmt::format("probe {}, after the most rays that one may take,", file.error.sampling_probe));
+  const probes::SectorError& e = file.error;
+  past(totalOf(e), fmt::format("sampling {:.3g} % at probe {}, the sun in {} modes {:.3g} %, encoding {:.3g} %",
+                               100.0 * e.sampling, e.sampling_probe, file.probes.modes(), 100.0 * e.modes.worst_row,
+                               100.0 * std::max(e.encoding.sky, e.encoding.sun)));
   if (file.local)
-    past(file.local->sampling.error,
-         fmt::format("local transfer to probe {}, after the most rays that one may take,", file.local->sampling.probe));
-  past(file.error.modes.worst_row, fmt::format("the sun in {} modes", file.probes.modes()));
-  past(std::max(file.error.encoding.sky, file.error.encoding.sun), "its encoding");
+    past(totalOf(*file.local), fmt::format("sampling {:.3g} % of the local transfer to probe {}, encoding {:.3g} %",
+                                           100.0 * file.local->sampling.error, file.local->sampling.probe,
+                                           100.0 * file.local->encoding.radiance));
   add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");
 }
 

@@ -15,6 +15,7 @@
 #include "sky/atomic_file.h"
 #include "sky/error.h"
 #include "welkin/arguments.h"
+#include "welkin/merged_report.h"
 
 namespace welkin::tools {
 namespace {
@@ -182,6 +183,8 @@ LevelIndex mergeParts(const fs::path& folder) {
   index.sky_checksum = probes::hashOf(readSky(folder, index));
   checkLevel(folder, index);
   writeFile(indexPath(folder), probes::encodeLevel(index));
+  removeOtherSectors(folder, index);
+  mergeReports(folder, parts.count);
   return index;
 }
 

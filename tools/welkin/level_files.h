@@ -28,7 +28,8 @@ void removeParts(const std::filesystem::path& folder, std::optional<int> count);
 /// Error(content) for one that is another.
 void checkLevel(const std::filesystem::path& folder, const probes::LevelIndex& index);
 
-/// Makes the index of the shards' parts. Throws Error: content where they do not agree, file where one is missing.
+/// Makes the index of the shards' parts, and one report of theirs; removes sectors of an earlier bake. Throws Error:
+/// content where they do not agree, file where one is missing.
 probes::LevelIndex mergeParts(const std::filesystem::path& folder);
 
 }  // namespace welkin::tools

@@ -67,7 +67,8 @@ Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const pr
 /// Null without local transfer.
 Json localErrorJson(const std::optional<probes::BakedLocal>& l) {
   if (!l) return nullptr;
-  return {{"sampling", l->sampling.error},
+  return {{"total", probes::totalOf(*l)},
+          {"sampling", l->sampling.error},
           {"sampling_probe", l->sampling.probe},
           {"rays", l->sampling.rays},
           {"encoding", {{"position_m", l->encoding.position_m}, {"radiance", l->encoding.radiance}}},
@@ -79,7 +80,8 @@ Json localErrorJson(const std::optional<probes::BakedLocal>& l) {
 
 Json errorJson(const probes::SectorFile& s) {
   const probes::SectorError& e = s.error;
-  return {{"sampling", e.sampling},
+  return {{"total", probes::totalOf(e)},
+          {"sampling", e.sampling},
           {"sampling_probe", e.sampling_probe},
           {"encoding",
            {{"position_m", e.encoding.position_m},
