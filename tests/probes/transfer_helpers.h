@@ -11,6 +11,15 @@
 
 namespace welkin::tests {
 
+inline constexpr std::size_t kProbes = 32;  ///< independent ones for a standard error
+
+inline probes::TransferSettings settingsOf(int bounces, std::size_t rays = 256) {
+  probes::TransferSettings settings;
+  settings.bounces = bounces;
+  settings.rays = rays;
+  return settings;
+}
+
 struct Measured {
   double mean = 0.0;
   double standard_error = 0.0;
