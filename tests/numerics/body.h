@@ -9,7 +9,7 @@
 
 // Floats of an evaluation's arguments, and results of it.
 #define WELKIN_NUMERICS_ARGUMENTS 20
-#define WELKIN_NUMERICS_RESULTS 80
+#define WELKIN_NUMERICS_RESULTS 96
 
 #define WELKIN_NUMERICS_BODY                                                   \
   LuminanceModel clear_sky = WELKIN_MODEL(-1.0, -0.32, 10.0, -3.0, 0.45, 0.0); \
@@ -23,6 +23,10 @@
   ShBasis basis = shBasis(a);                                                  \
   for (int j = 0; j < 25; ++j) PUT(shBasis, 1.0, "a", basis.v[j])              \
   for (int j = 0; j < 5; ++j) PUT(cosineLobe, 0.0, "", cosineLobe(j))          \
-  for (int j = 0; j < 5; ++j) PUT(groundLobe, 0.0, "", groundLobe(j))
+  for (int j = 0; j < 5; ++j) PUT(groundLobe, 0.0, "", groundLobe(j))          \
+  TransferBasis transfer = transferBasis();                                    \
+  for (int j = 0; j < 4; ++j) PUT3(transferBasis, 1.0, "", transfer.v[j])      \
+  TransferWeights weights = transferWeights(a);                                \
+  for (int j = 0; j < 4; ++j) PUT(transferWeights, 1.0, "a", weights.v[j])
 
 #endif

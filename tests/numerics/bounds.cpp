@@ -41,6 +41,8 @@ const std::vector<Bound>& bounds() {
       {"shBasis", 5.33, 5.73},
       {"cosineLobe", 0.41, 0.41},
       {"groundLobe", 0.41, 0.41},
+      {"transferBasis", 0.28, 0.28},
+      {"transferWeights", 1.64, 1.64},
   };
   return kBounds;
 }
