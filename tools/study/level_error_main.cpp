@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of a baked level against the path tracer, at random points of its surfaces and at 8 hours:
 //   level_error LEVEL.toml DIR [POINTS [SAMPLES]]
-// Errors are of luminance, over the horizontal irradiance of the open sky at that hour.
+// Errors are of luminance, over the horizontal irradiance of the open sky at that hour; the sky's also by
+// SkyBounce::fitted.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -104,33 +106,45 @@ struct Spread {
 
 void compare(const Tracer& tracer, const sky::Sky& sky, const BakeSection& section,
              const std::vector<SectorFile>& sectors, const std::vector<Place>& places, std::size_t samples) {
-  fmt::print("{:>5}  {:^17}  {:^17}  {:^17}\n", "hour", "sky", "sun bounce", "total");
-  Spread all[3];
+  const char* const column[] = {"sky", "sky, fitted", "sun bounce", "total"};
+  fmt::print("{:>5}", "hour");
+  for (const char* name : column) fmt::print("  {:^17}", name);
+  fmt::print("\n");
+  const auto show = [](const auto& hour, const std::array<Spread, 4>& error) {
+    fmt::print("{:>5}", hour);
+    for (const Spread& of : error) fmt::print("  {}", of.text());
+    fmt::print("\n");
+  };
+  std::array<Spread, 4> all;
   for (int i = 0; i < 8; ++i) {
     const double time_h = 3.0 * i;
     const LevelLight light(sectors, sky, time_h, section.scale);
+    const LevelLight fitted(sectors, sky, time_h, section.scale, SkyBounce::fitted);
     const DistantLight distant(sky, time_h);
     const double open =
         det::luminanceOf(
             sky::SkyProjector(sky.luminance, 2, 1e-6).irradiance(sky::SkyInstant(sky, time_h), {0, 1, 0})) *
         sky::SkyInstant(sky, time_h).intensity();
-    Spread error[3];
+    std::array<Spread, 4> error;
     for (const Place& place : places) {
-      const LevelIrradiance got = place.probe ? light.ofProbe(place.probe->first, place.probe->second, place.normal)
-                                              : *light.at(place.position, place.normal);
+      const auto irradianceBy = [&](const LevelLight& l) {
+        return place.probe ? l.ofProbe(place.probe->first, place.probe->second, place.normal)
+                           : *l.at(place.position, place.normal);
+      };
+      const LevelIrradiance got = irradianceBy(light);
       const auto want = traceReference(tracer, distant, {}, place.position, place.normal,
                                        {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
-      const Number3 off[3] = {got.sky - want.sky.value, got.sun_bounce - want.sun_bounce.value,
-                              got.total() - want.total.value};
-      for (int k = 0; k < 3; ++k) {
+      const std::array<Number3, 4> off = {got.sky - want.sky.value, irradianceBy(fitted).sky - want.sky.value,
+                                          got.sun_bounce - want.sun_bounce.value, got.total() - want.total.value};
+      for (std::size_t k = 0; k < off.size(); ++k) {
         const double e = det::luminanceOf(off[k]) / open;
         error[k].add(e);
         all[k].add(e);
       }
     }
-    fmt::print("{:>5}  {}  {}  {}\n", time_h, error[0].text(), error[1].text(), error[2].text());
+    show(time_h, error);
   }
-  fmt::print("{:>5}  {}  {}  {}\n", "all", all[0].text(), all[1].text(), all[2].text());
+  show("all", all);
 }
 
 void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t points,
