@@ -38,10 +38,18 @@ const char* nameOf(SunTransfer sun) {
   return sun == SunTransfer::sh ? "sh" : "directional";
 }
 
-ClosedForm plane(const Number3& albedo) {
+constexpr double kWide_m = 1000.0;
+constexpr double kNarrow_m = 0.5;
+
+const char* endOf(double half_m) {
+  return half_m < kWide_m ? ", level of 1 m" : "";
+}
+
+/// The level ends after half_m: what is beyond goes on as the plane does.
+ClosedForm plane(const Number3& albedo, double half_m) {
   ClosedForm form;
-  form.name = fmt::format("plane of albedo {:g}, uniform sky", albedo.x);
-  form.surfaces = groundOf(albedo);
+  form.name = fmt::format("plane of albedo {:g}, uniform sky", albedo.x) + endOf(half_m);
+  form.surfaces = groundOf(albedo, half_m);
   form.sky = withGround(uniformSky(1.0), albedo);
   form.position = {0, 1, 0};
   form.exact = [albedo](const Number3& n) { return Number3(above(n)) + albedo * below(n); };
@@ -50,18 +58,17 @@ ClosedForm plane(const Number3& albedo) {
 }
 
 /// Normal irradiance pi.
-ClosedForm planeUnderSun(double elevation_deg, SunTransfer sun) {
+ClosedForm planeUnderSun(double elevation_deg, SunTransfer sun, double half_m) {
   const double elevation = elevation_deg * det::kPi / 180.0;
   ClosedForm form;
-  form.name = fmt::format("plane of albedo 0.2, sun at {:g} deg, `{}`", elevation_deg, nameOf(sun));
-  form.surfaces = groundOf(kPlane);
+  form.name = fmt::format("plane of albedo 0.2, sun at {:g} deg, `{}`", elevation_deg, nameOf(sun)) + endOf(half_m);
+  form.surfaces = groundOf(kPlane, half_m);
   form.sky = withGround(sunOnly(det::kPi, 2.1, elevation), kPlane);
   form.position = {0, 1, 0};
   form.sun = sun;
   form.exact = [=](const Number3& n) { return kPlane * (std::sin(elevation) * below(n)); };
-  if (sun == SunTransfer::sh) {
+  if (sun == SunTransfer::sh)
     form.held = [=](const Number3& n) { return kPlane * ((0.25 + 0.5 * std::sin(elevation)) * below(n)); };
-  }
   form.asked = {kEast, kAslant};
   return form;
 }
@@ -204,11 +211,13 @@ void addDark(std::vector<ClosedForm>& forms) {
 std::vector<ClosedForm> closedForms() {
   std::vector<ClosedForm> forms;
   for (const int n : {0, 1, 2, 9}) forms.push_back(shiningBox(n));
-  forms.push_back(plane(Number3(1.0)));
-  forms.push_back(plane(kPlane));
+  forms.push_back(plane(Number3(1.0), kWide_m));
+  for (const double half_m : {kWide_m, kNarrow_m}) forms.push_back(plane(kPlane, half_m));
   for (const double elevation_deg : {1.0, 30.0, 60.0, 90.0})
     for (const SunTransfer sun : {SunTransfer::directional, SunTransfer::sh})
-      forms.push_back(planeUnderSun(elevation_deg, sun));
+      forms.push_back(planeUnderSun(elevation_deg, sun, kWide_m));
+  for (const SunTransfer sun : {SunTransfer::directional, SunTransfer::sh})
+    forms.push_back(planeUnderSun(60.0, sun, kNarrow_m));
   addBlackWalls(forms);
   for (const SkyBounce way : {SkyBounce::projected, SkyBounce::fitted}) forms.push_back(overcast(way));
   for (const int n : {1, 2, 5}) forms.push_back(lampInSphere(n));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of a probe's transfer in any level: walls keep light out, it is linear, it turns with the level, backs are
-// black.
+// What holds of a probe's transfer in any level: walls keep light out, it is linear and reciprocal, it turns with the
+// level, backs are black.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -57,6 +57,90 @@ TEST_CASE("Transfer, IsLinearInTheLight") {
     CHECK(both.emitted[b].x == Approx(2 * first.emitted[b].x + 3 * second.emitted[b].x).epsilon(1e-12));
     CHECK(both.emitted[b].z == Approx(2 * first.emitted[b].z + 3 * second.emitted[b].z).epsilon(1e-12));
   }
+}
+
+TEST_CASE("Transfer, ASkyOfSunsIsTheSky") {
+  // The sun's transfer, asked directly, and the sky's, found by paths: the sum over many suns with radiance Y_k.
+  Surfaces level = tests::wallTo(0.8, {0.2, 0.5, 0.8}, {0.9, 0.5, 0.1});
+  tests::addBoxOutside(level, {1, 0, -7}, {3, 2.5, -4}, tests::addMaterial(level, {0.7, 0.3, 0.6}));
+  const Tracer tracer(level);
+  TransferSettings settings = settingsOf(2);
+  settings.ground_albedo = {0.4, 0.3, 0.2};
+  constexpr std::size_t kSuns = 1024;
+  std::vector<det::ShBasis> basis;
+  for (std::size_t i = 0; i < kSuns; ++i) {
+    const double turns = static_cast<double>(i) * 0.6180339887498949;
+    settings.light_directions.push_back(
+        sphereDirection((static_cast<double>(i) + 0.5) / (2.0 * kSuns), turns - std::floor(turns)));
+    REQUIRE(settings.light_directions.back().y > 0.0);
+    basis.push_back(det::shBasis(settings.light_directions.back()));
+  }
+  const TransferTracer transfer(tracer, settings);
+  constexpr double kQuadrature = 2e-3;  // of 1024 directions, of a light of 1 from everywhere
+  std::vector<ProbeTransfer> probe;
+  for (std::size_t i = 0; i < kProbes; ++i) probe.push_back(transfer.trace({0, 1, -7}, {0, 0}, i).transfer);
+  for (std::size_t b = 0; b < kDirections; ++b)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (int c = 0; c < 3; ++c) {
+        CAPTURE(b, k, c);
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const ProbeTransfer& p : probe) {
+          double suns = 0.0;
+          for (std::size_t i = 0; i < kSuns; ++i) suns += p.sun[b][i][c] * basis[i].v[k] * det::kTwoPi / double{kSuns};
+          const double off = suns - p.sky[b][k][c];
+          sum += off;
+          squares += off * off;
+        }
+        const double mean = sum / double{kProbes};
+        checkMeasured({mean, std::sqrt((squares / double{kProbes} - mean * mean) / (kProbes - 1.0))}, 0.0, kQuadrature);
+        CHECK((k > 1 || probe[0].sky[b][k][c] > 0.02));
+      }
+}
+
+TEST_CASE("Transfer, PatchesMayChangePlaces") {
+  // Two squares of 1 m that send nothing back, one looking down, one along B1, in a yard with a wall between them: what
+  // one gets of the other's light on average is what the other gets of its own.
+  const std::array<Number3, kDirections> basis = transferBasis();
+  struct Patch {
+    Number3 middle, a, b;
+    std::size_t direction;
+  };
+  const Number3 along = unit(cross(basis[0], {0, 0, 1}));
+  const Patch patch[] = {{{2, 2.5, 0.5}, {1, 0, 0}, {0, 0, 1}, 3}, {{-3, 1, -0.5}, {0, 0, 1}, along, 0}};
+  const auto irradiance = [&](int of, int by) {
+    Surfaces s = tests::wellOf(4.0, 5.0, 4, {0.6, 0.5, 0.3}, {0.4, 0.6, 0.8});
+    tests::addQuad(s, {-0.5, 0, -3}, {0, 0, 4}, {0, 1.6, 0}, tests::addMaterial(s, {0.9, 0.3, 0.2}, true));
+    for (const int i : {of, by}) {
+      const Patch& p = patch[i];
+      REQUIRE(dot(cross(p.a, p.b), basis[p.direction]) == Approx(1.0));
+      tests::addQuad(s, p.middle - p.a * 0.5 - p.b * 0.5, p.a, p.b,
+                     tests::addMaterial(s, Number3(0.0), false, Number3(i == by ? 1.0 : 0.0)));
+    }
+    const Tracer tracer(s);
+    const TransferTracer transfer(tracer, settingsOf(3, 1024));
+    constexpr int kSide = 16;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      constexpr double kOff_m = 1e-4;
+      const Patch& p = patch[of];
+      const double u = (i % kSide + 0.5) / kSide - 0.5;
+      const double v = (static_cast<double>(i / kSide) + 0.5) / kSide - 0.5;
+      const Number3 at = p.middle + p.a * u + p.b * v + basis[p.direction] * kOff_m;
+      const double e = transfer.trace(at, {0, 0}, static_cast<std::size_t>(i)).transfer.emitted[p.direction].y;
+      sum += e;
+      squares += e * e;
+    }
+    // The spread over the patch counts as noise: more than there is.
+    constexpr double kCount = kSide * kSide;
+    const double mean = sum / kCount;
+    return tests::Measured{mean, std::sqrt((squares / kCount - mean * mean) / (kCount - 1.0))};
+  };
+  const auto first = irradiance(0, 1);
+  const auto second = irradiance(1, 0);
+  CHECK(first.mean > 20.0 * first.standard_error);
+  checkMeasured({first.mean, std::hypot(first.standard_error, second.standard_error)}, second.mean, 0.0);
 }
 
 TEST_CASE("Transfer, TurnsWithTheLevel") {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "rooms.h"
+#include "sh/deterministic.h"
 
 namespace welkin::probes {
 namespace {
@@ -25,6 +26,18 @@ TEST_CASE("Validity, InsideOutsideAndTooClose") {
   CHECK(placeAt(tracer, {2.3, 1, 1}, 0.25) == Place::free);
   CHECK(placeAt(tracer, {1, 3.5, 1}, 0.25) == Place::free);
   CHECK(placeAt(tracer, {20, 0.1, 20}, 0.25) == Place::too_close);
+}
+
+TEST_CASE("Validity, AQuarterOfAllAroundMayBeBacks") {
+  // A square of half width a, seen from a metre behind it, fills asin(a^2 / (a^2 + 1)) / pi of the sphere.
+  for (const double share : {0.18, 0.21, 0.29, 0.32}) {
+    const double sine = std::sin(share * det::kPi);
+    const Surfaces s = tests::groundOf({0.5, 0.5, 0.5}, std::sqrt(sine / (1.0 - sine)));
+    const Tracer tracer(s);
+    CHECK(placeAt(tracer, {0, -1, 0}, 0.25) == (share < 0.25 ? Place::free : Place::inside));
+    CHECK(insideGeometry(tracer, {0, -1, 0}) == (share > 0.25));
+    CHECK(placeAt(tracer, {0, 1, 0}, 0.25) == Place::free);
+  }
 }
 
 TEST_CASE("Validity, TwoSidesHaveNoBack") {
