@@ -83,6 +83,16 @@ TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
   CHECK(scene.bounds.low.z == Approx(9.0));
 }
 
+TEST_CASE("Gltf, AMatrixIsReadByColumns") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"matrix", {1, 2, 3, 0, -4, 5, 6, 0, 7, -8, 9, 0, 10, 11, 12, 1}}});
+  const Scene scene = sceneOf(gltf.text());
+  REQUIRE(scene.instances.size() == 1);
+  const float expected[3][4] = {{1, -4, 7, 10}, {2, 5, -8, 11}, {3, 6, 9, 12}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) CHECK(scene.instances[0].row[i][j] == expected[i][j]);
+}
+
 TEST_CASE("Gltf, RolesComeFromExtrasThenNamesThenTheFile") {
   GltfText gltf;
   const int square = gltf.addMesh(squareMesh());

@@ -100,7 +100,8 @@ TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
   differs("an alpha", [](auto& s) { s.material[0].alpha = 0.5; });
   differs("a texture's transform", [](auto& s) { s.material[0].uv_row[1][2] = 0.5; });
   differs("a texel", [](auto& s) { s.texture[0].rgba[2] = 31; });
-  differs("a wrap", [](auto& s) { s.texture[0].wrap_v = Texture::Wrap::mirrored; });
+  differs("a wrap across", [](auto& s) { s.texture[0].wrap_u = Texture::Wrap::mirrored; });
+  differs("a wrap up", [](auto& s) { s.texture[0].wrap_v = Texture::Wrap::mirrored; });
   differs("a role", [](auto& s) { s.object[0].role = Role::vegetation; });
   differs("a spot light", [](auto& s) { s.spot.push_back({5, 5, 5}); });
   differs("a light", [](auto& s) { s.light.push_back({{5, 5, 5}, Number3(1.0)}); });
