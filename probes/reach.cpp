@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace welkin::probes {
 namespace {
@@ -33,32 +34,31 @@ bool touches(const Surfaces& level, const Triangle& triangle, const Column& colu
   const auto& a = level.position[triangle.vertex[0]];
   const auto& b = level.position[triangle.vertex[1]];
   const auto& c = level.position[triangle.vertex[2]];
-  const auto [from_x, to_x] = std::minmax({a[0], b[0], c[0]});
-  const auto [from_z, to_z] = std::minmax({a[2], b[2], c[2]});
-  return column.touches(double{from_x}, double{to_x}, double{from_z}, double{to_z});
+  const auto least = [&](std::size_t axis) { return double{std::min(a[axis], std::min(b[axis], c[axis]))}; };
+  const auto most = [&](std::size_t axis) { return double{std::max(a[axis], std::max(b[axis], c[axis]))}; };
+  return column.touches(least(0), most(0), least(2), most(2));
 }
 
 /// Builds the part triangle by triangle.
 class Part {
  public:
   explicit Part(const Surfaces& level)
-      : level_(level),
-        vertex_(level.position.size()),
-        material_(level.material.size()),
-        texture_(level.texture.size()),
-        object_(level.object.size()) {}
+      : level_(level), material_(level.material.size()), texture_(level.texture.size()), object_(level.object.size()) {}
 
   void add(const Triangle& triangle) {
     Triangle copy;
     copy.material = material_.of(triangle.material, [&](std::uint32_t m) { addMaterial(m); });
-    copy.object = object_.of(triangle.object, [&](std::uint32_t o) {
+    copy.object = object_.of(oneForAll(triangle.object), [&](std::uint32_t o) {
       near_.surfaces.object.push_back({"", level_.object[o].role});
     });
     const bool textured = near_.surfaces.material[copy.material].texture >= 0 && !level_.uv.empty();
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t old = triangle.vertex[i];
-      copy.vertex[i] = vertex_.of(old, [&](std::uint32_t v) { addVertex(v); });
-      if (textured) uv_[copy.vertex[i]] = level_.uv[old];
+      copy.vertex[i] = static_cast<std::uint32_t>(near_.surfaces.position.size());
+      near_.surfaces.position.push_back(level_.position[old]);
+      uv_.push_back(textured ? level_.uv[old] : std::array{0.0F, 0.0F});
+      colour_.push_back(level_.colour.empty() ? kWhite : level_.colour[old]);
+      any_colour_ = any_colour_ || colour_.back() != kWhite;
     }
     any_texture_ = any_texture_ || textured;
     near_.surfaces.triangle.push_back(copy);
@@ -75,11 +75,12 @@ class Part {
   }
 
  private:
-  void addVertex(std::uint32_t v) {
-    near_.surfaces.position.push_back(level_.position[v]);
-    uv_.push_back({0.0F, 0.0F});
-    colour_.push_back(level_.colour.empty() ? std::array{1.0F, 1.0F, 1.0F} : level_.colour[v]);
-    any_colour_ = any_colour_ || colour_.back() != std::array{1.0F, 1.0F, 1.0F};
+  static constexpr std::array<float, 3> kWhite{1.0F, 1.0F, 1.0F};
+
+  /// Which object stands for one: only those of vegetation are told apart, by their boxes.
+  std::uint32_t oneForAll(std::uint32_t object) {
+    const Role role = level_.object[object].role;
+    return role == Role::vegetation ? object : of_role_.emplace(role, object).first->second;
   }
 
   void addMaterial(std::uint32_t m) {
@@ -95,7 +96,8 @@ class Part {
   }
 
   const Surfaces& level_;
-  Renumbering vertex_, material_, texture_, object_;
+  Renumbering material_, texture_, object_;
+  std::map<Role, std::uint32_t> of_role_;
   NearSurfaces near_;
   std::vector<std::array<float, 2>> uv_;
   std::vector<std::array<float, 3>> colour_;
@@ -105,17 +107,6 @@ class Part {
 
 void addTo(Hasher& hasher, const Number3& v) {
   for (const double number : {v.x, v.y, v.z}) hasher.add(number);
-}
-
-void addTo(Hasher& hasher, const Material& m) {
-  addTo(hasher, m.albedo);
-  addTo(hasher, m.emission);
-  hasher.add(m.texture);
-  for (const auto& row : m.uv_row)
-    for (const double number : row) hasher.add(number);
-  hasher.add(m.alpha);
-  hasher.add(m.alpha_cutoff);
-  hasher.add(std::uint8_t{m.double_sided});
 }
 
 }  // namespace
@@ -142,6 +133,17 @@ std::vector<Hash128> textureHashes(const Surfaces& level) {
   std::vector<Hash128> hashes;
   for (const Texture& t : level.texture) hashes.push_back(hashOf(std::as_bytes(std::span(t.rgba))));
   return hashes;
+}
+
+void addTo(Hasher& hasher, const Material& m) {
+  addTo(hasher, m.albedo);
+  addTo(hasher, m.emission);
+  hasher.add(m.texture);
+  for (const auto& row : m.uv_row)
+    for (const double number : row) hasher.add(number);
+  hasher.add(m.alpha);
+  hasher.add(m.alpha_cutoff);
+  hasher.add(std::uint8_t{m.double_sided});
 }
 
 void addTo(Hasher& hasher, const NearSurfaces& near, const std::vector<Hash128>& texture_hash) {

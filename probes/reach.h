@@ -22,9 +22,10 @@ struct Column {
 /// The sector's square, wider by `reach_m` on each side.
 Column columnOf(SectorId sector, double reach_m);
 
-/// A part of a level that says the same whatever else the level holds: vertices, materials, textures and objects are
-/// those that its triangles use, in the order of their first use; texture coordinates only where a texture uses them,
-/// vertex colours only where one is not white; no names but of roles.
+/// A part of a level that says the same whatever else the level holds, where the level is inCanonicalOrder: every
+/// triangle has three vertices of its own; materials and textures are those that the triangles use, in the order of
+/// their first use; so are objects, of which each of vegetation is one and all others of a role are one; texture
+/// coordinates only where a texture uses them, vertex colours only where one is not white; no names but of roles.
 struct NearSurfaces {
   Surfaces surfaces;                   ///< without texels: `texture` has the wraps and sizes
   std::vector<std::uint32_t> texture;  ///< which of the level's they are
@@ -38,6 +39,9 @@ Surfaces withTexels(NearSurfaces near, const Surfaces& level);
 
 /// The hashes of a level's textures, which surfacesHash needs.
 std::vector<Hash128> textureHashes(const Surfaces& level);
+
+/// Of a material, its texture by number.
+void addTo(Hasher& hasher, const Material& material);
 
 /// Of everything that a bake can see of the surfaces.
 void addTo(Hasher& hasher, const NearSurfaces& near, const std::vector<Hash128>& texture_hash);

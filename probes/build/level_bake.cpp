@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "probes/build/local_bake.h"
+#include "probes/canonical_order.h"
 #include "probes/placement/placement.h"
 #include "probes/sector_name.h"
 #include "sky/atomic_file.h"
@@ -56,6 +57,7 @@ LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::S
                                                  *max_error));
   for (Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
   for (PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
+  surfaces_ = inCanonicalOrder(std::move(surfaces_));
   if (sky.moon) moon_path_ = sky.moon->path;
   if (section.transfer.sun == SunTransfer::directional) {
     sun_ = trackAlong(sun_path_);

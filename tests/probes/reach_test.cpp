@@ -2,8 +2,12 @@
 // What a sector's bake reads of a level says the same whatever lies beyond its reach.
 #include "probes/reach.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <numeric>
 
+#include "probes/canonical_order.h"
+#include "probes/random.h"
 #include "rooms.h"
 
 namespace welkin::tests {
@@ -25,6 +29,72 @@ Surfaces floorLevel() {
   s.material[material].texture = 0;
   addQuad(s, {1, 0, 1}, {0, 0, 60}, {60, 0, 0}, material);
   s.uv.assign(s.position.size(), {0.25F, 0.75F});
+  return s;
+}
+
+/// Things in pairs, and equal triangles of other materials and of other trees.
+Surfaces gardenLevel() {
+  Surfaces s = floorLevel();
+  s.texture.push_back({1, 1, {200, 20, 30, 255}, Texture::Wrap::repeat, Texture::Wrap::repeat});
+  const auto plain = addMaterial(s, Number3(0.2));
+  const auto painted = addMaterial(s, Number3(0.5));
+  s.material[painted].texture = 1;
+  for (const std::uint32_t material : {plain, painted, plain}) {
+    addQuad(s, {5, 2, 5}, {0, 0, 4}, {4, 0, 0}, material);
+    addQuad(s, {300, 2, 5}, {0, 0, 4}, {4, 0, 0}, material);
+  }
+  for (int tree = 0; tree < 4; ++tree) {
+    s.object.push_back({"tree " + std::to_string(tree), Role::vegetation});
+    const std::size_t first = s.triangle.size();
+    addQuad(s, {20, 0, 20}, {4, 0, 0}, {0, 5, 0}, plain);  // all of them
+    addQuad(s, {20.0 + tree / 2, 0, 20}, {0, 0, 2}, {0, 5, 0}, plain);
+    for (std::size_t i = first; i < s.triangle.size(); ++i)
+      s.triangle[i].object = static_cast<std::uint32_t>(s.object.size() - 1);
+  }
+  s.uv.resize(s.position.size(), {0.125F, 0.5F});
+  s.light = {{{9, 1, 1}, Number3(1.0)}, {{5, 1, 1}, Number3(2.0)}, {{5, 1, 1}, Number3(1.0)}};
+  s.spot = {{9, 2, 1}, {5, 2, 3}, {5, 2, 1}};
+  return s;
+}
+
+/// 0 to count - 1 in some order.
+std::vector<std::uint32_t> shuffled(std::size_t count, Random& random) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t i = count; i > 1; --i)
+    std::swap(order[i - 1], order[static_cast<std::size_t>(random.unit() * static_cast<double>(i))]);
+  return order;
+}
+
+/// The same level as files in another order give it, some of whose materials and textures are there twice.
+Surfaces inAnotherOrder(const Surfaces& level, std::uint64_t seed) {
+  Random random(seed);
+  Surfaces s;
+  const auto texture = shuffled(2 * level.texture.size(), random);
+  const auto material = shuffled(2 * level.material.size(), random);
+  const auto object = shuffled(level.object.size(), random);
+  s.texture.resize(texture.size());
+  for (std::size_t i = 0; i < texture.size(); ++i) s.texture[texture[i]] = level.texture[i / 2];
+  s.material.resize(material.size());
+  for (std::size_t i = 0; i < material.size(); ++i) {
+    Material m = level.material[i / 2];
+    if (m.texture >= 0) m.texture = static_cast<int>(texture[2 * static_cast<std::size_t>(m.texture) + i % 2]);
+    s.material[material[i]] = m;
+  }
+  s.object.resize(object.size());
+  for (std::size_t i = 0; i < object.size(); ++i) s.object[object[i]] = level.object[i];
+  for (const std::uint32_t i : shuffled(level.triangle.size(), random)) {
+    const Triangle& old = level.triangle[i];
+    Triangle t{{}, material[2 * old.material + (random.unit() < 0.5 ? 0 : 1)], object[old.object]};
+    for (std::size_t c = 0; c < 3; ++c) {
+      t.vertex[c] = static_cast<std::uint32_t>(s.position.size());
+      s.position.push_back(level.position[old.vertex[c]]);
+      s.uv.push_back(level.material[old.material].texture >= 0 ? level.uv[old.vertex[c]] : std::array{0.75F, 0.75F});
+    }
+    s.triangle.push_back(t);
+  }
+  for (const std::uint32_t i : shuffled(level.light.size(), random)) s.light.push_back(level.light[i]);
+  for (const std::uint32_t i : shuffled(level.spot.size(), random)) s.spot.push_back(level.spot[i]);
   return s;
 }
 
@@ -78,8 +148,43 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
   const Surfaces near = withTexels(surfacesWithin(more, columnOf({0, 0}, 16.0)), more);
   CHECK(near.texture.size() == 1);
   CHECK(near.texture[0].rgba == level.texture[0].rgba);
-  CHECK(near.uv == level.uv);
+  REQUIRE(near.uv.size() == 6);
+  for (const auto& uv : near.uv) CHECK(uv == level.uv[0]);
   CHECK(near.colour.empty());
+}
+
+TEST_CASE("Reach, TheOrderOfThingsInALevelLeavesNoTrace") {
+  const Surfaces level = gardenLevel();
+  const Surfaces ordered = inCanonicalOrder(level);
+  REQUIRE(ordered.triangle.size() == level.triangle.size());
+  const Hash128 hash = hashOfSector(ordered, {0, 0}, 16.0);
+  CHECK_FALSE(hashOfSector(level, {0, 0}, 16.0) == hash);
+  for (std::uint64_t seed = 1; seed < 40; ++seed) {
+    const Surfaces other = inAnotherOrder(level, seed);
+    CHECK(hashOfSector(inCanonicalOrder(other), {0, 0}, 16.0) == hash);
+    Surfaces edited = other;  // out of reach
+    for (auto& p : edited.position)
+      if (p[0] > 200.0F) p[1] += static_cast<float>(seed);
+    CHECK(hashOfSector(inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
+    std::erase_if(edited.triangle, [&](const Triangle& t) { return edited.position[t.vertex[0]][0] > 200.0F; });
+    CHECK(hashOfSector(inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
+  }
+}
+
+TEST_CASE("Reach, TreesAreToldApartAndWallsAreNot") {
+  const auto hashOfTwo = [](Role role, bool apart) {
+    Surfaces s = floorLevel();
+    for (int i = 0; i < 2; ++i) {
+      if (i == 0 || apart) s.object.push_back({"", role});
+      addQuad(s, {10.0 + i, 0, 10}, {0, 0, 1}, {0, 2, 0}, 0);
+      for (std::size_t t = s.triangle.size() - 2; t < s.triangle.size(); ++t)
+        s.triangle[t].object = static_cast<std::uint32_t>(s.object.size() - 1);
+    }
+    s.uv.resize(s.position.size(), {0.5F, 0.5F});
+    return hashOfSector(inCanonicalOrder(s), {0, 0}, 16.0);
+  };
+  CHECK(hashOfTwo(Role::fixed, true) == hashOfTwo(Role::fixed, false));
+  CHECK_FALSE(hashOfTwo(Role::vegetation, true) == hashOfTwo(Role::vegetation, false));
 }
 
 TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
