@@ -42,7 +42,7 @@ std::filesystem::path sectorPath(const std::filesystem::path& folder, SectorId s
 }
 
 LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky,
-                     std::optional<double> max_error)
+                     std::optional<double> max_error, const Checkpoint& checkpoint)
     : surfaces_(std::move(surfaces)),
       section_(section),
       max_error_(max_error.value_or(0.0)),
@@ -64,7 +64,7 @@ LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::S
     if (moon_path_) moon_ = trackAlong(*moon_path_);
   }
   texture_hash_ = textureHashes(surfaces_);
-  sectors_ = sectorsOf(surfaces_, section_.probes);
+  sectors_ = sectorsOf(surfaces_, section_.probes, checkpoint);
   std::sort(sectors_.begin(), sectors_.end());
 }
 
@@ -101,10 +101,10 @@ SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const 
   return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
-SectorPlan LevelBake::plan(SectorId sector) const {
+SectorPlan LevelBake::plan(SectorId sector, const Checkpoint& checkpoint) const {
   const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
   const BakeSection section = sectionOf(sector, section_);
-  const std::size_t probes = placeProbes(Tracer(near), sector, section.probes).size();
+  const std::size_t probes = placeProbes(Tracer(near), sector, section.probes, checkpoint).size();
   return {probes, probes > 0 && hasLocalTransfer(section.transfer, near)};
 }
 
@@ -112,10 +112,10 @@ std::optional<double> LevelBake::budget() const {
   return section_.transfer.rays ? std::nullopt : std::optional(max_error_);
 }
 
-PlacedSector LevelBake::place(SectorId sector) const {
+PlacedSector LevelBake::place(SectorId sector, const Checkpoint& checkpoint) const {
   const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
   PlacementReport report;
-  return placeSector(Tracer(near), sector, sectionOf(sector, section_).probes, report);
+  return placeSector(Tracer(near), sector, sectionOf(sector, section_).probes, report, checkpoint);
 }
 
 LevelIndex LevelBake::index() const {

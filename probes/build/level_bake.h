@@ -10,6 +10,7 @@
 
 #include "probes/build/sector_bake.h"
 #include "probes/level_index.h"
+#include "probes/placement/checkpoint.h"
 #include "sky/sky.h"
 
 namespace welkin::probes {
@@ -36,8 +37,10 @@ struct SectorPlan {
 class LevelBake {
  public:
   /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
-  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget, and what sectorsOf throws.
-  LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky, std::optional<double> max_error);
+  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget, and what sectorsOf and the
+  /// checkpoint throw.
+  LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky, std::optional<double> max_error,
+            const Checkpoint& checkpoint = {});
 
   /// Ascending.
   const std::vector<SectorId>& sectors() const { return sectors_; }
@@ -49,13 +52,13 @@ class LevelBake {
   SectorFile bake(SectorId sector, const BakeProgress& progress) const;
 
   /// Places a sector's probes to say how many. Throws what placeSector throws.
-  SectorPlan plan(SectorId sector) const;
+  SectorPlan plan(SectorId sector, const Checkpoint& checkpoint = {}) const;
 
   /// The error that rays = "auto" has to keep; none where the number of rays is fixed.
   std::optional<double> budget() const;
 
   /// The sector as placement leaves it, and the level itself: for pictures.
-  PlacedSector place(SectorId sector) const;
+  PlacedSector place(SectorId sector, const Checkpoint& checkpoint = {}) const;
   const Surfaces& surfaces() const { return surfaces_; }
 
   /// The index without its sectors and the sky's checksum.

@@ -152,7 +152,9 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   const Tracer tracer(near);
   if (!progress(0)) stop();
   PlacementReport report;
-  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report);
+  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report, [&] {
+    if (!progress(0)) stop();
+  });
   if (!progress(0)) stop();
   const std::vector<TracedProbe> traced = trace(tracer, placed, settings, progress);
   SectorFile file;

@@ -127,25 +127,29 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
 }
 
 template <typename Make>
-std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, Make make) {
+std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, const Checkpoint& checkpoint, Make make) {
   std::vector<Column> result(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) { result[i] = make(lines[i]); });
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    pass(checkpoint);
+    result[i] = make(lines[i]);
+  });
   return result;
 }
 
 }  // namespace
 
 Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
-                        PlacementReport& report) {
+                        PlacementReport& report, const Checkpoint& checkpoint) {
   Candidates result;
   const auto add = [&](const Wanted& wanted) {
+    pass(checkpoint);
     if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
   };
   for (const Number3& p : settings.add)
     if (sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
-  const std::vector<Column> columns = columnsOf(latticeOf(id, settings.spacing_m), [&](const LatticeLine& line) {
-    return columnAt(tracer, id, settings, line, top_y);
-  });
+  const std::vector<Column> columns =
+      columnsOf(latticeOf(id, settings.spacing_m), checkpoint,
+                [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
   report.columns = columns.size();
   for (const Column& column : columns) {
     report.buried += column.buried;
@@ -163,9 +167,9 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
         for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
     add(settle(tracer, id, settings, p, false));
-  for (const Column& column : columnsOf(latticeOf(id, 0.5 * settings.spacing_m), [&](const LatticeLine& line) {
-         return groundAt(tracer, settings, line, top_y);
-       }))
+  for (const Column& column :
+       columnsOf(latticeOf(id, 0.5 * settings.spacing_m), checkpoint,
+                 [&](const LatticeLine& line) { return groundAt(tracer, settings, line, top_y); }))
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);
       if (ground.walkable) result.walkable.push_back({ground.point.foot, ground.point.above, false});

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
 #include "probes/tracer.h"
 
@@ -31,7 +32,7 @@ struct Candidates {
 /// By hand; above ground of the lattice, lines with both numbers even first, then both odd, then the rest; above
 /// vegetation. `top_y` as in spansAt.
 Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
-                        PlacementReport& report);
+                        PlacementReport& report, const Checkpoint& checkpoint = {});
 
 /// A probe for a walkable point between the lines, moved and reported as candidates are; none where it may not stand.
 std::optional<Candidate> candidateFor(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings,

@@ -42,10 +42,12 @@ void fillFromNearest(std::array<std::uint8_t, kCells * kCells>& top) {
 
 class Grid {
  public:
-  Grid(const Tracer& tracer, const PlacementSettings& settings, PlacedSector& sector, double top_y)
+  Grid(const Tracer& tracer, const PlacementSettings& settings, PlacedSector& sector, double top_y,
+       const Checkpoint& checkpoint)
       : tracer_(tracer),
         settings_(settings),
         sector_(sector),
+        checkpoint_(checkpoint),
         cells_(gridCellsOf(tracer, sector.id, sector.low_y, sector.cell_height_m, top_y)),
         found_(kAllCells, Found::none),
         anchor_(kAllCells) {
@@ -55,6 +57,7 @@ class Grid {
 
   void bySight() {
     tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
+      pass(checkpoint_);
       GridCell& cell = cells_.cell[i];
       if (cell.middle_free)
         if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
@@ -78,6 +81,7 @@ class Grid {
       std::vector<std::optional<Way>> way(kAllCells);
       tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
         if (found_[i] != Found::none) return;
+        pass(checkpoint_);
         for (const std::size_t j : around(i, 1)) {
           const Number3* from = fresh[j] ? pointThatSees(i, anchor_[j]) : nullptr;
           if (from == nullptr) continue;
@@ -99,6 +103,7 @@ class Grid {
   void byFilter() {
     std::vector<std::optional<std::size_t>> chosen(kAllCells);
     tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
+      pass(checkpoint_);
       if (cells_.cell[i].point.empty()) chosen[i] = seenByAll(i);
     });
     for (std::size_t i = 0; i < kAllCells; ++i)
@@ -203,6 +208,7 @@ class Grid {
   const Tracer& tracer_;
   const PlacementSettings& settings_;
   PlacedSector& sector_;
+  const Checkpoint& checkpoint_;
   GridCells cells_;
   std::vector<Found> found_;
   std::vector<Number3> anchor_;
@@ -221,9 +227,9 @@ void setHeights(const std::vector<double>& ground_y, PlacedSector& sector) {
 }  // namespace
 
 void fillGrid(const Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
-              double top_y, PlacedSector& sector, PlacementReport& report) {
+              double top_y, PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint) {
   setHeights(ground_y, sector);
-  Grid grid(tracer, settings, sector, top_y);
+  Grid grid(tracer, settings, sector, top_y, checkpoint);
   grid.bySight();
   grid.byWay();
   grid.byFilter();

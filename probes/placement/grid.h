@@ -2,6 +2,7 @@
 // The grid that names for every cell of a sector the nearest probe that the cell can see.
 #pragma once
 
+#include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
 #include "probes/tracer.h"
 
@@ -18,6 +19,6 @@ namespace welkin::probes {
 ///    with a probe see, so that no wall is filtered through;
 /// 5. kNoProbe. No line of sight crosses static geometry.
 void fillGrid(const Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
-              double top_y, PlacedSector& sector, PlacementReport& report);
+              double top_y, PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint = {});
 
 }  // namespace welkin::probes

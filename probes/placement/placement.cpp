@@ -9,25 +9,27 @@
 
 namespace welkin::probes {
 
-PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings,
-                         PlacementReport& report) {
+PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report,
+                         const Checkpoint& checkpoint) {
   checkSettings(settings);
   report = {};
   PlacedSector result;
   result.id = id;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
-  const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report);
-  result.probe = selectProbes(tracer, id, candidates, settings, report);
-  fillGrid(tracer, settings, candidates.ground_y, top_y, result, report);
+  const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report, checkpoint);
+  result.probe = selectProbes(tracer, id, candidates, settings, report, checkpoint);
+  fillGrid(tracer, settings, candidates.ground_y, top_y, result, report, checkpoint);
   setRooms(settings, result);
   return result;
 }
 
-std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings) {
+std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings,
+                               const Checkpoint& checkpoint) {
   checkSettings(settings);
   PlacementReport report;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
-  return selectProbes(tracer, id, candidatesOf(tracer, id, settings, top_y, report), settings, report);
+  return selectProbes(tracer, id, candidatesOf(tracer, id, settings, top_y, report, checkpoint), settings, report,
+                      checkpoint);
 }
 
 }  // namespace welkin::probes

@@ -3,6 +3,7 @@
 // "Deferred Radiance Transfer Volumes" of Stefanov (GDC 2012), whose probes stand 4 m apart on hits of vertical rays.
 #pragma once
 
+#include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
 #include "probes/tracer.h"
 
@@ -11,14 +12,17 @@ namespace welkin::probes {
 /// Sectors with ground to walk on, vegetation or a probe by hand, each once, ordered. One whose ground turns out to be
 /// inside of bodies or without headroom gets no probes when it is placed. Throws Error(content) where a setting is out
 /// of its range.
-std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings);
+std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings,
+                                const Checkpoint& checkpoint = {});
 
 /// Places the probes of a sector and fills its grid and rooms; nothing of its neighbours' results takes part, and the
 /// result is the same for any number of threads. A report is replaced. Order: by hand, above ground by lattice (even
 /// lines first), above vegetation, then those that walkable points needed to see one. Throws as sectorsOf.
-PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report);
+PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report,
+                         const Checkpoint& checkpoint = {});
 
 /// The probes of placeSector alone, without the cost of the grid. Throws as sectorsOf.
-std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings);
+std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings,
+                               const Checkpoint& checkpoint = {});
 
 }  // namespace welkin::probes

@@ -60,7 +60,7 @@ bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
 
 }  // namespace
 
-std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& settings) {
+std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& settings, const Checkpoint& checkpoint) {
   checkSettings(settings);
   std::set<SectorId> result;
   for (const Triangle& t : s.triangle) {
@@ -74,9 +74,11 @@ std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& sett
     if (!shadow.ground(s.material[t.material].double_sided)) continue;
     const SectorId low = sectorAt({shadow.low(0), 0, shadow.low(2)});
     const SectorId high = sectorAt({shadow.high(0), 0, shadow.high(2)});
-    for (int x = low.x; x <= high.x; ++x)
+    for (int x = low.x; x <= high.x; ++x) {
+      pass(checkpoint);
       for (int z = low.z; z <= high.z; ++z)
         if (!result.contains({x, z}) && meetsALine(shadow, {x, z}, settings.spacing_m)) result.insert({x, z});
+    }
   }
   for (const SectorId& id : sectorsOfVegetation(vegetationBoxes(s), settings)) result.insert(id);
   for (const Number3& p : settings.add) result.insert(sectorAt(p));

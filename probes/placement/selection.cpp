@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "probes/placement/nearby.h"
 #include "probes/placement/thinning.h"
 #include "probes/placement/validity.h"
 
@@ -13,17 +14,24 @@ namespace {
 
 class Selection {
  public:
-  Selection(const Tracer& tracer, const SectorId& id, const Candidates& candidates, const PlacementSettings& settings)
+  Selection(const Tracer& tracer, const SectorId& id, const Candidates& candidates, const PlacementSettings& settings,
+            const Checkpoint& checkpoint)
       : tracer_(tracer),
         id_(id),
         settings_(settings),
+        checkpoint_(checkpoint),
         candidate_(candidates.candidate),
         walkable_(candidates.walkable),
-        kept_(candidate_.size(), false) {}
+        kept_(candidate_.size(), false),
+        near_candidate_(id),
+        near_probe_(id) {
+    for (std::size_t i = 0; i < candidate_.size(); ++i) near_candidate_.add(i, position(i));
+  }
 
   void keepApart(PlacementReport& report) {
     for (std::size_t i = 0; i < kept_.size(); ++i) {
-      if (candidate_[i].by_hand || !nearAnother(i))
+      pass(checkpoint_);
+      if (candidate_[i].by_hand || seenFrom(position(i), settings_.minimum_separation_m, 1).empty())
         keep(i);
       else
         ++report.near_others;
@@ -31,12 +39,19 @@ class Selection {
   }
 
   void keepInSight(PlacementReport& report) {
-    const Coverage coverage = coverageOf();
+    std::vector<std::uint8_t> covered(walkable_.size());
+    tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {
+      pass(checkpoint_);
+      covered[i] = seesAny(walkable_[i], [](std::size_t) { return true; }) ? 1 : 0;
+    });
     const std::size_t first = probe_.size();
     std::vector<WalkablePoint> walkable;
-    for (std::size_t i = 0; i < coverage.size(); ++i) {
+    for (std::size_t i = 0; i < covered.size(); ++i) {
       const WalkablePoint& point = walkable_[i];
-      if (coverage[i].empty() && seenFrom(point.foot, first).empty() && !keepFor(point, report)) continue;
+      if (covered[i] == 0) {
+        pass(checkpoint_);
+        if (!seesAny(point, [&](std::size_t p) { return p >= first; }) && !keepFor(point, report)) continue;
+      }
       walkable.push_back(point);
     }
     walkable_ = std::move(walkable);
@@ -45,17 +60,25 @@ class Selection {
   }
 
   std::vector<Probe> finish(PlacementReport& report) const {
-    const Coverage coverage = coverageOf();
     std::vector<bool> by_hand;
     for (const std::size_t i : probe_) by_hand.push_back(candidate_[i].by_hand);
+    const Look look = [&](std::size_t point, const std::vector<bool>& gone) {
+      pass(checkpoint_);
+      return seenFrom(walkable_[point].foot, settings_.coverage_m, kNearestSeen,
+                      [&](std::size_t p) { return !gone[p]; });
+    };
     std::vector<bool> gone(probe_.size(), false);
-    for (const std::size_t i : thin(coverage, by_hand, kMostProbes)) {
+    for (const std::size_t i : thin(walkable_.size(), look, by_hand, kMostProbes)) {
       gone[i] = true;
       report.dropped.push_back({position(probe_[i]), DroppedProbe::Reason::thinned, by_hand[i]});
     }
-    for (std::size_t i = 0; i < coverage.size(); ++i)
-      if (std::all_of(coverage[i].begin(), coverage[i].end(), [&](const SeenProbe& s) { return gone[s.probe]; }))
-        report.uncovered.push_back(walkable_[i].foot);
+    std::vector<std::uint8_t> covered(walkable_.size());
+    tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {
+      pass(checkpoint_);
+      covered[i] = seesAny(walkable_[i], [&](std::size_t p) { return !gone[p]; }) ? 1 : 0;
+    });
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      if (covered[i] == 0) report.uncovered.push_back(walkable_[i].foot);
     std::vector<Probe> result;
     for (std::size_t i = 0; i < probe_.size(); ++i)
       if (!gone[i]) result.push_back({position(probe_[i])});
@@ -67,47 +90,43 @@ class Selection {
 
   void keep(std::size_t candidate) {
     kept_[candidate] = true;
+    near_probe_.add(probe_.size(), position(candidate));
     probe_.push_back(candidate);
   }
 
-  bool reaches(const Number3& from, const Number3& to, double distance_m) const {
-    return distanceOf(from, to) < distance_m && roomOf(settings_, from) == roomOf(settings_, to) &&
-           sees(tracer_, from, to);
+  bool reaches(const Number3& from, const Number3& to) const {
+    return roomOf(settings_, from) == roomOf(settings_, to) && sees(tracer_, from, to);
   }
 
-  bool nearAnother(std::size_t candidate) const {
-    return std::any_of(probe_.begin(), probe_.end(), [&](std::size_t other) {
-      return reaches(position(candidate), position(other), settings_.minimum_separation_m);
-    });
-  }
-
-  /// Probes from the `first` on that a point sees.
-  std::vector<SeenProbe> seenFrom(const Number3& foot, std::size_t first) const {
+  /// The nearest probes that a point sees, `most` of them, and of those that count alone.
+  template <typename Counts>
+  std::vector<SeenProbe> seenFrom(const Number3& from, double far_m, std::size_t most, const Counts& counts) const {
     std::vector<SeenProbe> result;
-    for (std::size_t i = first; i < probe_.size(); ++i)
-      if (reaches(foot, position(probe_[i]), settings_.coverage_m))
-        result.push_back({i, distanceOf(foot, position(probe_[i]))});
-    std::stable_sort(result.begin(), result.end(),
-                     [](const SeenProbe& a, const SeenProbe& b) { return a.distance_m < b.distance_m; });
+    near_probe_.visit(from, far_m, counts, [&](std::size_t i, double distance_m) {
+      if (reaches(from, position(probe_[i]))) result.push_back({i, distance_m});
+      return result.size() < most;
+    });
     return result;
   }
 
-  Coverage coverageOf() const {
-    Coverage result(walkable_.size());
-    tbb::parallel_for(std::size_t{0}, result.size(),
-                      [&](std::size_t i) { result[i] = seenFrom(walkable_[i].foot, 0); });
-    return result;
+  std::vector<SeenProbe> seenFrom(const Number3& from, double far_m, std::size_t most) const {
+    return seenFrom(from, far_m, most, [](std::size_t) { return true; });
+  }
+
+  template <typename Counts>
+  bool seesAny(const WalkablePoint& point, const Counts& counts) const {
+    return !seenFrom(point.foot, settings_.coverage_m, 1, counts).empty();
   }
 
   /// Keeps a candidate for a point that sees no probe. False where the point turns out to be no ground to walk on.
   bool keepFor(const WalkablePoint& point, PlacementReport& report) {
     std::optional<std::size_t> nearest;
-    double limit = settings_.coverage_m;
-    for (std::size_t i = 0; i < kept_.size(); ++i)
-      if (!kept_[i] && reaches(point.foot, position(i), limit)) {
-        nearest = i;
-        limit = distanceOf(point.foot, position(i));
-      }
+    near_candidate_.visit(
+        point.foot, settings_.coverage_m, [&](std::size_t i) { return !kept_[i]; },
+        [&](std::size_t i, double) {
+          if (reaches(point.foot, position(i))) nearest = i;
+          return !nearest;
+        });
     if (nearest) {
       keep(*nearest);
     } else if (!point.on_lattice) {
@@ -123,17 +142,21 @@ class Selection {
   const Tracer& tracer_;
   SectorId id_;
   const PlacementSettings& settings_;
+  const Checkpoint& checkpoint_;
   std::vector<Candidate> candidate_;
   std::vector<WalkablePoint> walkable_;
   std::vector<bool> kept_;          // by candidate
   std::vector<std::size_t> probe_;  // candidates, in the order of their choice
+  Nearby near_candidate_;           // of the sector's, by number
+  Nearby near_probe_;               // by index in probe_
 };
 
 }  // namespace
 
 std::vector<Probe> selectProbes(const Tracer& tracer, const SectorId& id, const Candidates& candidates,
-                                const PlacementSettings& settings, PlacementReport& report) {
-  Selection selection(tracer, id, candidates, settings);
+                                const PlacementSettings& settings, PlacementReport& report,
+                                const Checkpoint& checkpoint) {
+  Selection selection(tracer, id, candidates, settings, checkpoint);
   selection.keepApart(report);
   selection.keepInSight(report);
   return selection.finish(report);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace welkin::probes {
@@ -13,13 +14,17 @@ struct SeenProbe {
   double distance_m;
 };
 
-/// For each walkable point the probes that it sees within reach, from the nearest.
-using Coverage = std::vector<std::vector<SeenProbe>>;
+/// As many probes of a point are kept in memory; where all of them are gone the point looks again.
+inline constexpr std::size_t kNearestSeen = 8;
+
+/// The kNearestSeen probes nearest to a walkable point of those that it sees within reach and that are not gone, or all
+/// where they are fewer; from the nearest. Called from any thread; what it throws ends the thinning.
+using Look = std::function<std::vector<SeenProbe>(std::size_t point, const std::vector<bool>& gone)>;
 
 /// Takes probes away, one by one, until `most` are left: each time the one whose loss is least. Loss is the number of
 /// points that see no probe any more, then by how much the distances to the nearest probe seen grow in all, then the
 /// index (the later goes first). Probes that `by_hand` marks go when no others are left. Returns their indices in the
 /// order in which they go.
-std::vector<std::size_t> thin(const Coverage& coverage, const std::vector<bool>& by_hand, std::size_t most);
+std::vector<std::size_t> thin(std::size_t points, const Look& look, const std::vector<bool>& by_hand, std::size_t most);
 
 }  // namespace welkin::probes

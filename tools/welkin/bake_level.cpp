@@ -52,7 +52,8 @@ class SectorBaker {
       writeFile(probes::sectorPath(options_.folder, sector), state.bytes);
       ++baked_;
     }
-    if (!progress_.step()) throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+    progress_.step();
+    endIfInterrupted();
     return state;
   }
 
@@ -66,6 +67,7 @@ class SectorBaker {
 
  private:
   bool advance(SectorId sector, std::uint64_t rays) {
+    if (rays == 0) return progress_.step(0);
     rays_ += rays;
     const double per_s = static_cast<double>(rays_) / std::max(secondsSince(start_), 1e-9);
     progress_.note(fmt::format("sector {}, {:.2f} Mrays/s", probes::nameOf(sector), 1e-6 * per_s),
@@ -119,6 +121,7 @@ std::optional<std::vector<probes::SectorEntry>> completed(const LevelInput& leve
   for (const SectorId sector : level.bake.sectors()) {
     const auto is = [&](const probes::SectorEntry& e) { return e.id == sector; };
     if (std::any_of(entries.begin(), entries.end(), is)) continue;
+    endIfInterrupted();
     const SectorState state = level.bake.state(options.folder, sector);
     if (state.stale.empty())
       entries.push_back(probes::entryOf(*state.file, state.bytes));
@@ -140,12 +143,18 @@ std::optional<std::vector<probes::SectorEntry>> completed(const LevelInput& leve
 /// What every sector must be baked from, as shards must agree on.
 probes::Hash128 hashOfAll(const LevelInput& level, const LevelOptions& options) {
   std::vector<probes::SectorEntry> entries;
-  for (const SectorId sector : level.bake.sectors())
+  for (const SectorId sector : level.bake.sectors()) {
+    endIfInterrupted();
     entries.push_back({sector, 0, 0, {}, level.bake.state(options.folder, sector).from.all});
+  }
   return probes::hashOf(entries);
 }
 
 }  // namespace
+
+void endIfInterrupted() {
+  if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+}
 
 LevelInput readLevel(const std::filesystem::path& path, const sky::Sky& sky, std::optional<double> max_error) {
   const probes::LevelFile file = probes::readLevelFile(path);
@@ -153,7 +162,8 @@ LevelInput readLevel(const std::filesystem::path& path, const sky::Sky& sky, std
   probes::Surfaces surfaces = probes::readSurfaces(file);
   std::vector<std::filesystem::path> files = surfaces.file;
   std::vector<std::string> warnings = surfaces.warning;
-  return {probes::LevelBake(std::move(surfaces), section, sky, max_error), std::move(files), std::move(warnings)};
+  return {probes::LevelBake(std::move(surfaces), section, sky, max_error, endIfInterrupted), std::move(files),
+          std::move(warnings)};
 }
 
 void bakeSectors(const LevelInput& level, const LevelOptions& options, ProgressReport::Style style, Json& report,

@@ -20,6 +20,9 @@ struct LevelInput {
   std::vector<std::string> warnings;
 };
 
+/// Throws Error(interrupted) where someone asked the program to stop.
+void endIfInterrupted();
+
 /// Reads level.toml's geometry and settings. `max_error` is for rays = "auto". Throws Error.
 LevelInput readLevel(const std::filesystem::path& level, const sky::Sky& sky, std::optional<double> max_error);
 

@@ -57,12 +57,12 @@ std::size_t sectorBytes(const probes::SectorPlan& plan) {
 nlohmann::ordered_json sectorsJson(const LevelInput& level, const std::string& folder) {
   auto sectors = nlohmann::ordered_json::array();
   for (const probes::SectorId sector : level.bake.sectors()) {
-    if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted");
+    endIfInterrupted();
     const probes::SectorState state = level.bake.state(folder, sector);
     const bool fresh = state.stale.empty();
     const probes::SectorPlan plan = fresh
                                         ? probes::SectorPlan{state.file->probes.probes(), state.file->local.has_value()}
-                                        : level.bake.plan(sector);
+                                        : level.bake.plan(sector, endIfInterrupted);
     sectors.push_back({{"sector", probes::nameOf(sector)},
                        {"bake", !fresh},
                        {"why", fresh ? "up to date" : state.stale},
@@ -92,8 +92,8 @@ void drawPictures(const std::optional<LevelInput>& level, const std::filesystem:
   if (!level) throw Error(ExitStatus::usage, "--pictures: needs a level.toml: a sky has no probes");
   std::vector<probes::PlacedSector> placed;
   for (const probes::SectorId sector : level->bake.sectors()) {
-    if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted");
-    placed.push_back(level->bake.place(sector));
+    endIfInterrupted();
+    placed.push_back(level->bake.place(sector, endIfInterrupted));
   }
   const auto most = std::max_element(placed.begin(), placed.end(),
                                      [](const auto& a, const auto& b) { return a.probe.size() < b.probe.size(); });
