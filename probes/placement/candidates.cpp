@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "probes/placement/ground_part.h"
 #include "probes/placement/lattice.h"
 #include "probes/placement/validity.h"
 #include "probes/placement/vegetation_boxes.h"
@@ -15,7 +16,6 @@ namespace welkin::probes {
 namespace {
 
 constexpr double kFoot_m = 0.1;
-constexpr double kWalkable_normal_y = 0.5;  // 60 degrees
 
 bool isRemoved(const PlacementSettings& settings, const Number3& p) {
   return std::any_of(settings.remove.begin(), settings.remove.end(), [&](const Box& box) { return contains(box, p); });
@@ -126,6 +126,13 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
   return result;
 }
 
+/// For ground that no line of the lattice meets.
+std::vector<LatticeLine> linesThroughParts(const Surfaces& surfaces, const SectorId& id) {
+  std::vector<LatticeLine> lines;
+  for (const GroundPart& part : walkableParts(surfaces, id)) lines.push_back({0, 0, part.x, part.z});
+  return lines;
+}
+
 template <typename Make>
 std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, const Checkpoint& checkpoint, Make make) {
   std::vector<Column> result(lines.size());
@@ -147,9 +154,18 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
   };
   for (const Number3& p : settings.add)
     if (sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
-  const std::vector<Column> columns =
-      columnsOf(latticeOf(id, settings.spacing_m), checkpoint,
-                [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
+  const auto candidatesOn = [&](const std::vector<LatticeLine>& lines) {
+    return columnsOf(lines, checkpoint,
+                     [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
+  };
+  const auto hasGround = [](const Column& column) { return !column.ground.empty(); };
+  std::vector<Column> columns = candidatesOn(latticeOf(id, settings.spacing_m));
+  const std::vector<Column> between =
+      columnsOf(latticeOf(id, 0.5 * settings.spacing_m), checkpoint,
+                [&](const LatticeLine& line) { return groundAt(tracer, settings, line, top_y); });
+  if (std::none_of(columns.begin(), columns.end(), hasGround) &&
+      std::none_of(between.begin(), between.end(), hasGround))
+    for (Column& column : candidatesOn(linesThroughParts(tracer.surfaces(), id))) columns.push_back(std::move(column));
   report.columns = columns.size();
   for (const Column& column : columns) {
     report.buried += column.buried;
@@ -167,9 +183,7 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
         for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
     add(settle(tracer, id, settings, p, false));
-  for (const Column& column :
-       columnsOf(latticeOf(id, 0.5 * settings.spacing_m), checkpoint,
-                 [&](const LatticeLine& line) { return groundAt(tracer, settings, line, top_y); }))
+  for (const Column& column : between)
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);
       if (ground.walkable) result.walkable.push_back({ground.point.foot, ground.point.above, false});

@@ -30,7 +30,8 @@ struct Candidates {
 };
 
 /// By hand; above ground of the lattice, lines with both numbers even first, then both odd, then the rest; above
-/// vegetation. `top_y` as in spansAt.
+/// vegetation. Where neither lattice meets ground, lines through the middles of the sector's walkable triangles take
+/// their place. `top_y` as in spansAt.
 Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
                         PlacementReport& report, const Checkpoint& checkpoint = {});
 

@@ -9,9 +9,13 @@
 
 namespace welkin::probes {
 
-/// Sectors with ground to walk on, vegetation or a probe by hand, each once, ordered. One whose ground turns out to be
-/// inside of bodies or without headroom gets no probes when it is placed. Throws Error(content) where a setting is out
-/// of its range.
+/// Sectors of a level, at most: 64 km square.
+inline constexpr std::size_t kMostSectors = 1'000'000;
+
+/// Sectors with ground to stand on, vegetation or a probe by hand, each once, ordered. Ground: a line of the lattice,
+/// or of that of half its spacing, meets it, or it is kLeastGround_m2. A sector whose ground turns out to be inside of
+/// bodies or without headroom gets no probes when it is placed. Throws Error(content) where a setting is out of its
+/// range, and for more than kMostSectors, naming the object.
 std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings,
                                 const Checkpoint& checkpoint = {});
 

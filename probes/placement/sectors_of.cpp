@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "probes/placement/ground_part.h"
 #include "probes/placement/lattice.h"
 #include "probes/placement/placement.h"
 #include "probes/placement/vegetation_boxes.h"
+#include "sky/error.h"
 
 namespace welkin::probes {
 namespace {
@@ -58,31 +63,76 @@ bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
   return false;
 }
 
+/// The sectors found so far. Throws where they, or those that one thing spans, are too many to go through.
+class Found {
+ public:
+  const std::set<SectorId>& sectors() const { return sectors_; }
+  bool contains(const SectorId& id) const { return sectors_.contains(id); }
+
+  template <typename Name>
+  void checkSpan(const SectorId& low, const SectorId& high, const Name& name) const {
+    check((high.x - low.x + 1.0) * (high.z - low.z + 1.0), "spans", name);
+  }
+
+  template <typename Name>
+  void add(const SectorId& id, const Name& name) {
+    sectors_.insert(id);
+    check(static_cast<double>(sectors_.size()), "makes the level one of", name);
+  }
+
+ private:
+  template <typename Name>
+  static void check(double count, const char* how, const Name& name) {
+    if (count > static_cast<double>(kMostSectors))
+      throw Error(ExitStatus::content,
+                  fmt::format("{} {} {:.0f} sectors of 64 m; at most {} may be", name(), how, count, kMostSectors));
+  }
+
+  std::set<SectorId> sectors_;
+};
+
 }  // namespace
 
 std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& settings, const Checkpoint& checkpoint) {
   checkSettings(settings);
-  std::set<SectorId> result;
+  Found found;
+  std::map<SectorId, double> between_m2;  // walkable ground of sectors without a line on any
   for (const Triangle& t : s.triangle) {
     if (s.object[t.object].role != Role::fixed) continue;
-    std::array<Number3, 3> corner;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& p = s.position[t.vertex[i]];
-      corner[i] = {double{p[0]}, double{p[1]}, double{p[2]}};
-    }
+    const std::array<Number3, 3> corner = cornersOf(s, t);
     const Shadow shadow(corner);
-    if (!shadow.ground(s.material[t.material].double_sided)) continue;
+    const bool two_sides = s.material[t.material].double_sided;
+    if (!shadow.ground(two_sides)) continue;
+    const bool walkable = isWalkable(corner, two_sides);
     const SectorId low = sectorAt({shadow.low(0), 0, shadow.low(2)});
     const SectorId high = sectorAt({shadow.high(0), 0, shadow.high(2)});
+    const auto name = [&] { return fmt::format("object \"{}\"", s.object[t.object].name); };
+    found.checkSpan(low, high, name);
     for (int x = low.x; x <= high.x; ++x) {
       pass(checkpoint);
-      for (int z = low.z; z <= high.z; ++z)
-        if (!result.contains({x, z}) && meetsALine(shadow, {x, z}, settings.spacing_m)) result.insert({x, z});
+      for (int z = low.z; z <= high.z; ++z) {
+        const SectorId id{x, z};
+        if (found.contains(id)) continue;
+        if (meetsALine(shadow, id, settings.spacing_m) ||
+            (walkable && meetsALine(shadow, id, 0.5 * settings.spacing_m)))
+          found.add(id, name);
+        else if (walkable)
+          between_m2[id] += partOver(corner, id).area_m2;
+      }
     }
   }
-  for (const SectorId& id : sectorsOfVegetation(vegetationBoxes(s), settings)) result.insert(id);
-  for (const Number3& p : settings.add) result.insert(sectorAt(p));
-  return {result.begin(), result.end()};
+  const auto others = [] { return "all the level's ground, vegetation and probes by hand"; };
+  for (const auto& [id, area_m2] : between_m2)
+    if (area_m2 >= kLeastGround_m2) found.add(id, others);
+  for (const Box& box : vegetationBoxes(s)) {
+    found.checkSpan(sectorAt(box.low), sectorAt(box.high), [&] {
+      return fmt::format("vegetation from ({}, {}) to ({}, {}) m", box.low.x, box.low.z, box.high.x, box.high.z);
+    });
+    pass(checkpoint);
+    for (const SectorId& id : sectorsOfVegetation(box, settings)) found.add(id, others);
+  }
+  for (const Number3& p : settings.add) found.add(sectorAt(p), others);
+  return {found.sectors().begin(), found.sectors().end()};
 }
 
 }  // namespace welkin::probes

@@ -34,6 +34,16 @@ Lines linesOf(const Box& box, double spacing_m) {
   return r;
 }
 
+/// Numbers along an axis of the sectors that have lines.
+std::vector<int> sectorsAlong(int first, int last, double spacing_m, double aside_m) {
+  std::vector<int> result;
+  for (int n = first; n <= last; ++n) {
+    const int sector = static_cast<int>(std::floor(lineAt(n, spacing_m, aside_m) / kSector_m));
+    if (result.empty() || result.back() != sector) result.push_back(sector);
+  }
+  return result;
+}
+
 Number3 middleOf(const Box& box) {
   return (box.low + box.high) * 0.5;
 }
@@ -75,18 +85,14 @@ std::vector<Number3> aboveVegetation(const std::vector<Box>& boxes, const Placem
   return result;
 }
 
-std::vector<SectorId> sectorsOfVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings) {
+std::vector<SectorId> sectorsOfVegetation(const Box& box, const PlacementSettings& settings) {
+  const double spacing_m = settings.vegetation_spacing_m;
+  const Lines lines = linesOf(box, spacing_m);
+  if (lines.none()) return {sectorAt(middleOf(box))};
+  const std::vector<int> along_z = sectorsAlong(lines.first_k, lines.last_k, spacing_m, kLattice_z_m);
   std::vector<SectorId> result;
-  for (const Box& box : boxes) {
-    const Lines lines = linesOf(box, settings.vegetation_spacing_m);
-    if (lines.none()) result.push_back(sectorAt(middleOf(box)));
-    for (int k = lines.first_k; k <= lines.last_k; ++k)
-      for (int i = lines.first_i; i <= lines.last_i; ++i) {
-        const SectorId id = sectorAt({lineAt(i, settings.vegetation_spacing_m, kLattice_x_m), 0,
-                                      lineAt(k, settings.vegetation_spacing_m, kLattice_z_m)});
-        if (result.empty() || result.back() != id) result.push_back(id);
-      }
-  }
+  for (const int x : sectorsAlong(lines.first_i, lines.last_i, spacing_m, kLattice_x_m))
+    for (const int z : along_z) result.push_back({x, z});
   return result;
 }
 

@@ -17,7 +17,7 @@ std::vector<Box> vegetationBoxes(const Surfaces& surfaces);
 std::vector<Number3> aboveVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings,
                                      const SectorId& id);
 
-/// Sectors that aboveVegetation has places in, each once or more.
-std::vector<SectorId> sectorsOfVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings);
+/// Sectors that aboveVegetation has places of a box in, each once.
+std::vector<SectorId> sectorsOfVegetation(const Box& box, const PlacementSettings& settings);
 
 }  // namespace welkin::probes

@@ -3,7 +3,9 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "placed.h"
 #include "probes/placement/placement.h"
@@ -102,10 +104,10 @@ TEST_CASE("Placement, AboveTheBoxesOfVegetation") {
 TEST_CASE("Placement, SectorsOfALevel") {
   Surfaces s;
   const auto stone = tests::addMaterial(s, {0.5, 0.5, 0.5});
-  tests::addQuad(s, {-70, 0, 10}, {0, 0, 20}, {80, 0, 0}, stone);   // three sectors along x
-  tests::addQuad(s, {200, 0, 200}, {1, 0, 0}, {0, 0, 1}, stone);    // between the lines
-  tests::addQuad(s, {300, 0, 300}, {20, 0, 0}, {0, 0, 20}, stone);  // looks down
-  tests::addQuad(s, {400, 0, 0}, {0, 9, 0}, {0, 0, 20}, stone);     // a wall
+  tests::addQuad(s, {-70, 0, 10}, {0, 0, 20}, {80, 0, 0}, stone);     // three sectors along x
+  tests::addQuad(s, {200, 0, 200}, {0, 0, .09}, {.09, 0, 0}, stone);  // too small to stand on
+  tests::addQuad(s, {300, 0, 300}, {20, 0, 0}, {0, 0, 20}, stone);    // looks down
+  tests::addQuad(s, {400, 0, 0}, {0, 9, 0}, {0, 0, 20}, stone);       // a wall
   PlacementSettings settings;
   CHECK(sectorsOf(s, settings) == std::vector<SectorId>{{-2, 0}, {-1, 0}, {0, 0}});
   settings.add = {{-1, 5, -1000}};
@@ -115,6 +117,79 @@ TEST_CASE("Placement, SectorsOfALevel") {
   for (std::size_t i = s.triangle.size() - 2; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
   CHECK(sectorsOf(s, settings).back() == SectorId{7, 0});
   CHECK(sectorsOf({}, {}).empty());
+}
+
+TEST_CASE("Placement, GroundBetweenTheLinesHasASectorAndProbes") {
+  const auto stone = [](Surfaces& s) { return tests::addMaterial(s, {0.5, 0.5, 0.5}); };
+  SECTION("a strip that only the lattice of half the spacing meets") {
+    Surfaces s = tests::groundOf({0.5, 0.5, 0.5}, 65.9);
+    CHECK(sectorsOf(s, {}).size() == 16);
+    CHECK(place(s, {1, 0}).probe.size() >= 8);
+  }
+  SECTION("a board that no line meets, in triangles of which none is large enough") {
+    Surfaces s;
+    const auto material = stone(s);
+    for (int i = 0; i < 200; ++i) tests::addQuad(s, {71.5, 2, 10 + 0.05 * i}, {0, 0, 0.05}, {0.1, 0, 0}, material);
+    REQUIRE(sectorsOf(s, {}) == std::vector<SectorId>{{1, 0}});
+    PlacementReport report;
+    const PlacedSector sector = place(s, {1, 0}, {}, &report);
+    REQUIRE((sector.probe.size() == 1 || sector.probe.size() == 2));  // 7 m apart on 10 m
+    for (const Probe& p : sector.probe) CHECK((p.position.x > 71.5 && p.position.x < 71.6 && p.position.y == 3.0));
+    CHECK(report.uncovered.empty());
+    CHECK(report.walkable > 0);
+  }
+  SECTION("a floor across a border, and a roof too steep") {
+    Surfaces s;
+    const auto material = stone(s);
+    tests::addQuad(s, {60, 0, 70}, {0, 0, 0.3}, {4.2, 0, 0}, material);
+    tests::addQuad(s, {128, 0, 71.4}, {0, 0, 0.4}, {0.2, 0.5, 0}, material);
+    CHECK(sectorsOf(s, {}) == std::vector<SectorId>{{0, 1}, {1, 1}});
+    const PlacedSector sector = place(s, {1, 1});
+    REQUIRE(sector.probe.size() == 1);
+    CHECK(sector.probe[0].position.x == Approx(64.1).margin(0.05));  // of two triangles
+    CHECK(place(s, {2, 1}).probe.empty());
+  }
+}
+
+TEST_CASE("Placement, LevelsTooWideAreRefused") {
+  Surfaces s = tests::groundOf({0.5, 0.5, 0.5}, 33e3);
+  s.object[0].name = "sea floor";
+  CHECK_THROWS_WITH(sectorsOf(s, {}), Catch::Contains("\"sea floor\" spans 1065024 sectors"));
+  Surfaces forest = tests::groundOf({0.5, 0.5, 0.5}, 60.0);
+  forest.object.push_back({"forest", Role::vegetation});
+  for (const double at : {-40e3, 40e3}) {
+    tests::addQuad(forest, {at, 0, at}, {0, 0, 1}, {1, 0, 0}, 0);
+    for (std::size_t i = forest.triangle.size() - 2; i < forest.triangle.size(); ++i) forest.triangle[i].object = 1;
+  }
+  CHECK_THROWS_WITH(sectorsOf(forest, {}), Catch::Contains("vegetation from (-40000, -40000) to (40001, 40001) m"));
+}
+
+TEST_CASE("Placement, ACheckpointEndsIt") {
+  const Surfaces s = village();
+  const Tracer tracer(s);
+  PlacementSettings settings;
+  settings.spacing_m = 1.0;
+  settings.minimum_separation_m = 0.5;  // thins
+  PlacementReport report;
+  std::atomic<int> calls = 0;
+  int last = std::numeric_limits<int>::max();
+  const Checkpoint checkpoint = [&] {
+    if (++calls > last) throw Error(ExitStatus::interrupted, "enough");
+  };
+  placeSector(tracer, {0, 0}, settings, report, checkpoint);
+  const int all = calls;
+  CHECK(all > 10000);
+  for (const double share : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+    calls = 0;
+    last = static_cast<int>(share * all);
+    CHECK_THROWS_WITH(placeSector(tracer, {0, 0}, settings, report, checkpoint), "enough");
+    CHECK(calls <= last + 64);  // a thread or two had begun
+  }
+  calls = 0;
+  last = 2;
+  CHECK_THROWS_WITH(placeProbes(tracer, {0, 0}, settings, checkpoint), "enough");
+  calls = 0;
+  CHECK_THROWS_WITH(sectorsOf(s, settings, checkpoint), "enough");
 }
 
 TEST_CASE("Placement, SectorsAreThoseThatGetProbes") {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ground that lies between the lines of the lattice: what of the triangles is over a sector.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "probes/sector.h"
+#include "probes/surfaces.h"
+
+namespace welkin::probes {
+
+/// Ground is walkable up to 60 degrees: least y of its normal.
+inline constexpr double kWalkable_normal_y = 0.5;
+
+/// Less walkable ground than this in a sector is not stood on: 0.1 m square.
+inline constexpr double kLeastGround_m2 = 0.01;
+
+/// A triangle's part over a sector's square, from above, and its centroid.
+struct GroundPart {
+  double area_m2 = 0.0;  ///< 0: none
+  double x = 0.0;
+  double z = 0.0;
+};
+
+std::array<Number3, 3> cornersOf(const Surfaces& surfaces, const Triangle& triangle);
+
+/// Whether a triangle, or one of its `two_sides`, is static ground up to 60 degrees.
+bool isWalkable(const std::array<Number3, 3>& corner, bool two_sides);
+
+GroundPart partOver(const std::array<Number3, 3>& corner, const SectorId& id);
+
+/// The parts of all walkable triangles over a sector, the largest first and at most kMostProbes; none where all of
+/// them together are less than kLeastGround_m2.
+std::vector<GroundPart> walkableParts(const Surfaces& surfaces, const SectorId& id);
+
+}  // namespace welkin::probes
