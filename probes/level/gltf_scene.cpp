@@ -37,6 +37,10 @@ class GltfSource : public GeometrySource {
     warn(directional_lights_ > 0, fmt::format("{} directional lights are left out", directional_lights_));
     const std::size_t placed = builder_.scene().spots.size() - spots;
     warn(placed > 0, fmt::format("{} spot lights light nothing; sectors near them get local transfer", placed));
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < visited_.size(); ++i)
+      if (visited_[i]) names.push_back(model_.nodes[i].name);
+    builder_.warnOfIdlePatterns(entry, names);
   }
 
  private:

@@ -75,6 +75,9 @@ class ObjSource : public GeometrySource {
   }
 
   void place(const GeometryEntry& entry) override {
+    std::vector<std::string> names;
+    for (const Part& part : parts_) names.push_back(part.object);
+    builder_.warnOfIdlePatterns(entry, names);
     std::map<std::string, uint32_t> objects;
     for (const Part& part : parts_) {
       const auto& patterns = entry.vegetation_nodes;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/level/scene_builder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -56,7 +58,10 @@ uint32_t SceneBuilder::bareMaterial(const Number3& albedo) {
 }
 
 void SceneBuilder::place(const MeshPiece& piece, const Affine& t, uint32_t object, const Number3& albedo) {
-  if (t.determinant() == 0.0) return;
+  if (t.determinant() == 0.0) {
+    if (without_volume_.empty() || without_volume_.back() != object) without_volume_.push_back(object);
+    return;
+  }
   const uint32_t material = piece.material ? *piece.material : bareMaterial(piece.coloured ? Number3(1.0) : albedo);
   const Role role = scene_.objects[object].role;
   placed_.push_back({&piece, material, role, t.determinant() < 0.0, {t, object}});
@@ -69,7 +74,20 @@ void SceneBuilder::place(const MeshPiece& piece, const Affine& t, uint32_t objec
                         (corner & 4) != 0 ? piece.bounds.high.z : piece.bounds.low.z}));
 }
 
+void SceneBuilder::warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names) {
+  for (const std::string& pattern : entry.vegetation_nodes)
+    if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return matchesPattern(pattern, name); }))
+      scene_.warnings.push_back(
+          fmt::format("{}: vegetation_nodes: \"{}\" fits no name of a node", entry.path.string(), pattern));
+}
+
 Scene SceneBuilder::finish() {
+  if (!without_volume_.empty()) {
+    const std::size_t more = without_volume_.size() - 1;
+    scene_.warnings.push_back(fmt::format("object \"{}\"{} left out: a transform without volume, as a scale of 0 is",
+                                          scene_.objects[without_volume_[0]].name,
+                                          more > 0 ? fmt::format(" and {} more are", more) : " is"));
+  }
   const auto key = [](const Placed& p) {
     return std::tuple(p.role, p.piece->first_index, p.piece->index_count, p.piece->dropped_triangles, p.mirrored,
                       p.material);

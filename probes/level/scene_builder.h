@@ -26,8 +26,11 @@ class SceneBuilder {
   uint32_t addObject(std::string name, Role role);
 
   /// Places a piece; `albedo` is that of one with neither a material nor colours. A transform without volume, which is
-  /// how animations hide a node, places nothing.
+  /// how animations hide a node, places nothing; finish() warns of it.
   void place(const MeshPiece& piece, const Affine& transform, uint32_t object, const f64::Number3& albedo);
+
+  /// Warns of the entry's patterns of vegetation_nodes that none of the names fits.
+  void warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names);
 
   /// The scene, with the placings of one piece as consecutive instances.
   Scene finish();
@@ -44,6 +47,7 @@ class SceneBuilder {
 
   Scene scene_;
   std::vector<Placed> placed_;
+  std::vector<uint32_t> without_volume_;  // objects
   std::map<std::vector<double>, uint32_t> bare_;
   std::map<std::pair<std::string, std::pair<Texture::Wrap, Texture::Wrap>>, int> textures_;
 };

@@ -52,6 +52,22 @@ TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
   CHECK(s.object[s.triangle[1].object].role == Role::vegetation);
 }
 
+TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
+  GltfText gltf;
+  const int square = gltf.addMesh(squareMesh());
+  gltf.addNode(square, {{"name", "palm_1"}});
+  gltf.addNode(square, {{"name", "floor"}, {"scale", {1, 0, 1}}});
+  gltf.addNode(square, {{"name", "hidden"}, {"scale", {0, 0, 0}}});
+  const Folder folder;
+  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level.geometry[0].vegetation_nodes = {"palm*", "plam*"};
+  const Surfaces s = readSurfaces(level);
+  CHECK(s.triangle.size() == 2);
+  CHECK(warns(s, "object \"floor\" and 1 more are left out"));
+  CHECK(warns(s, "a.gltf: vegetation_nodes: \"plam*\" fits no name of a node"));
+  CHECK(s.warning.size() == 2);
+}
+
 TEST_CASE("SurfacesOf, MirroredSurfacesKeepTheirFront") {
   GltfText gltf;
   const int square = gltf.addMesh(squareMesh());
