@@ -12,7 +12,7 @@ namespace {
 
 static_assert(kMostProbes == format::kMostProbes && kNoProbe == format::kNoProbe &&
                   kCells * kCells * kCells == format::kGridCells && kMostSunModes == format::kMostSunModes &&
-                  kMostRooms == format::kMostRooms,
+                  kMostRooms == format::kMostRooms && 4 * kMostNamed + kMostNamedByHand <= format::kMostNamedPlaces,
               "what a bake makes and what a file may hold");
 
 using flatbuffers::FlatBufferBuilder;
@@ -121,14 +121,24 @@ Hash128 decode(const format::Hash& hash) {
 
 Offset<format::Placement> encode(FlatBufferBuilder& b, const PlacementCounts& c) {
   const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
+  std::vector<format::NamedPlace> places;
+  for (const NamedPlace& n : c.named)
+    places.emplace_back(n.position.x, n.position.y, n.position.z, n.moved_m, static_cast<format::PlaceKind>(n.kind),
+                        n.by_hand);
+  const auto named = places.empty() ? 0 : b.CreateVectorOfStructs(places);
   return format::CreatePlacement(b, count(c.columns), count(c.ground), count(c.walkable), count(c.moved),
                                  count(c.inside), count(c.too_close), count(c.thinned), count(c.uncovered),
-                                 count(c.cells_without));
+                                 count(c.cells_without), count(c.by_hand_moved), count(c.by_hand_dropped), named);
 }
 
 PlacementCounts decode(const format::Placement& p) {
-  return {p.columns(),   p.ground(),  p.walkable(),  p.moved(),        p.inside(),
-          p.too_close(), p.thinned(), p.uncovered(), p.cells_without()};
+  PlacementCounts c{p.columns(),       p.ground(),        p.walkable(),        p.moved(),
+                    p.inside(),        p.too_close(),     p.thinned(),         p.uncovered(),
+                    p.cells_without(), p.by_hand_moved(), p.by_hand_dropped(), {}};
+  if (p.named() == nullptr) return c;
+  for (const format::NamedPlace* n : *p.named())
+    c.named.push_back({{n->x(), n->y(), n->z()}, n->moved_m(), static_cast<NamedPlace::Kind>(n->kind()), n->by_hand()});
+  return c;
 }
 
 Offset<flatbuffers::Vector<const format::Room*>> encode(FlatBufferBuilder& b, const std::vector<Room>& rooms) {

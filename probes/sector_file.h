@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "probes/hash.h"
+#include "probes/placement/counts.h"
 #include "probes/transfer/encoding_error.h"
 #include "probes/transfer/local_encoding.h"
 #include "probes/transfer/relight.h"
@@ -57,12 +58,6 @@ struct BakedFrom {
   Hash128 settings;
   Hash128 light_paths;
   bool operator==(const BakedFrom&) const = default;
-};
-
-/// Counts of PlacementReport.
-struct PlacementCounts {
-  std::size_t columns = 0, ground = 0, walkable = 0, moved = 0, inside = 0, too_close = 0, thinned = 0, uncovered = 0,
-              cells_without = 0;
 };
 
 struct SectorFile {

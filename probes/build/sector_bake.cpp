@@ -9,6 +9,7 @@
 
 #include "format/container.h"
 #include "probes/build/local_bake.h"
+#include "probes/placement/counts.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sky/error.h"
@@ -62,23 +63,6 @@ std::vector<TracedProbe> trace(const Tracer& tracer, const PlacedSector& placed,
   });
   if (!go) stop();
   return traced;
-}
-
-PlacementCounts countsOf(const PlacementReport& r) {
-  const auto dropped = [&](DroppedProbe::Reason reason) {
-    return static_cast<std::size_t>(
-        std::count_if(r.dropped.begin(), r.dropped.end(), [=](const DroppedProbe& d) { return d.reason == reason; }));
-  };
-  using Reason = DroppedProbe::Reason;
-  return {r.columns,
-          r.ground,
-          r.walkable,
-          r.moved.size(),
-          dropped(Reason::inside),
-          dropped(Reason::too_close),
-          dropped(Reason::thinned),
-          r.uncovered.size(),
-          r.cells_without};
 }
 
 bool isUnlit(const ProbeTransfer& t) {

@@ -162,6 +162,22 @@ void checkRooms(Check& check, const Sector& sector, std::size_t probes) {
   }
 }
 
+void checkPlacement(Check& check, const Placement& placement) {
+  constexpr auto kName = "the named places";
+  const auto* named = placement.named();
+  if (named == nullptr || named->size() == 0) return;
+  if (!check.that(named->size() <= kMostNamedPlaces, kName, "must be at most 32") ||
+      !check.that(reinterpret_cast<std::uintptr_t>(named->Data()) % alignof(NamedPlace) == 0, kName, "are misaligned"))
+    return;
+  for (const NamedPlace* n : *named) {
+    const std::array<double, 3> position{n->x(), n->y(), n->z()};
+    check.that(within(std::span<const double>(position), -kFarthest_m, kFarthest_m), kName, "must be within 10000 km");
+    check.that(n->kind() <= PlaceKind::MAX, kName, "must be of a kind");
+    check.that(n->kind() == PlaceKind::moved ? within(n->moved_m(), 0.0, kFarthest_m) : n->moved_m() == 0.0, kName,
+               "must have moved where they say so, and only there");
+  }
+}
+
 }  // namespace
 
 Fault sectorFaultOf(const File& file) {
@@ -189,6 +205,7 @@ Fault sectorFaultOf(const File& file) {
           std::all_of(top.begin(), top.end(), [=](std::uint8_t c) { return probes == 0 ? c == kNoProbe : c < probes; }),
       "the view from above", "must name a probe for each of 256 cells");
   checkRooms(check, *sector, probes);
+  if (sector->placement() != nullptr) checkPlacement(check, *sector->placement());
   check.that(sector->unlit() <= probes, "the unlit probes", "must be at most all");
   if (sector->error() != nullptr) checkError(check, *sector->error(), probes);
   if (sector->local() != nullptr) checkLocal(check, *sector->local(), probes);

@@ -12,6 +12,7 @@ inline constexpr std::uint32_t kMostProbes = 255;           ///< of a sector
 inline constexpr std::uint8_t kNoProbe = 255;               ///< of a cell
 inline constexpr std::uint32_t kTopCells = 256;             ///< of a sector
 inline constexpr std::uint32_t kMostRooms = 254;            ///< of a sector
+inline constexpr std::uint32_t kMostNamedPlaces = 32;       ///< of a sector
 inline constexpr std::uint32_t kMostSunModes = 16;          ///< of a sector
 inline constexpr std::uint32_t kMostLocalLights = 128;      ///< of a probe
 inline constexpr std::uint32_t kMostVirtualLights = 65536;  ///< of a sector

@@ -44,7 +44,9 @@ SectorFile someSector() {
   for (int i = 0; i < 24; ++i) p.mode.push_back(static_cast<std::int8_t>(i - 12));
   s.settings = R"({"transfer": {}})";
   s.baked_from = {{1, 2}, {3, 4}, {5, 6}, {7, 8}};
-  s.placement = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  using Kind = NamedPlace::Kind;
+  s.placement = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, {}};
+  s.placement.named = {{{-190.25, 1, 450}, 0.0, Kind::thinned, true}, {{-180, 2, 460.1}, 0.25, Kind::moved, true}};
   s.rays = 12345678901;
   s.error = {0.1, 1, {0.01, 0.02, 0.03, 0.04, 0.05}, {0.06, 0.07, 0.08}};
   return s;
@@ -98,6 +100,9 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(r.settings == s.settings);
   CHECK(r.baked_from == s.baked_from);
   CHECK(r.placement.cells_without == 9);
+  CHECK(r.placement.by_hand_moved == 10);
+  CHECK(r.placement.by_hand_dropped == 11);
+  CHECK(r.placement.named == s.placement.named);
   CHECK(r.rays == s.rays);
   CHECK(r.top == s.top);
   CHECK(r.in_room == s.in_room);
@@ -186,6 +191,11 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("the view from above", [](auto& s) { s.top[3] = 2; });
   refused("the view from above", [](auto& s) { s.top[3] = kNoProbe; });
   refused("the unlit", [](auto& s) { s.unlit = 3; });
+  refused("must have moved where", [](auto& s) { s.placement.named[0].moved_m = 1.0; });
+  refused("must have moved where", [](auto& s) { s.placement.named[1].moved_m = -1.0; });
+  refused("must be of a kind", [](auto& s) { s.placement.named[0].kind = static_cast<NamedPlace::Kind>(5); });
+  refused("the named places must be within", [=](auto& s) { s.placement.named[0].position.z = double{nan}; });
+  refused("at most 32", [](auto& s) { s.placement.named.resize(33, s.placement.named[0]); });
   refused("the rooms must be there", [](auto& s) { s.room.clear(); });
   refused("the rooms must say", [](auto& s) { s.in_room.pop_back(); });
   refused("the rooms must say", [](auto& s) { s.in_room[0] = 3; });

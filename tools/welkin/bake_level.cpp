@@ -83,17 +83,44 @@ class SectorBaker {
   std::size_t baked_ = 0;
 };
 
+/// The first places of some kinds, or of those the ones by hand, and how many more there are.
+std::string placesOf(const probes::PlacementCounts& placement, std::initializer_list<probes::NamedPlace::Kind> kinds,
+                     bool by_hand, std::size_t count) {
+  const std::size_t most = by_hand ? probes::kMostNamedByHand : probes::kMostNamed;
+  std::string text;
+  std::size_t named = 0;
+  for (const probes::NamedPlace& n : placement.named) {
+    if ((by_hand && !n.by_hand) || named == most || std::find(kinds.begin(), kinds.end(), n.kind) == kinds.end())
+      continue;
+    const auto& p = n.position;
+    text += named++ > 0 ? ", " : "";
+    text +=
+        n.by_hand ? fmt::format("[{}, {}, {}]", p.x, p.y, p.z) : fmt::format("[{:.2f}, {:.2f}, {:.2f}]", p.x, p.y, p.z);
+    if (n.moved_m > 0.0) text += fmt::format(" by {:.2f} m", n.moved_m);
+  }
+  return count > named ? fmt::format("{} and {} more", text, count - named) : text;
+}
+
 void addWarnings(const SectorFile& file, std::optional<double> budget, Json& warnings) {
-  const auto add = [&](const char* id, std::size_t count, const char* what) {
+  using Kind = probes::NamedPlace::Kind;
+  const probes::PlacementCounts& p = file.placement;
+  const auto add = [&](const char* id, std::size_t count, const char* what, std::initializer_list<Kind> kinds,
+                       bool by_hand) {
     if (count > 0)
       warnings.push_back({{"id", id},
                           {"sector", probes::nameOf(file.id)},
                           {"count", count},
-                          {"message", fmt::format("sector {}: {} {}", probes::nameOf(file.id), count, what)}});
+                          {"message", fmt::format("sector {}: {} {}: {}", probes::nameOf(file.id), count, what,
+                                                  placesOf(p, kinds, by_hand, count))}});
   };
-  add("probes-dropped", file.placement.inside + file.placement.too_close,
-      "places for probes were inside of geometry or too close to it, and none was free nearby");
-  add("probes-thinned", file.placement.thinned, "probes past the 255th were left out, those of least loss");
+  add("by-hand-dropped", p.by_hand_dropped,
+      "probes by hand are left out, inside of geometry without a free place nearby, or past the 255th",
+      {Kind::inside, Kind::too_close, Kind::thinned}, true);
+  add("by-hand-moved", p.by_hand_moved, "probes by hand were moved out of geometry", {Kind::moved}, true);
+  add("probes-dropped", p.inside + p.too_close,
+      "places for probes were inside of geometry or too close to it, and none was free nearby",
+      {Kind::inside, Kind::too_close}, false);
+  add("probes-thinned", p.thinned, "probes past the 255th were left out, those of least loss", {Kind::thinned}, false);
   const auto past = [&](double error, const std::string& what) {
     if (budget && error > *budget)
       warnings.push_back({{"id", "hard-sector"},
@@ -109,7 +136,7 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
     past(totalOf(*file.local), fmt::format("sampling {:.3g} % of the local transfer to probe {}, encoding {:.3g} %",
                                            100.0 * file.local->sampling.error, file.local->sampling.probe,
                                            100.0 * file.local->encoding.radiance));
-  add("points-uncovered", file.placement.uncovered, "walkable points see no probe within coverage_m");
+  add("points-uncovered", p.uncovered, "walkable points see no probe within coverage_m", {Kind::uncovered}, false);
 }
 
 /// The entries of all sectors; nothing when one that was not brought up to date now is out of date.
@@ -156,6 +183,15 @@ void endIfInterrupted() {
   if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
 }
 
+void addLevelWarnings(const LevelInput& level, Json& warnings) {
+  for (const std::string& warning : level.warnings) warnings.push_back({{"id", "geometry"}, {"message", warning}});
+  if (level.bake.sectors().empty())
+    warnings.push_back({{"id", "no-sectors"},
+                        {"message",
+                         "the level has no sector: no static surface faces up, nothing is vegetation, and no probe is "
+                         "added by hand"}});
+}
+
 LevelInput readLevel(const std::filesystem::path& path, const sky::Sky& sky, std::optional<double> max_error) {
   const probes::LevelFile file = probes::readLevelFile(path);
   const probes::BakeSection section = probes::readBakeSection(path);
@@ -170,7 +206,7 @@ void bakeSectors(const LevelInput& level, const LevelOptions& options, ProgressR
                  Json& timing) {
   const auto wanted = wantedOf(level.bake.sectors(), options);
   Json& warnings = report["warnings"];
-  for (const std::string& warning : level.warnings) warnings.push_back({{"id", "geometry"}, {"message", warning}});
+  addLevelWarnings(level, warnings);
   makeFolder(options.folder / "sectors");
   std::vector<probes::SectorEntry> entries;
   Json sectors = Json::array();

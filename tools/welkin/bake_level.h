@@ -26,6 +26,9 @@ void endIfInterrupted();
 /// Reads level.toml's geometry and settings. `max_error` is for rays = "auto". Throws Error.
 LevelInput readLevel(const std::filesystem::path& level, const sky::Sky& sky, std::optional<double> max_error);
 
+/// What its files hold that has no effect, and whether nothing of it is baked.
+void addLevelWarnings(const LevelInput& level, nlohmann::ordered_json& warnings);
+
 struct LevelOptions {
   std::filesystem::path folder;
   std::optional<Shard> shard;

@@ -171,6 +171,7 @@ void plan(const Options& options) {
   std::optional<LevelInput> level;
   if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
   nlohmann::ordered_json json = skyJson(options, subject);
+  if (level) addLevelWarnings(*level, json["warnings"]);
   if (level) json["sectors"] = sectorsJson(*level, options.folder);
   if (!options.pictures.empty()) drawPictures(level, options.pictures);
   printWarnings(json["warnings"]);

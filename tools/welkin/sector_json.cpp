@@ -93,10 +93,29 @@ Json errorJson(const probes::SectorFile& s) {
           {"local", localErrorJson(s.local)}};
 }
 
+const char* nameOf(probes::NamedPlace::Kind kind) {
+  constexpr std::array kName{"inside", "too_close", "thinned", "uncovered", "moved"};
+  return kName.at(static_cast<std::size_t>(kind));
+}
+
 Json placementJson(const probes::PlacementCounts& c) {
-  return {{"columns", c.columns}, {"ground", c.ground},       {"walkable", c.walkable},
-          {"moved", c.moved},     {"inside", c.inside},       {"too_close", c.too_close},
-          {"thinned", c.thinned}, {"uncovered", c.uncovered}, {"cells_without", c.cells_without}};
+  Json named = Json::array();
+  for (const probes::NamedPlace& n : c.named) {
+    named.push_back({{"kind", nameOf(n.kind)}, {"position", vectorJson(n.position)}, {"by_hand", n.by_hand}});
+    if (n.kind == probes::NamedPlace::Kind::moved) named.back()["moved_m"] = n.moved_m;
+  }
+  return {{"columns", c.columns},
+          {"ground", c.ground},
+          {"walkable", c.walkable},
+          {"moved", c.moved},
+          {"inside", c.inside},
+          {"too_close", c.too_close},
+          {"thinned", c.thinned},
+          {"uncovered", c.uncovered},
+          {"cells_without", c.cells_without},
+          {"by_hand_moved", c.by_hand_moved},
+          {"by_hand_dropped", c.by_hand_dropped},
+          {"named", named}};
 }
 
 Json fromJson(const probes::BakedFrom& from) {
