@@ -12,10 +12,10 @@ namespace welkin::probes {
 /// Sectors of a level, at most: 64 km square.
 inline constexpr std::size_t kMostSectors = 1'000'000;
 
-/// Sectors with ground to stand on, vegetation or a probe by hand, each once, ordered. Ground: a line of the lattice,
-/// or of that of half its spacing, meets it, or it is kLeastGround_m2. A sector whose ground turns out to be inside of
-/// bodies or without headroom gets no probes when it is placed. Throws Error(content) where a setting is out of its
-/// range, and for more than kMostSectors, naming the object.
+/// Sectors with ground to stand on, vegetation or a probe by hand, each once, ordered. Ground: a line of the lattice
+/// meets it, or there is kLeastGround_m2 of it to walk on. A sector whose ground turns out to be inside of bodies or
+/// without headroom gets no probes when it is placed. Throws Error(content) where a setting is out of its range, and
+/// for more than kMostSectors, naming the object.
 std::vector<SectorId> sectorsOf(const Surfaces& surfaces, const PlacementSettings& settings,
                                 const Checkpoint& checkpoint = {});
 

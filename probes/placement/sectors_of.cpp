@@ -113,8 +113,7 @@ std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& sett
       for (int z = low.z; z <= high.z; ++z) {
         const SectorId id{x, z};
         if (found.contains(id)) continue;
-        if (meetsALine(shadow, id, settings.spacing_m) ||
-            (walkable && meetsALine(shadow, id, 0.5 * settings.spacing_m)))
+        if (meetsALine(shadow, id, settings.spacing_m))
           found.add(id, name);
         else if (walkable)
           between_m2[id] += partOver(corner, id).area_m2;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "probes/placement/nearby.h"
 #include "probes/random.h"
 
 namespace welkin::probes {
@@ -83,6 +84,36 @@ TEST_CASE("Thinning, EachStepIsTheLeastLossByBruteForce") {
       }
       before.push_back(next);
     }
+  }
+}
+
+TEST_CASE("Nearby, VisitsFromTheNearestOnByBruteForce") {
+  Random random(7);
+  const auto somewhere = [&] {
+    return Number3(-64.0 + 64.0 * random.unit(), 20.0 * random.unit(), 128.0 + 64.0 * random.unit());
+  };
+  Nearby nearby({-1, 2});
+  std::vector<Number3> position;
+  for (std::size_t i = 0; i < 3000; ++i) {
+    position.push_back(i % 50 == 1 ? Number3(position.back()) : somewhere());  // some twice
+    nearby.add(i, position.back());
+  }
+  for (int n = 0; n < 200; ++n) {
+    const Number3 from = n == 0 ? Number3(-64.0, 3.0, 192.0) : somewhere();
+    const double far_m = n % 4 == 0 ? 0.7 : 11.0 * random.unit();
+    const auto counts = [](std::size_t i) { return i % 3 != 0; };
+    std::vector<std::pair<double, std::size_t>> expected;
+    for (std::size_t i = 0; i < position.size(); ++i)
+      if (counts(i) && distanceOf(from, position[i]) < far_m) expected.emplace_back(distanceOf(from, position[i]), i);
+    std::sort(expected.begin(), expected.end());
+    const std::size_t most = n % 2 == 0 ? expected.size() + 1 : 3;
+    expected.resize(std::min(expected.size(), most));
+    std::vector<std::pair<double, std::size_t>> visited;
+    nearby.visit(from, far_m, counts, [&](std::size_t i, double distance_m) {
+      visited.emplace_back(distance_m, i);
+      return visited.size() < most;
+    });
+    CHECK(visited == expected);
   }
 }
 
