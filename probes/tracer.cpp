@@ -150,7 +150,8 @@ struct Tracer::Scene {
   }
 };
 
-Tracer::Tracer(const Surfaces& surfaces) : scene_(std::make_unique<Scene>(surfaces)) {}
+Tracer::Tracer(const Surfaces& surfaces) : scene_(std::make_shared<Scene>(surfaces)) {}
+Tracer::Tracer(std::shared_ptr<const Scene> scene, const Square& square) : scene_(std::move(scene)), square_(square) {}
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
@@ -159,11 +160,25 @@ const Surfaces& Tracer::surfaces() const {
   return *scene_->surfaces;
 }
 
+Tracer Tracer::within(const Number3& about, double reach_m) const {
+  return {scene_, Square{about.x - reach_m, about.x + reach_m, about.z - reach_m, about.z + reach_m}};
+}
+
+double Tracer::leavesAfter(const Number3& origin, const Number3& direction) const {
+  const auto along = [](double from, double slope, double low, double high) {
+    if (slope == 0.0) return std::numeric_limits<double>::infinity();
+    return ((slope > 0.0 ? high : low) - from) / slope;
+  };
+  const double x = along(origin.x, direction.x, square_.low_x, square_.high_x);
+  const double z = along(origin.z, direction.z, square_.low_z, square_.high_z);
+  return std::max(std::min(x, z), 0.0);
+}
+
 std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far, Meets meets) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit ray;
-  setRay(ray.ray, origin, direction, far, meets);
+  setRay(ray.ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
@@ -193,7 +208,7 @@ bool Tracer::occluded(const Number3& origin, const Number3& direction, double fa
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray;
-  setRay(ray, origin, direction, far, meets);
+  setRay(ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
   rtcOccluded1(scene_->scene, &context, &ray);
   return ray.tfar < 0.0F;
 }

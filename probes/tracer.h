@@ -2,6 +2,7 @@
 // Rays through a level (Embree), and what the surface is where they hit.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -36,6 +37,12 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
+  /// The same level, seen no farther than `reach_m` along x and z from `about`, at any height: rays end where they
+  /// leave that square. Shares all that the level takes; costs nothing.
+  Tracer within(const Number3& about, double reach_m) const;
+  /// The distance at which a ray leaves that square, 0 where it starts beyond; infinite without one.
+  double leavesAfter(const Number3& origin, const Number3& direction) const;
+
   /// The nearest surface in a unit direction, masked texels passed through; none within `far`.
   std::optional<Hit> closest(const Number3& origin, const Number3& direction, double far,
                              Meets meets = Meets::all) const;
@@ -56,7 +63,14 @@ class Tracer {
 
  private:
   struct Scene;
-  std::unique_ptr<Scene> scene_;
+  struct Square {
+    double low_x = -std::numeric_limits<double>::infinity(), high_x = std::numeric_limits<double>::infinity();
+    double low_z = low_x, high_z = high_x;
+  };
+  Tracer(std::shared_ptr<const Scene> scene, const Square& square);
+
+  std::shared_ptr<const Scene> scene_;
+  Square square_;
 };
 
 }  // namespace welkin::probes

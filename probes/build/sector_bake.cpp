@@ -41,6 +41,7 @@ TransferSettings transferSettings(const SectorSettings& s) {
   t.rays = s.section.transfer.rays ? static_cast<std::size_t>(*s.section.transfer.rays) : kMostPaths;
   t.bounces = s.section.transfer.bounces;
   t.ground_albedo = s.ground_albedo;
+  t.reach_m = s.section.transfer.reach_m;
   t.light_directions = s.sun.direction;
   t.light_directions.insert(t.light_directions.end(), s.moon.direction.begin(), s.moon.direction.end());
   t.max_error = s.section.transfer.rays ? 0.0 : kSamplingShare * s.max_error;

@@ -23,6 +23,7 @@ void check(const TransferSettings& s) {
     refuse(fmt::format("bounces: {}; allowed: 0 to {}", s.bounces, kMostBounces));
   if (!(s.max_error >= 0.0 && s.max_error < 1.0))
     refuse(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
+  if (!(s.reach_m >= 0.0)) refuse(fmt::format("reach_m: {}; allowed: at least 0", s.reach_m));
   for (const double albedo : {s.ground_albedo.x, s.ground_albedo.y, s.ground_albedo.z})
     if (!(albedo >= 0.0 && albedo <= 1.0)) refuse(fmt::format("ground_albedo: {}; allowed: 0 to 1", albedo));
   for (const Number3& light : s.light_directions)
@@ -39,7 +40,8 @@ TransferTracer::TransferTracer(const Tracer& tracer, TransferSettings settings)
 }
 
 TracedProbe TransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe) const {
-  return traceProbe(*tracer_, settings_, circle_, emissive_, position, sector, probe);
+  return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, emissive_, position, sector,
+                    probe);
 }
 
 std::vector<TracedProbe> TransferTracer::trace(const PlacedSector& sector) const {

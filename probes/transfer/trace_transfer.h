@@ -3,6 +3,7 @@
 // its own path is ours).
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "probes/sector.h"
@@ -23,6 +24,9 @@ struct TransferSettings {
   std::vector<Number3> light_directions;
   /// How many of them each vertex tests.
   std::size_t light_rays = 8;
+  /// How far a probe sees the level along x and z, >= 0; a ray that gets farther has left it. Of the probe, not of its
+  /// sector: what a probe holds does not depend on where sectors end.
+  double reach_m = std::numeric_limits<double>::infinity();
   /// > 0: each probe traces until its TransferEffort::error is at most that, or `rays` are spent. 0: `rays` paths each.
   double max_error = 0.0;
 };

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "probes/directions.h"
+#include "probes/level/bake_section.h"
 #include "probes/transfer/probe_paths.h"
 #include "town.h"
 
@@ -19,6 +20,7 @@ using namespace welkin::probes;
 
 struct Ray {
   std::array<float, 3> origin, direction;
+  float far;
   bool occluded;
 };
 
@@ -27,11 +29,11 @@ class Recorder {
  public:
   explicit Recorder(const Tracer& tracer) : tracer_(tracer) {}
   std::optional<Hit> closest(const Number3& o, const Number3& d, double far) const {
-    note(o, d, false);
+    note(o, d, far, false);
     return tracer_.closest(o, d, far);
   }
   bool occluded(const Number3& o, const Number3& d, double far) const {
-    note(o, d, true);
+    note(o, d, far, true);
     return tracer_.occluded(o, d, far);
   }
   Number3 leaving(const Hit& hit) const { return tracer_.leaving(hit); }
@@ -40,11 +42,12 @@ class Recorder {
   const std::vector<Ray>& ray() const { return ray_; }
 
  private:
-  void note(const Number3& o, const Number3& d, bool occluded) const {
+  void note(const Number3& o, const Number3& d, double far, bool occluded) const {
     const auto narrow = [](const Number3& v) {
       return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
-    ray_.push_back({narrow(o), narrow(d), occluded});
+    far = std::min(std::min(far, tracer_.leavesAfter(o, d)), double{std::numeric_limits<float>::max()});
+    ray_.push_back({narrow(o), narrow(d), static_cast<float>(far), occluded});
   }
   const Tracer& tracer_;
   mutable std::vector<Ray> ray_;
@@ -74,18 +77,8 @@ std::size_t bareLoop(RTCScene scene, const std::vector<Ray>& rays) {
   rtcInitIntersectContext(&context);
   for (const Ray& r : rays) {
     RTCRayHit ray;
-    ray.ray = {r.origin[0],
-               r.origin[1],
-               r.origin[2],
-               0.0F,
-               r.direction[0],
-               r.direction[1],
-               r.direction[2],
-               0.0F,
-               std::numeric_limits<float>::max(),
-               ~0U,
-               0,
-               0};
+    ray.ray = {r.origin[0], r.origin[1], r.origin[2], 0.0F, r.direction[0], r.direction[1], r.direction[2], 0.0F,
+               r.far,       ~0U,         0,           0};
     if (r.occluded) {
       rtcOccluded1(scene, &context, &ray.ray);
       hits += ray.ray.tfar < 0.0F ? 1 : 0;
@@ -114,6 +107,7 @@ int main(int argc, char** argv) {
   TransferSettings settings;
   settings.rays = static_cast<std::size_t>(number(2, 1024));
   settings.bounces = number(3, 2);
+  settings.reach_m = TransferSection{}.reach_m;
   constexpr int kLights = 24;
   for (int i = 0; i < kLights; ++i) {
     const double hour = det::kPi * (i + 0.5) / kLights;
@@ -133,7 +127,8 @@ int main(int argc, char** argv) {
   std::size_t hits = 0;
   double error = 0.0;
   for (std::size_t i = 0; i < position.size(); ++i) {
-    const Recorder recorder(tracer);
+    const Tracer seen = tracer.within(position[i], settings.reach_m);
+    const Recorder recorder(seen);
     traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
     // Beside each other, so that what else the machine does falls on both.
     bare += seconds([&] { hits += bareLoop(scene, recorder.ray()); });

@@ -44,6 +44,38 @@ TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
   CHECK_FALSE(tracer.occluded({0.25, 2, 0.5}, {1, 0, 0}, kFar));
 }
 
+TEST_CASE("Tracer, SeesNoFartherThanItsSquare") {
+  Surfaces s;
+  const auto material = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
+  tests::addQuad(s, {20, -50, -50}, {0, 0, 100}, {0, 100, 0}, material);   // x = 20
+  tests::addQuad(s, {-50, -50, -30}, {100, 0, 0}, {0, 100, 0}, material);  // z = -30
+  tests::addQuad(s, {-50, 40, -50}, {0, 0, 100}, {100, 0, 0}, material);   // y = 40
+  const Tracer whole(s);
+  const Tracer tracer = whole.within({8, 500, -12}, 10.0);  // x -2 to 18, z -22 to -2
+  const Number3 at(8, 0, -12);
+  for (const Number3& direction : {Number3(1, 0, 0), Number3(0, 0, -1)}) {
+    CHECK(whole.closest(at, direction, kFar));
+    CHECK_FALSE(tracer.closest(at, direction, kFar));
+    CHECK_FALSE(tracer.occluded(at, direction, kFar));
+  }
+  CHECK(tracer.occluded(at, {0, 1, 0}, kFar));
+  CHECK(tracer.closest(at, {0, 1, 0}, kFar)->distance == Approx(40.0));
+  CHECK_FALSE(tracer.occluded(at, {0, 1, 0}, 39.0));
+  CHECK(whole.within(at, 12.5).occluded(at, {1, 0, 0}, kFar));
+
+  CHECK(tracer.leavesAfter(at, {1, 0, 0}) == 10.0);
+  CHECK(tracer.leavesAfter({0, 0, -12}, {-1, 0, 0}) == 2.0);
+  CHECK(tracer.leavesAfter({0, 0, -20}, {0, 0, -1}) == 2.0);
+  CHECK(tracer.leavesAfter({0, 0, -20}, {0, 0, 1}) == 18.0);
+  CHECK(tracer.leavesAfter({0, 0, -20}, {-0.6, 0, 0.8}) == Approx(2.0 / 0.6));
+  CHECK(tracer.leavesAfter(at, {0, -1, 0}) == kFar);
+  CHECK(tracer.leavesAfter(at, {-0.0, 1, -0.0}) == kFar);
+  CHECK(tracer.leavesAfter({18, 0, -12}, {1, 0, 0}) == 0.0);
+  CHECK(tracer.leavesAfter({18, 0, -12}, {0, 0, 1}) == 10.0);
+  CHECK(tracer.leavesAfter({19, 0, -12}, {1, 0, 0}) == 0.0);  // off a surface on the square's edge
+  CHECK(whole.leavesAfter(at, {1, 0, 0}) == kFar);
+}
+
 TEST_CASE("Tracer, MaskedTexelsLetRaysThrough") {
   Surfaces s;
   const auto leaf = tests::addMaterial(s, {1, 1, 1}, true);

@@ -105,6 +105,8 @@ TEST_CASE("TransferEffort, SettingsOutsideTheirRangeAreRefused") {
   refused([](TransferSettings& s) { s.max_error = std::nan(""); });
   refused([](TransferSettings& s) { s.ground_albedo.y = 1.5; });
   refused([](TransferSettings& s) { s.light_rays = 0; });
+  refused([](TransferSettings& s) { s.reach_m = -1.0; });
+  refused([](TransferSettings& s) { s.reach_m = std::nan(""); });
   refused([](TransferSettings& s) { s.light_directions[0] = {0, 2, 0}; });
 }
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// A probe sees the level within its own reach: what it holds depends neither on what lies beyond nor on its sector.
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "closed_forms.h"
+#include "probes/reach.h"
+#include "transfer_helpers.h"
+
+namespace welkin::tests {
+namespace {
+
+using namespace probes;
+
+constexpr double kReach_m = 64.0;
+
+/// A sun's whole path and, last, one low in the west alone.
+TransferSettings settingsWithin(double reach_m) {
+  TransferSettings settings;
+  settings.rays = 512;
+  settings.reach_m = reach_m;
+  settings.ground_albedo = {0.2, 0.1, 0.3};
+  for (int i = 0; i < 12; ++i) settings.light_directions.push_back(towards(1.5 + 0.25 * i, 0.1 + 0.1 * i));
+  settings.light_directions.push_back(towards(1.5 * det::kPi, 0.15));
+  return settings;
+}
+
+bool sameBits(const TracedProbe& a, const TracedProbe& b) {
+  const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  bool result = same(a.transfer.visibility, b.transfer.visibility) && same(a.transfer.sky, b.transfer.sky) &&
+                same(a.transfer.emitted, b.transfer.emitted) && same(a.effort, b.effort);
+  for (std::size_t d = 0; d < kDirections; ++d) result = result && a.transfer.sun[d] == b.transfer.sun[d];
+  return result;
+}
+
+/// What a bake of a sector reads of a level.
+Surfaces readBy(SectorId sector, const Surfaces& level) {
+  return withTexels(surfacesWithin(level, columnOf(sector, kReach_m)), level);
+}
+
+/// Ground, a house near x = 64 and, out of its sight at x = -60 to -40, a ridge of 60 m that emits.
+Surfaces ridge() {
+  Surfaces s = groundOf({0.4, 0.5, 0.3}, 400.0);
+  addBoxOutside(s, {70, 0, 20}, {75, 6, 33}, addMaterial(s, {0.7, 0.2, 0.1}));
+  addBoxOutside(s, {-60, -1, -300}, {-40, 60, 300}, addMaterial(s, {0.8, 0.8, 0.6}, false, {1.0, 2.0, 3.0}));
+  return s;
+}
+
+/// Ground in the square of kReach_m about (10, 20) and walls: inside, across and beyond its edges, its corner too.
+Surfaces walls(bool beyond) {
+  Surfaces s = groundOf({0.4, 0.5, 0.3}, 90.0);
+  const auto wall = addMaterial(s, {0.7, 0.2, 0.1}, true);
+  addQuad(s, {30, 0, 10}, {0, 0, 15}, {0, 12, 0}, wall);
+  addQuad(s, {70, 0, 80}, {3, 0, 0}, {0, 40, 0}, wall);  // in the corner, 84 m away
+  if (!beyond) return s;
+  addQuad(s, {75, 0, -100}, {0, 0, 250}, {0, 80, 0}, wall);
+  addQuad(s, {-55, 0, -100}, {0, 0, 250}, {0, 60, 0}, wall);
+  addQuad(s, {-100, 0, 84.5}, {250, 0, 0}, {0, 50, 0}, wall);
+  addQuad(s, {-100, 0, -45}, {250, 0, 0}, {0, 70, 0}, wall);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("ProbeReach, AProbeIsTheSameFromBothSidesOfABorder") {
+  const Surfaces level = ridge();
+  const Surfaces west = readBy({0, 0}, level);
+  const Surfaces east = readBy({1, 0}, level);
+  REQUIRE(west.triangle.size() > east.triangle.size());  // the ridge
+  const Tracer of_west(west);
+  const Tracer of_east(east);
+  for (const double x : {42.0, 62.5, 66.0, 81.0}) {
+    const Number3 at(x, 1.0, 30.0);
+    const auto traced = [&](const Tracer& tracer, double reach_m) {
+      return TransferTracer(tracer, settingsWithin(reach_m)).trace(at, {0, 0}, 3);
+    };
+    CHECK(sameBits(traced(of_west, kReach_m), traced(of_east, kReach_m)));
+    CHECK_FALSE(sameBits(traced(of_west, 1e3), traced(of_east, 1e3)));
+  }
+}
+
+TEST_CASE("ProbeReach, WhatLiesBeyondChangesNothing") {
+  const Surfaces near = walls(false);
+  const Surfaces all = walls(true);
+  const Tracer of_near(near);
+  const Tracer of_all(all);
+  const auto traced = [&](const Tracer& tracer, double reach_m) {
+    return TransferTracer(tracer, settingsWithin(reach_m)).trace({10, 1, 20}, {0, 0}, 0);
+  };
+  CHECK(sameBits(traced(of_near, kReach_m), traced(of_all, kReach_m)));
+  CHECK_FALSE(sameBits(traced(of_near, 65.5), traced(of_all, 65.5)));       // the walls at 64.5 and 65 m
+  CHECK_FALSE(sameBits(traced(of_near, 59.0), traced(of_near, kReach_m)));  // the pillar in the corner
+}
+
+TEST_CASE("ProbeReach, OfAWallItSeesWhatLiesInItsSquare") {
+  constexpr double kElevation = 0.9;
+  const Surfaces level = wallTo(kElevation, Number3(0.0), Number3(0.0));  // 10 m north of the origin
+  const Tracer tracer(level);
+  // By its own quadrature, in double.
+  const auto expected = [&](std::size_t b, double reach_m) {
+    constexpr int kSteps = 400;
+    double open = 0.0;
+    double all = 0.0;
+    for (int i = 0; i < kSteps; ++i)
+      for (int j = 0; j < 4 * kSteps; ++j) {
+        const double y = (i + 0.5) / kSteps;
+        const double azimuth = det::kTwoPi * (j + 0.5) / (4.0 * kSteps);
+        const double across = std::sqrt(1.0 - y * y);
+        const Number3 w(across * std::sin(azimuth), y, across * std::cos(azimuth));
+        const double weight = std::max(dot(w, transferBasis()[b]), 0.0);
+        const bool meets =
+            w.z < 0.0 && y / -w.z < std::tan(kElevation) && reach_m >= 10.0 && 10.0 * std::abs(w.x / w.z) <= reach_m;
+        all += weight;
+        if (!meets) open += weight;
+      }
+    return all > 0.0 ? open / all : 0.0;
+  };
+  constexpr double kSampling = 0.01;  // 16384 well spread paths
+  for (const double reach_m : {9.9, 10.1, 25.0, 1000.0}) {
+    TransferSettings settings = settingsWithin(reach_m);
+    settings.rays = 16384;
+    const auto visibility = TransferTracer(tracer, settings).trace({0, 1e-3, 0}, {0, 0}, 0).transfer.visibility;
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      CAPTURE(reach_m, b);
+      CHECK(visibility[b] == Approx(expected(b, reach_m)).margin(kSampling));
+    }
+  }
+}
+
+TEST_CASE("ProbeReach, ShadowsEndAtTheProbesReachNotAtTheirSurfaces") {
+  // The sun in the east, 10 degrees high. A screen at x = 35 puts all ground to x = -100 in its shadow.
+  Surfaces level = groundOf(Number3(1.0), 1000.0);
+  addQuad(level, {35, 0, -500}, {0, 0, 1000}, {0, 30, 0}, addMaterial(level, Number3(0.0), true));
+  const Tracer tracer(level);
+  const auto bounced = [&](double x, double reach_m) {
+    TransferSettings settings = settingsWithin(reach_m);
+    settings.bounces = 1;
+    settings.ground_albedo = Number3(0.0);
+    settings.light_directions = {towards(0.5 * det::kPi, 0.17)};
+    return TransferTracer(tracer, settings).trace({x, 1, 0}, {0, 0}, 0).transfer.sun[kDirections - 1][0].y;
+  };
+  CHECK(bounced(0, 40) < 0.1 * bounced(0, 30));
+  // Ground at -38 is 73 m from the screen and in its shadow; the probe itself is 37 from it.
+  CHECK(bounced(-2, 38) < 0.1 * bounced(-2, 36));
+}
+
+TEST_CASE("ProbeReach, WhatLeavesDownwardMeetsThePlane") {
+  const Surfaces level = groundOf(Number3(0.6), 1000.0);
+  const Tracer tracer(level);
+  for (const double reach_m : {0.0, 1.5, 100.0}) {
+    TransferSettings settings = settingsWithin(reach_m);
+    settings.rays = 4096;
+    settings.bounces = 1;
+    settings.ground_albedo = Number3(0.6);
+    const auto t = TransferTracer(tracer, settings).trace({5, 2, 3}, {0, 0}, 0).transfer;
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      CAPTURE(reach_m, b);
+      CHECK(t.visibility[b] == Approx(transferBasis()[b].y > -1.0 ? 1.0 : 0.0));
+      const double below = det::kPi * (1.0 - transferBasis()[b].y) / 2.0;
+      // Of the share that hits, the next ray always escapes: no noise but of the two halves' weights.
+      CHECK(t.sky[b][0].y / det::kShConstant == Approx(0.6 * below).epsilon(1e-9));
+    }
+  }
+}
+
+}  // namespace welkin::tests
