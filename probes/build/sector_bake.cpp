@@ -4,8 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 
 #include "format/container.h"
 #include "probes/build/local_bake.h"
@@ -56,13 +54,12 @@ std::vector<TracedProbe> trace(const Tracer& tracer, const PlacedSector& placed,
                                const BakeProgress& progress) {
   const TransferTracer transfer(tracer, transferSettings(settings));
   std::vector<TracedProbe> traced(placed.probe.size());
-  std::atomic<bool> go = true;
+  const auto tell = [&](std::uint64_t rays) {
+    if (!progress(rays)) stop();
+  };
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
-    if (!go) return;
-    traced[i] = transfer.trace(placed.probe[i].position, placed.id, i);
-    if (!progress(traced[i].effort.rays)) go = false;
+    traced[i] = transfer.trace(placed.probe[i].position, placed.id, i, tell);
   });
-  if (!go) stop();
   return traced;
 }
 

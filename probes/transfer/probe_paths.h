@@ -122,7 +122,9 @@ inline bool anyEmissive(const Surfaces& surfaces) {
 /// Paths of a probe until there are enough of them: all at once, or doubled until the error is small.
 template <typename Rays>
 TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
-                       const Number3& position, SectorId sector, std::size_t probe) {
+                       const Number3& position, SectorId sector, std::size_t probe,
+                       const TransferProgress& progress = {}) {
+  constexpr std::uint32_t kBlock = 1024;  // between two calls of progress: some milliseconds
   TransferSums sums;
   std::vector<PathPoints> points;
   for (std::size_t r = 0; r < kReplicates; ++r) {
@@ -130,13 +132,30 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
     points.emplace_back(circle, Random(sector.x, sector.z, probe, r).next(), settings.bounces);
   }
   Paths<Rays> paths(rays, settings, emissive);
+  std::uint32_t untold = 0;
+  std::uint64_t told = 0;
+  const auto tell = [&] {
+    if (progress && untold > 0) progress(paths.rayCount() - told);
+    untold = 0;
+    told = paths.rayCount();
+  };
+  const auto tracePaths = [&](std::uint32_t from, std::uint32_t to) {
+    for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::uint32_t i = from; i < to; i += kBlock) {
+        const std::uint32_t end = std::min(i + kBlock, to);
+        paths.trace(position, points[r], i, end, sums[r]);
+        untold += end - i;
+        if (untold >= kBlock) tell();
+      }
+  };
   const auto most = static_cast<std::uint32_t>(settings.rays / kReplicates);
   TracedProbe result;
   const auto done = traceRounds(most, settings.max_error, [&](std::uint32_t from, std::uint32_t to) {
-    for (std::size_t r = 0; r < kReplicates; ++r) paths.trace(position, points[r], from, to, sums[r]);
+    tracePaths(from, to);
     result = summedUp(sums, settings.ground_albedo, settings.light_directions);
     return result.effort.error;
   });
+  tell();
   result.effort.paths = done * kReplicates;
   result.effort.rays = paths.rayCount();
   return result;

@@ -39,9 +39,10 @@ TransferTracer::TransferTracer(const Tracer& tracer, TransferSettings settings)
   check(settings_);
 }
 
-TracedProbe TransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe) const {
+TracedProbe TransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe,
+                                  const TransferProgress& progress) const {
   return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, emissive_, position, sector,
-                    probe);
+                    probe, progress);
 }
 
 std::vector<TracedProbe> TransferTracer::trace(const PlacedSector& sector) const {

@@ -3,6 +3,7 @@
 // its own path is ours).
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -35,6 +36,10 @@ inline constexpr std::size_t kLeastRays = 64;
 inline constexpr std::size_t kMostRays = std::size_t{1} << 24;
 inline constexpr int kMostBounces = 16;
 
+/// Called from any thread, once a probe and at least every 2048 paths, with the rays traced since. What it throws ends
+/// the tracing.
+using TransferProgress = std::function<void(std::uint64_t rays)>;
+
 /// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings,
 /// position, sector and index.
 class TransferTracer {
@@ -42,7 +47,8 @@ class TransferTracer {
   /// `tracer` outlives it. Throws Error(content) for settings outside their range.
   TransferTracer(const Tracer& tracer, TransferSettings settings);
 
-  TracedProbe trace(const Number3& position, SectorId sector, std::size_t probe) const;
+  TracedProbe trace(const Number3& position, SectorId sector, std::size_t probe,
+                    const TransferProgress& progress = {}) const;
 
   /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
   std::vector<TracedProbe> trace(const PlacedSector& sector) const;

@@ -88,6 +88,35 @@ TEST_CASE("TransferEffort, TracesUntilTheErrorIsMet") {
   CHECK(cut.effort.error > settings.max_error);
 }
 
+TEST_CASE("TransferEffort, TellsOfItsRaysAndEndsWithinAProbe") {
+  const Surfaces level = tests::canyonOf(9, 7, Number3(0.3), Number3(0.5));
+  const Tracer tracer(level);
+  for (const std::size_t rays : {std::size_t{1024}, std::size_t{1} << 16}) {
+    TransferSettings settings = settingsOf(rays);
+    std::uint64_t told = 0;
+    std::size_t calls = 0;
+    const auto add = [&](std::uint64_t since) {
+      told += since;
+      ++calls;
+    };
+    const TracedProbe probe = TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add);
+    CHECK(told == probe.effort.rays);
+    CHECK(calls >= rays / 2048);
+    CHECK(calls <= rays / 1024);
+    CHECK(sameBits(probe, TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0)));
+    settings.max_error = 1e-6;  // all rays are spent, in rounds
+    told = 0;
+    CHECK(TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add).effort.rays == told);
+  }
+  const TransferTracer endless(tracer, settingsOf(kMostRays));
+  std::size_t calls = 0;
+  const auto third = [&](std::uint64_t) {
+    if (++calls == 3) throw Error(ExitStatus::interrupted, "enough");
+  };
+  CHECK_THROWS_AS(endless.trace({0, 1, 0}, {0, 0}, 0, third), Error);
+  CHECK(calls == 3);
+}
+
 TEST_CASE("TransferEffort, SettingsOutsideTheirRangeAreRefused") {
   const Surfaces level = tests::groundOf(Number3(0.5));
   const Tracer tracer(level);
