@@ -69,13 +69,16 @@ LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::S
 }
 
 SectorSettings LevelBake::settingsOf(SectorId sector) const {
-  return {sectionOf(sector, section_), max_error_, ground_albedo_, sun_, moon_};
+  return {sectionOf(sector, section_, columnOfBake(sector)), max_error_, ground_albedo_, sun_, moon_};
+}
+
+Column LevelBake::columnOfBake(SectorId sector) const {
+  return probes::columnOfBake(sector, section_.transfer, surfaces_);
 }
 
 SectorState LevelBake::state(const std::filesystem::path& folder, SectorId sector) const {
   SectorState state{sector, {}, {}, {}, {}};
-  const Column column = columnOf(sector, section_.transfer.reach_m);
-  state.from = bakedFrom(sector, surfacesWithin(surfaces_, column), texture_hash_, settingsOf(sector));
+  state.from = bakedFrom(sector, surfacesWithin(surfaces_, columnOfBake(sector)), texture_hash_, settingsOf(sector));
   const std::filesystem::path path = sectorPath(folder, sector);
   std::error_code none;
   if (folder.empty() || !std::filesystem::exists(path, none)) {
@@ -95,17 +98,18 @@ SectorState LevelBake::state(const std::filesystem::path& folder, SectorId secto
 }
 
 SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const {
-  NearSurfaces near = surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m));
+  NearSurfaces near = surfacesWithin(surfaces_, columnOfBake(sector));
   const SectorSettings settings = settingsOf(sector);
   const BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
   return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
 SectorPlan LevelBake::plan(SectorId sector, const Checkpoint& checkpoint) const {
-  const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
-  const BakeSection section = sectionOf(sector, section_);
+  const Column column = columnOf(sector, section_.transfer.reach_m);
+  const Surfaces near = withTexels(surfacesWithin(surfaces_, column), surfaces_);
+  const BakeSection section = sectionOf(sector, section_, column);
   const std::size_t probes = placeProbes(Tracer(near), sector, section.probes, checkpoint).size();
-  return {probes, probes > 0 && hasLocalTransfer(section.transfer, near)};
+  return {probes, probes > 0 && hasLocalTransfer(sector, section_.transfer, surfaces_)};
 }
 
 std::optional<double> LevelBake::budget() const {
@@ -113,9 +117,10 @@ std::optional<double> LevelBake::budget() const {
 }
 
 PlacedSector LevelBake::place(SectorId sector, const Checkpoint& checkpoint) const {
-  const Surfaces near = withTexels(surfacesWithin(surfaces_, columnOf(sector, section_.transfer.reach_m)), surfaces_);
+  const Column column = columnOf(sector, section_.transfer.reach_m);
+  const Surfaces near = withTexels(surfacesWithin(surfaces_, column), surfaces_);
   PlacementReport report;
-  return placeSector(Tracer(near), sector, sectionOf(sector, section_).probes, report, checkpoint);
+  return placeSector(Tracer(near), sector, sectionOf(sector, section_, column).probes, report, checkpoint);
 }
 
 LevelIndex LevelBake::index() const {

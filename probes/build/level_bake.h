@@ -65,6 +65,7 @@ class LevelBake {
   LevelIndex index() const;
 
  private:
+  Column columnOfBake(SectorId sector) const;
   SectorSettings settingsOf(SectorId sector) const;
 
   Surfaces surfaces_;

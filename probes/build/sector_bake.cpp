@@ -51,14 +51,11 @@ TransferSettings transferSettings(const SectorSettings& s) {
 }
 
 std::vector<TracedProbe> trace(const Tracer& tracer, const PlacedSector& placed, const SectorSettings& settings,
-                               const BakeProgress& progress) {
+                               const TransferProgress& progress) {
   const TransferTracer transfer(tracer, transferSettings(settings));
   std::vector<TracedProbe> traced(placed.probe.size());
-  const auto tell = [&](std::uint64_t rays) {
-    if (!progress(rays)) stop();
-  };
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
-    traced[i] = transfer.trace(placed.probe[i].position, placed.id, i, tell);
+    traced[i] = transfer.trace(placed.probe[i].position, placed.id, i, progress);
   });
   return traced;
 }
@@ -94,9 +91,12 @@ SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>
 
 }  // namespace
 
-BakeSection sectionOf(SectorId sector, const BakeSection& level) {
+Column columnOfBake(SectorId sector, const TransferSection& transfer, const Surfaces& level) {
+  return columnOf(sector, transfer.reach_m + (hasLocalTransfer(sector, transfer, level) ? kSector_m : 0.0));
+}
+
+BakeSection sectionOf(SectorId sector, const BakeSection& level, const Column& column) {
   BakeSection section = level;
-  const Column column = columnOf(sector, level.transfer.reach_m);
   std::erase_if(section.probes.add, [&](const Number3& p) { return !column.holds(p); });
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
     std::erase_if(*boxes, [&](const Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
@@ -131,14 +131,19 @@ BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector
 
 SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSettings& settings, const BakedFrom& from,
                       const BakeProgress& progress) {
-  const Tracer tracer(near);
-  if (!progress(0)) stop();
+  const auto tell = [&](std::uint64_t rays) {
+    if (!progress(rays)) stop();
+  };
+  const TransferSection& transfer = settings.section.transfer;
+  const bool is_local = hasLocalTransfer(sector, transfer, near);
+  Surfaces within;
+  if (is_local) within = withTexels(surfacesWithin(near, columnOf(sector, transfer.reach_m)), near);
+  const Tracer tracer(is_local ? within : near);
+  tell(0);
   PlacementReport report;
-  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report, [&] {
-    if (!progress(0)) stop();
-  });
-  if (!progress(0)) stop();
-  const std::vector<TracedProbe> traced = trace(tracer, placed, settings, progress);
+  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report, [&] { tell(0); });
+  tell(0);
+  const std::vector<TracedProbe> traced = trace(tracer, placed, settings, tell);
   SectorFile file;
   file.id = sector;
   file.low_y = placed.low_y;
@@ -162,9 +167,8 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   const SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
   file.probes = encodeProbes(probes);
   file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
-  if (!placed.probe.empty() && hasLocalTransfer(settings.section.transfer, near)) {
-    file.local = bakeLocal(tracer, placed, settings, progress);
-    if (!file.local) stop();
+  if (!placed.probe.empty() && is_local) {
+    file.local = bakeLocal(tracer, near, placed, settings, tell);
     file.rays += file.local->sampling.rays;
   }
   return file;

@@ -30,14 +30,18 @@ inline constexpr double kModesShare = 0.55;
 
 /// What a sector's bake is told besides its surfaces.
 struct SectorSettings {
-  BakeSection section;     ///< of the sector: only what lies within reach of it
+  BakeSection section;     ///< as sectionOf gives it
   double max_error = 0.0;  ///< that totalOf should keep, for as many rays as it takes; 0: no budget
   Number3 ground_albedo{0.0};
   LightTrack sun, moon;  ///< without knots where their transfer is not directional
 };
 
-/// The settings with those places only that lie within reach of the sector.
-BakeSection sectionOf(SectorId sector, const BakeSection& level);
+/// What a sector's bake reads: the reach of its probes, and that of the eight sectors about it where it gets local
+/// transfer, whose virtual lights are their probes.
+Column columnOfBake(SectorId sector, const TransferSection& transfer, const Surfaces& level);
+
+/// The settings with those places only that lie within what its bake reads.
+BakeSection sectionOf(SectorId sector, const BakeSection& level, const Column& column);
 
 BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector<Hash128>& texture_hash,
                     const SectorSettings& settings);

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "probes/random.h"
 #include "probes/transfer/local_lights.h"
@@ -19,9 +19,10 @@
 namespace welkin::probes {
 namespace {
 
-constexpr std::uint64_t kLocal = 0x6c6f63616cU;  ///< keeps these paths apart from those of the distant light
-constexpr std::uint32_t kBlock = 256;            ///< paths at once: it bounds the memory
-constexpr std::uint32_t kChoicePaths = 128;      ///< for the choice under a budget: that has no error to keep
+constexpr std::uint64_t kLocal = 0x6c6f63616cU;   ///< keeps these paths apart from those of the distant light
+constexpr std::uint32_t kBlock = 256;             ///< paths at once: it bounds the memory
+constexpr std::uint32_t kChoicePaths = 128;       ///< for the choice under a budget: that has no error to keep
+constexpr std::uint32_t kMostChoicePaths = 4096;  ///< without one; their vertices are kept
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ExitStatus::content, "local transfer: " + what);
@@ -32,6 +33,7 @@ void check(const LocalSettings& s, const std::vector<Number3>& lights) {
     refuse(fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
   if (s.bounces < 1 || s.bounces > kMostBounces)
     refuse(fmt::format("bounces: {}; allowed: 1 to {}", s.bounces, kMostBounces));
+  if (!(s.reach_m >= 0.0)) refuse(fmt::format("reach_m: {}; allowed: at least 0", s.reach_m));
   if (s.light_rays == 0) refuse("light rays: 0; allowed: at least 1");
   if (s.lights == 0 || s.lights > kMostLocalLights)
     refuse(fmt::format("lights a probe: {}; allowed: 1 to {}", s.lights, kMostLocalLights));
@@ -51,6 +53,10 @@ void addRadiance(Radiance& sum, const Number3& first, const Number3& radiance) {
   sum[1] += radiance * (det::kShLinear * first.y);
   sum[2] += radiance * (det::kShLinear * first.z);
   sum[3] += radiance * (det::kShLinear * first.x);
+}
+
+bool isWithin(const Number3& p, const Number3& about, double reach_m) {
+  return std::abs(p.x - about.x) <= reach_m && std::abs(p.z - about.z) <= reach_m;
 }
 
 /// Sums over the paths of a replicate, by light.
@@ -113,26 +119,40 @@ LocalTransferTracer::LocalTransferTracer(const Tracer& tracer, const LocalSettin
   check(settings_, light_);
 }
 
-LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe) const {
+LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe,
+                                      const TransferProgress& progress) const {
+  const Tracer seen = tracer_->within(position, settings_.reach_m);
   const auto most = static_cast<std::uint32_t>(settings_.rays / kReplicates);
   const auto points_of = [&](std::size_t replicate) {
     return PathPoints(circle_, Random(sector.x, sector.z, probe, replicate, kLocal).next(), settings_.bounces);
   };
   LocalProbe result;
-  std::vector<std::size_t> chosen(light_.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  std::uint64_t told = 0;
+  const auto tell = [&] {
+    if (progress) progress(result.rays - told);
+    told = result.rays;
+  };
+  std::vector<std::size_t> chosen;
+  std::vector<Number3> light;
+  const auto choose = [&](std::size_t l) {
+    chosen.push_back(l);
+    light.push_back(light_[l]);
+  };
+  for (std::size_t l = 0; l < light_.size(); ++l)
+    if (isWithin(light_[l], position, settings_.reach_m)) choose(l);
   std::vector<PathVertex> vertices;
-  if (light_.size() > settings_.lights) {
+  if (light.size() > settings_.lights) {
     // Paths of their own: the choice knows nothing of what is measured then, which keeps that unbiased.
-    const std::uint32_t paths = settings_.max_error > 0.0 ? std::min(most, kChoicePaths) : most;
-    result.rays += traceVertices(*tracer_, position, points_of(kReplicates), 0, paths, settings_.bounces, vertices);
+    const std::uint32_t paths = std::min(most, settings_.max_error > 0.0 ? kChoicePaths : kMostChoicePaths);
+    result.rays += traceVertices(seen, position, points_of(kReplicates), 0, paths, settings_.bounces, vertices);
     const auto influence =
-        influenceOf(*tracer_, position, vertices, light_, settings_.light_rays, settings_.nearest_m, result.rays);
-    chosen = mostInfluential(influence, settings_.lights);
+        influenceOf(seen, position, vertices, light, settings_.light_rays, settings_.nearest_m, result.rays);
+    const std::vector<std::size_t> within = std::exchange(chosen, {});
+    light.clear();
+    for (const std::size_t i : mostInfluential(influence, settings_.lights)) choose(within[i]);
+    tell();
   }
   if (chosen.empty()) return result;
-  std::vector<Number3> light;
-  for (const std::size_t l : chosen) light.push_back(light_[l]);
   LightDraw draw(light, settings_.light_rays, settings_.nearest_m);
   std::vector<PathPoints> points;
   for (std::size_t r = 0; r < kReplicates; ++r) points.push_back(points_of(r));
@@ -140,13 +160,14 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, 
   sums.fill(std::vector<Radiance>(light.size()));
   const auto addPaths = [&](std::size_t r, std::uint32_t from, std::uint32_t to) {
     vertices.clear();
-    result.rays += traceVertices(*tracer_, position, points[r], from, to, settings_.bounces, vertices);
+    result.rays += traceVertices(seen, position, points[r], from, to, settings_.bounces, vertices);
     for (const PathVertex& vertex : vertices)
       draw.at(vertex, [&](std::size_t l, double irradiance) {
         ++result.rays;
-        if (seesEachOther(*tracer_, vertex.origin, light[l]))
+        if (seesEachOther(seen, vertex.origin, light[l]))
           addRadiance(sums[r][l], vertex.first, vertex.reflected * irradiance);
       });
+    tell();
   };
   const auto paths = traceRounds(most, settings_.max_error, [&](std::uint32_t from, std::uint32_t to) {
     for (std::size_t r = 0; r < kReplicates; ++r)

@@ -7,11 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "probes/sector.h"
 #include "probes/tracer.h"
 #include "probes/transfer/path_points.h"
+#include "probes/transfer/trace_transfer.h"
 
 namespace welkin::probes {
 
@@ -30,6 +32,8 @@ struct LocalSettings {
   /// > 0, less than 1: each probe traces until its LocalProbe::error is at most that, or `rays` are spent. 0: `rays`
   /// paths each.
   double max_error = 0.0;
+  /// How far a probe sees the level and its lights along x and z, as TransferSettings::reach_m.
+  double reach_m = std::numeric_limits<double>::infinity();
 };
 
 /// Of a virtual light of radiant intensity 1 at a probe.
@@ -64,7 +68,8 @@ class LocalTransferTracer {
   /// outside their range and positions that are not finite.
   LocalTransferTracer(const Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
 
-  LocalProbe trace(const Number3& position, SectorId sector, std::size_t probe) const;
+  LocalProbe trace(const Number3& position, SectorId sector, std::size_t probe,
+                   const TransferProgress& progress = {}) const;
 
   /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
   std::vector<LocalProbe> trace(const PlacedSector& sector) const;

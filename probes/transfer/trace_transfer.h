@@ -36,8 +36,8 @@ inline constexpr std::size_t kLeastRays = 64;
 inline constexpr std::size_t kMostRays = std::size_t{1} << 24;
 inline constexpr int kMostBounces = 16;
 
-/// Called from any thread, once a probe and at least every 2048 paths, with the rays traced since. What it throws ends
-/// the tracing.
+/// Called from any thread, at the end of a probe and every 2048 paths at least, with the rays traced since. What it
+/// throws ends the tracing.
 using TransferProgress = std::function<void(std::uint64_t rays)>;
 
 /// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings,

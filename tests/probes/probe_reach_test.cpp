@@ -5,6 +5,7 @@
 
 #include "closed_forms.h"
 #include "probes/reach.h"
+#include "probes/transfer/local_transfer.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {
@@ -30,6 +31,13 @@ bool sameBits(const TracedProbe& a, const TracedProbe& b) {
   bool result = same(a.transfer.visibility, b.transfer.visibility) && same(a.transfer.sky, b.transfer.sky) &&
                 same(a.transfer.emitted, b.transfer.emitted) && same(a.effort, b.effort);
   for (std::size_t d = 0; d < kDirections; ++d) result = result && a.transfer.sun[d] == b.transfer.sun[d];
+  return result;
+}
+
+bool sameBits(const LocalProbe& a, const LocalProbe& b) {
+  bool result = a.transfer.size() == b.transfer.size() && a.rays == b.rays;
+  for (std::size_t i = 0; result && i < a.transfer.size(); ++i)
+    result = a.transfer[i].light == b.transfer[i].light && a.transfer[i].radiance == b.transfer[i].radiance;
   return result;
 }
 
@@ -161,6 +169,33 @@ TEST_CASE("ProbeReach, WhatLeavesDownwardMeetsThePlane") {
       CHECK(t.sky[b][0].y / det::kShConstant == Approx(0.6 * below).epsilon(1e-9));
     }
   }
+}
+
+TEST_CASE("ProbeReach, LocalLightsAreThoseWithinIt") {
+  const Surfaces level = ridge();
+  const Surfaces west = readBy({0, 0}, level);
+  const Surfaces east = readBy({1, 0}, level);
+  const Tracer of_west(west);
+  const Tracer of_east(east);
+  LocalSettings settings;
+  settings.rays = 256;
+  settings.reach_m = kReach_m;
+  settings.lights = 3;
+  const std::vector<Number3> lights{{-39, 20, 30}, {50, 1, 20}, {60, 3, 10}, {69, 2, 25}, {90, 1, 40}, {62, 1, 95.5}};
+  const LocalTransferTracer in_west(of_west, settings, lights);
+  const LocalTransferTracer in_east(of_east, settings, lights);
+  const Number3 at(66, 1, 30);
+  const LocalProbe probe = in_west.trace(at, {0, 0}, 1);
+  CHECK(sameBits(probe, in_east.trace(at, {0, 0}, 1)));
+  CHECK(probe.transfer.size() == 3);
+  for (const LocalTransfer& t : probe.transfer) {
+    CHECK(t.light > 0);  // 105 m away
+    CHECK(t.light < 5);  // 65.5 m
+  }
+  settings.reach_m = 1e3;
+  settings.lights = 6;
+  CHECK_FALSE(sameBits(LocalTransferTracer(of_west, settings, lights).trace(at, {0, 0}, 1),
+                       LocalTransferTracer(of_east, settings, lights).trace(at, {0, 0}, 1)));
 }
 
 }  // namespace welkin::tests
