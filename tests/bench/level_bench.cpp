@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the time of a level's bake goes, part by part of its sectors, on one thread.
+//   level_bench LEVEL.toml
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <array>
+#include <chrono>
+
+#include "probes/build/level_bake.h"
+#include "probes/build/local_bake.h"
+#include "probes/level/surfaces_of.h"
+#include "probes/placement/placement.h"
+#include "probes/transfer/trace_transfer.h"
+#include "sky/error.h"
+#include "sky/sky_file.h"
+
+namespace {
+
+using namespace welkin;
+using namespace welkin::probes;
+
+enum Part : std::size_t { kWithin, kHash, kScene, kPlacement, kTransfer, kLocal, kAll, kParts };
+constexpr std::array<const char*, kParts> kName{"surfaces within reach", "their hash",
+                                                "Embree's scenes",       "placement and grid",
+                                                "rays of probes",        "local transfer, its neighbours placed again",
+                                                "whole sectors"};
+
+class Clock {
+ public:
+  template <typename Work>
+  auto time(Part part, const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    seconds_[part] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+  double seconds(std::size_t part) const { return seconds_[part]; }
+
+ private:
+  std::array<double, kParts> seconds_{};
+};
+
+void run(const std::filesystem::path& file) {
+  const LevelFile level = readLevelFile(file);
+  const sky::SkyFile sky = sky::readSkyFile(level.sky);
+  BakeSection section = readBakeSection(file);
+  section.transfer.rays = section.transfer.rays.value_or(1024);
+  const LevelBake bake(readSurfaces(level), section, sky.sky, std::nullopt);
+  const std::vector<Hash128> textures = textureHashes(bake.surfaces());
+  const double reach_m = section.transfer.reach_m;
+  Clock clock;
+  std::uint64_t rays = 0;
+  std::size_t probes = 0;
+  for (const SectorId id : bake.sectors()) {
+    // The parts, as bakeSector puts them together.
+    NearSurfaces near = clock.time(kWithin, [&] { return surfacesWithin(bake.surfaces(), columnOf(id, reach_m)); });
+    const SectorSettings settings{sectionOf(id, section, columnOf(id, reach_m)), 0.0, sky.sky.ground_albedo, {}, {}};
+    clock.time(kHash, [&] { return bakedFrom(id, near, textures, settings); });
+    const Surfaces surfaces = clock.time(kWithin, [&] { return withTexels(std::move(near), bake.surfaces()); });
+    const Tracer tracer = clock.time(kScene, [&] { return Tracer(surfaces); });
+    PlacementReport report;
+    const PlacedSector placed =
+        clock.time(kPlacement, [&] { return placeSector(tracer, id, settings.section.probes, report); });
+    TransferSettings transfer;
+    transfer.rays = static_cast<std::size_t>(*section.transfer.rays);
+    transfer.bounces = section.transfer.bounces;
+    transfer.reach_m = reach_m;
+    transfer.ground_albedo = sky.sky.ground_albedo;
+    if (section.transfer.sun == SunTransfer::directional)
+      transfer.light_directions =
+          trackOf([&](double time_h) { return sky.sky.sun.path.directionAt(time_h); }, kKnotsADay).direction;
+    const auto traced = clock.time(kTransfer, [&] { return TransferTracer(tracer, transfer).trace(placed); });
+    for (const TracedProbe& probe : traced) rays += probe.effort.rays;
+    if (!traced.empty() && hasLocalTransfer(id, section.transfer, bake.surfaces())) {
+      const Column column = columnOfBake(id, section.transfer, bake.surfaces());
+      const Surfaces wide = withTexels(surfacesWithin(bake.surfaces(), column), bake.surfaces());
+      clock.time(kLocal, [&] {
+        const SectorSettings wanted{sectionOf(id, section, column), 0.0, {}, {}, {}};
+        return bakeLocal(tracer, wide, placed, wanted, [](std::uint64_t) {});
+      });
+    }
+    const SectorFile baked = clock.time(kAll, [&] { return bake.bake(id, [](std::uint64_t) { return true; }); });
+    probes += baked.probes.probes();
+  }
+  const double all = clock.seconds(kAll);
+  fmt::print("{} sectors, {} probes, {} triangles, {:.2f} M rays without the local transfer's\n", bake.sectors().size(),
+             probes, bake.surfaces().triangle.size(), 1e-6 * static_cast<double>(rays));
+  double sum = 0.0;
+  for (std::size_t part = 0; part < kAll; ++part) {
+    fmt::print("{:<44} {:7.3f} s {:5.1f} %\n", kName[part], clock.seconds(part), 100.0 * clock.seconds(part) / all);
+    sum += clock.seconds(part);
+  }
+  fmt::print("{:<44} {:7.3f} s {:5.1f} %\n", "modes, encoding and what else", all - sum, 100.0 * (all - sum) / all);
+  fmt::print("{:<44} {:7.3f} s, {:.1f} M rays/s while tracing\n", kName[kAll], all,
+             1e-6 * static_cast<double>(rays) / clock.seconds(kTransfer));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    fmt::print(stderr, "level_bench LEVEL.toml\n");
+    return 1;
+  }
+  try {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    run(arguments[1]);
+  } catch (const Error& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return static_cast<int>(e.status());
+  }
+  return 0;
+}
