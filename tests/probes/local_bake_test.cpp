@@ -182,7 +182,7 @@ TEST_CASE("LocalBake, EndsWhenTold") {
 TEST_CASE("LocalBake, RaysAreThoseThatTheBudgetTakes") {
   const Surfaces s = groundWithWall();
   const Tracer tracer(s);
-  SectorSettings settings = settingsWithin(0.0);
+  SectorSettings settings = settingsWithin(16.0);
   settings.section.transfer.rays.reset();
   const PlacedSector sector = place(s, {0, 0}, settings.section.probes);
   std::uint64_t rays = 0;
