@@ -105,7 +105,7 @@ sky::Domain rows() {
        kMetre,
        {0.0, 1e5},
        64.0,
-       "of a sector beyond its bounds: what lies farther off neither blocks nor reflects light there"},
+       "how far a probe sees the level along x and z: what lies farther off neither blocks nor reflects its light"},
       {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "times the bounced light of sun and moon"},
       {"scale", "sky", "", Kind::number, "", kMultiplier, 1.0, "times the sky's light, direct and bounced"},
   };
