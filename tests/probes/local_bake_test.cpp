@@ -100,6 +100,7 @@ TEST_CASE("LocalBake, VirtualLightsAreProbesOfTheirSectorsBakes") {
   s.object.push_back({"bush", Role::vegetation});
   const std::size_t first = s.triangle.size();
   addBoxOutside(s, {70, 2, 10}, {100, 9, 20}, addMaterial(s, Number3(0.2)));
+  addBoxOutside(s, {-60, 2, 10}, {-50, 20, 20}, addMaterial(s, Number3(0.2)));  // of the same bush, out of 1_0's reach
   for (std::size_t i = first; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
   BakeSection section = sectionWithin(8.0);
   section.transfer.local_lights.where = LocalLights::Where::everywhere;

@@ -192,6 +192,12 @@ TEST_CASE("ProbeReach, LocalLightsAreThoseWithinIt") {
     CHECK(t.light > 0);  // 105 m away
     CHECK(t.light < 5);  // 65.5 m
   }
+  const auto count = [&](const Number3& light) {
+    return LocalTransferTracer(of_west, settings, {light}).trace(at, {0, 0}, 1).transfer.size();
+  };
+  CHECK(count({62, 1, 93.5}) == 1);
+  CHECK(count({62, 1, 94.5}) == 0);
+  CHECK(count({1.5, 1, 30}) == 0);
   settings.reach_m = 1e3;
   settings.lights = 6;
   CHECK_FALSE(sameBits(LocalTransferTracer(of_west, settings, lights).trace(at, {0, 0}, 1),
