@@ -12,7 +12,7 @@
 namespace welkin::probes {
 
 /// Of the method: one more whenever the same input gives other bytes.
-inline constexpr std::uint32_t kBakeVersion = 3;
+inline constexpr std::uint32_t kBakeVersion = 4;
 
 /// Knots of a light's path that its transfer is traced at, when it is up all day.
 inline constexpr int kKnotsADay = 24;

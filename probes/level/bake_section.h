@@ -26,7 +26,7 @@ struct TransferSection {
   int bounces = 2;
   SunTransfer sun = SunTransfer::directional;
   LocalLights local_lights;
-  double reach_m = 64.0;
+  double reach_m = 128.0;
 };
 
 struct BakeSection {

@@ -49,7 +49,7 @@ class Garden {
     std::string text = "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"level.gltf\"\n";
     for (const Placed& p : placed)
       text += "[[geometry]]\nfile = \"" + p.file + ".gltf\"\ntranslation = [" + std::to_string(p.x) + ", 1, 30]\n";
-    write("level.toml", text + "[probes]\nspacing_m = 16\n[transfer]\nrays = 64\n");
+    write("level.toml", text + "[probes]\nspacing_m = 16\n[transfer]\nrays = 64\nreach_m = 64\n");
   }
 
   int bake() const { return level_.bake("out"); }

@@ -35,7 +35,8 @@ class SmallLevel {
   void writeLevel(const std::string& transfer, const std::string& more = "") const {
     folder_.write("level.toml",
                   "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"level.gltf\"\n[probes]\nspacing_m = 16\n" +
-                      more + "\n[transfer]\n" + transfer + "\n");
+                      more + "\n[transfer]\n" + transfer +
+                      (transfer.find("reach_m") == std::string::npos ? "\nreach_m = 64\n" : "\n"));
   }
 
   std::string operator/(const std::string& name) const { return folder_ / name; }

@@ -72,7 +72,7 @@ TEST_CASE("BakeSection, AbsentIsTheDesignsDefault") {
   CHECK(s.transfer.bounces == 2);
   CHECK(s.transfer.sun == SunTransfer::directional);
   CHECK(s.transfer.local_lights.where == LocalLights::Where::near_lights);
-  CHECK(s.transfer.reach_m == 64.0);
+  CHECK(s.transfer.reach_m == 128.0);
   CHECK(s.scale.sun_bounce == 1.0);
   CHECK(s.scale.sky == 1.0);
 }
@@ -98,7 +98,7 @@ rays = "auto"
 bounces = 0
 sun = "sh"
 local_lights = ["3_-4", "-1_0"]
-reach_m = 0
+reach_m = 1
 [scale]
 sun_bounce = 0
 sky = 2.5
@@ -123,7 +123,7 @@ sky = 2.5
   CHECK(s.transfer.sun == SunTransfer::sh);
   CHECK(s.transfer.local_lights.where == LocalLights::Where::listed);
   CHECK(s.transfer.local_lights.sector == std::vector<SectorId>{{-1, 0}, {3, -4}});
-  CHECK(s.transfer.reach_m == 0.0);
+  CHECK(s.transfer.reach_m == 1.0);
   CHECK(s.scale.sun_bounce == 0.0);
   CHECK(s.scale.sky == 2.5);
   CHECK(sectionOf("[transfer]\nlocal_lights = true").transfer.local_lights.where == LocalLights::Where::everywhere);
@@ -165,6 +165,7 @@ TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
   checkRefused("[[room]]\nbox = [1, 0, 0, 0, 1, 1]", "room[0].box");
   checkRefused("[room]\nbox = [0, 0, 0, 1, 1, 1]", "[[room]]");
   checkRefused("[transfer]\nrays = \"many\"", "whole number");
+  checkRefused("[transfer]\nreach_m = 0.5", "reach_m = 0.5");
   checkRefused("[transfer]\nrays = 1028", "multiple of 8");
   checkRefused("[transfer]\nrays = 1024.0", "whole number");
   checkRefused("[transfer]\nsun = \"SH\"", "must be one of \"directional\", \"sh\", \"none\"");

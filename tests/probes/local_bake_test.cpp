@@ -69,8 +69,9 @@ TEST_CASE("LocalBake, SettingsAndLightsSayWhetherThereIsAny") {
   TransferSection transfer;
   transfer.local_lights = {Where::listed, {{-1, 2}, {0, 1}}};
   CHECK_FALSE(hasLocalTransfer({0, 0}, transfer, lit));
-  // Within reach: 64 m, by default, of the sector's square.
+  // Within reach of the sector's square.
   transfer.local_lights = {};
+  transfer.reach_m = 64.0;
   CHECK(hasLocalTransfer({1, -1}, transfer, lit));
   CHECK_FALSE(hasLocalTransfer({2, 0}, transfer, lit));
   CHECK_FALSE(hasLocalTransfer({0, -2}, transfer, lit));
