@@ -76,7 +76,7 @@ struct SectorFile {
   std::array<std::uint8_t, kCells * kCells> top{};  ///< as PlacedSector has these
   std::vector<Room> room;
   std::vector<std::uint8_t> in_room;
-  std::size_t unlit = 0;  ///< probes that nothing of sky, sun, moon or emission reaches
+  std::size_t unlit = 0;  ///< probes that no ray joins to sky, sun, moon or emission
 };
 
 std::vector<std::byte> encodeSector(const SectorFile& sector);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sealed rooms with walls thinner than a cell: their probes are dark, filtering between cells lights their surfaces,
 // and a [[room]] about them ends that. `-s` shows by how much.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "probes/build/level_bake.h"
@@ -82,6 +83,27 @@ TEST_CASE("WallLeak, ARoomEndsWhatFilteringLetsThroughThinWalls") {
     CHECK(leak.worst > 0.2);  // a known limit, of docs/probes.md
     const Leak room = leakOf(hall, true);
     CHECK_FALSE(room.any);
+  }
+}
+
+TEST_CASE("WallLeak, ProbesOfSealedHallsAreUnlit") {
+  for (const Hall& hall : kHalls) {
+    for (const bool has_lamp : {false, true}) {
+      Surfaces s = levelOf(hall);
+      if (has_lamp) {
+        const auto glow = addMaterial(s, Number3(0.0), false, Number3(1.0));
+        const Number3 size = hall.inside.high - hall.inside.low;
+        addQuad(s, hall.inside.low + Number3(0.0, 0.95 * size.y, 0.0), {size.x, 0, 0}, {0, 0, size.z}, glow);
+      }
+      const LevelBake level(s, BakeSection{}, uniformSky(1.0), std::nullopt);
+      const SectorFile file = level.bake({0, 0}, [](std::uint64_t) { return true; });
+      const auto places = decodedProbes(file.probes, file.id).position;
+      const auto inside = static_cast<std::size_t>(
+          std::count_if(places.begin(), places.end(), [&](const Number3& p) { return contains(hall.inside, p); }));
+      INFO(hall.name);
+      CHECK(inside > 0);
+      CHECK(file.unlit == (has_lamp ? 0 : inside));
+    }
   }
 }
 
