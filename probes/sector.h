@@ -47,7 +47,7 @@ struct Probe {
 /// A box whose inside has probes of its own: what is in it is lit by none from outside, and the other way round. A
 /// position in several belongs to the first.
 struct Room {
-  Box box;                        ///< of coordinates that a float32 holds
+  Box box;                        ///< as float32 in a sector's file
   std::uint8_t probe = kNoProbe;  ///< the room's nearest to the middle of its part of the sector, or kNoProbe
 };
 

@@ -37,7 +37,7 @@ struct SectorPlan {
 class LevelBake {
  public:
   /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
-  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget, and what sectorsOf and the
+  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget below 1, and what sectorsOf and the
   /// checkpoint throw.
   LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky, std::optional<double> max_error,
             const Checkpoint& checkpoint = {});

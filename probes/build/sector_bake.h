@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of one sector: surfaces within reach and settings in, its file out. Nothing of its neighbours takes part.
+// The bake of one sector: surfaces within reach and settings in, its file out. No result of its neighbours takes part.
 #pragma once
 
 #include <functional>

@@ -78,7 +78,7 @@ void SceneBuilder::warnOfIdlePatterns(const GeometryEntry& entry, const std::vec
   for (const std::string& pattern : entry.vegetation_nodes)
     if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return matchesPattern(pattern, name); }))
       scene_.warnings.push_back(
-          fmt::format("{}: vegetation_nodes: \"{}\" fits no name of a node", entry.path.string(), pattern));
+          fmt::format("{}: vegetation_nodes: \"{}\" fits no node or object", entry.path.string(), pattern));
 }
 
 Scene SceneBuilder::finish() {

@@ -24,7 +24,7 @@ struct Choice {
   bool operator<(const Choice& b) const { return std::tie(distance_m, probe) < std::tie(b.distance_m, b.probe); }
 };
 
-/// A cell from above that names no probe takes after the nearest that does, in cells, then by index.
+/// A cell from above that names no probe, where some do, takes after the nearest that does, in cells, then by index.
 void fillFromNearest(std::array<std::uint8_t, kCells * kCells>& top) {
   const auto named = top;
   for (int cell = 0; cell < kCells * kCells; ++cell) {
@@ -111,6 +111,7 @@ class Grid {
   }
 
   void fillTop() {
+    if (sector_.probe.empty()) return sector_.top.fill(kNoProbe);
     for (std::size_t column = 0; column < cells_.top.size(); ++column) {
       sector_.top[column] = kNoProbe;
       const auto& span = cells_.top[column];
@@ -121,6 +122,8 @@ class Grid {
       if (const auto choice = nearestSeen({line.x, span->low_y + height, line.z}))
         sector_.top[column] = static_cast<std::uint8_t>(choice->probe);
     }
+    if (std::all_of(sector_.top.begin(), sector_.top.end(), [](std::uint8_t probe) { return probe == kNoProbe; }))
+      nameProbesBelow();
     fillFromNearest(sector_.top);
   }
 
@@ -136,6 +139,17 @@ class Grid {
   }
 
  private:
+  /// From above every probe by its own cell, the first of one: for a sector where nothing that is seen sees a probe.
+  void nameProbesBelow() {
+    for (std::size_t i = sector_.probe.size(); i-- > 0;) {
+      const auto cellOf = [](double along) { return std::clamp(static_cast<int>(along / kCell_m), 0, kCells - 1); };
+      const Number3& p = sector_.probe[i].position;
+      const int x = cellOf(p.x - kSector_m * sector_.id.x);
+      const int z = cellOf(p.z - kSector_m * sector_.id.z);
+      sector_.top[static_cast<std::size_t>(x + kCells * z)] = static_cast<std::uint8_t>(i);
+    }
+  }
+
   struct Way {
     Choice choice;
     Number3 from;

@@ -25,7 +25,7 @@ struct GroundPart {
 
 std::array<Number3, 3> cornersOf(const Surfaces& surfaces, const Triangle& triangle);
 
-/// Whether a triangle, or one of its `two_sides`, is static ground up to 60 degrees.
+/// Whether a triangle, or one of its `two_sides`, is ground up to 60 degrees.
 bool isWalkable(const std::array<Number3, 3>& corner, bool two_sides);
 
 GroundPart partOver(const std::array<Number3, 3>& corner, const SectorId& id);

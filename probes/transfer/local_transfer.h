@@ -61,7 +61,7 @@ struct LocalProbe {
 /// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings, list of
 /// lights, position, sector and index. Rays a probe are bounded, however many lights there are: paths bounces
 /// (1 + light_rays). Where there are more lights than `lights`, the choice takes an eighth of LocalSettings::rays as
-/// paths of its own, under a budget at most 128, and one ray for each light more.
+/// paths of its own, at most 4096 and under a budget 128, and one ray for each light more.
 class LocalTransferTracer {
  public:
   /// `tracer` outlives it; `lights`: positions of virtual lights, near the sector. Throws Error(content) for settings

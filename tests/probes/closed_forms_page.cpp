@@ -20,7 +20,7 @@ constexpr double kNothing = 5e-6;  ///< of the digits that are printed
 /// The first channel: the albedos that the names say.
 std::string measuredText(const Compared& c) {
   return c.standard_error.x < kNothing ? fmt::format("{:.5f}", c.found.x)
-                                       : fmt::format("{:.5f} ± {:.5f}", c.found.x, c.standard_error.x);
+                                       : fmt::format("{:.5f} +- {:.5f}", c.found.x, c.standard_error.x);
 }
 
 std::string lostText(const Compared& c) {

@@ -116,7 +116,7 @@ TEST_CASE("Encoding, EveryNumberComesBack") {
 }
 
 TEST_CASE("Encoding, BytesAreWithinTheBudget") {
-  // At most 152 bytes a probe, and with the grid 15 KB for a sector of 70.
+  // The talk has 152 bytes a probe, and 15 KB for a sector of 70 with its grid.
   constexpr std::size_t kGrid = 4096;
   CHECK(encodeProbes(someProbes(70, 0, false)).bytesAProbe() == 62);
   CHECK(encodeProbes(someProbes(70, 0, true)).bytesAProbe() == 76);

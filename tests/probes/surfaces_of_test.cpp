@@ -64,7 +64,7 @@ TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
   const Surfaces s = readSurfaces(level);
   CHECK(s.triangle.size() == 2);
   CHECK(warns(s, "object \"floor\" and 1 more are left out"));
-  CHECK(warns(s, "a.gltf: vegetation_nodes: \"plam*\" fits no name of a node"));
+  CHECK(warns(s, "a.gltf: vegetation_nodes: \"plam*\" fits no node or object"));
   CHECK(s.warning.size() == 2);
 }
 

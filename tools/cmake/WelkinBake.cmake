@@ -38,8 +38,10 @@ function(welkin_add_bake)
   set(options ${arg_OPTIONS})
   set(byproducts ${folder}/sky.json ${folder}/timing.json)
   set(output ${folder}/sky.welkin)
+  set(index "")
   if(arg_LEVEL)
     set(output ${folder}/level.welkin)
+    set(index ${output})
     list(APPEND byproducts ${folder}/sky.welkin)
   endif()
   if(NOT options MATCHES "--report")
@@ -65,6 +67,6 @@ function(welkin_add_bake)
   add_custom_target(${arg_TARGET} ALL DEPENDS ${output})
   set_target_properties(${arg_TARGET} PROPERTIES
     WELKIN_SKY ${folder}/sky.welkin
-    WELKIN_LEVEL "$<$<BOOL:${arg_LEVEL}>:${output}>"
+    WELKIN_LEVEL "${index}"
     ADDITIONAL_CLEAN_FILES "${folder}/cubemaps;${folder}/sectors")
 endfunction()

@@ -180,7 +180,7 @@ probes::Hash128 hashOfAll(const LevelInput& level, const LevelOptions& options) 
 }  // namespace
 
 void endIfInterrupted() {
-  if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+  if (interrupted()) throw Error(ExitStatus::interrupted, "interrupted; what was finished is kept");
 }
 
 void addLevelWarnings(const LevelInput& level, Json& warnings) {

@@ -184,7 +184,7 @@ LevelIndex mergeParts(const fs::path& folder) {
   checkLevel(folder, index);
   writeFile(indexPath(folder), probes::encodeLevel(index));
   removeOtherSectors(folder, index);
-  mergeReports(folder, parts.count);
+  mergeReports(folder, parts.count, index);
   return index;
 }
 

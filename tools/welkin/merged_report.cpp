@@ -69,6 +69,15 @@ Json merged(const std::vector<Json>& parts) {
   return report;
 }
 
+/// Whether these are the sectors of the index, in its order and with its checksums.
+bool isOf(const Json& sectors, const probes::LevelIndex& index) {
+  return std::equal(sectors.begin(), sectors.end(), index.sector.begin(), index.sector.end(),
+                    [](const Json& reported, const probes::SectorEntry& s) {
+                      return reported["sector"] == probes::nameOf(s.id) && reported.contains("xxh3_128") &&
+                             reported["xxh3_128"] == textOf(s.checksum);
+                    });
+}
+
 }  // namespace
 
 fs::path reportPath(const fs::path& folder, const std::optional<Shard>& shard) {
@@ -79,7 +88,7 @@ fs::path timingPath(const fs::path& folder, const std::optional<Shard>& shard) {
   return pathOf(folder, "timing", shard);
 }
 
-void mergeReports(const fs::path& folder, int count) {
+void mergeReports(const fs::path& folder, int count, const probes::LevelIndex& index) {
   std::error_code error;
   fs::remove(timingPath(folder, std::nullopt), error);
   std::vector<Json> parts;
@@ -91,7 +100,11 @@ void mergeReports(const fs::path& folder, int count) {
     }
     parts.push_back(readReport(path));
   }
-  writeFile(reportPath(folder, std::nullopt), merged(parts).dump(2) + "\n");
+  const Json report = merged(parts);
+  if (isOf(report["sectors"], index))
+    writeFile(reportPath(folder, std::nullopt), report.dump(2) + "\n");
+  else
+    fs::remove(reportPath(folder, std::nullopt), error);
 }
 
 }  // namespace welkin::tools

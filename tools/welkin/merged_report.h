@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "probes/level_index.h"
 #include "welkin/shard.h"
 
 namespace welkin::tools {
@@ -14,8 +15,8 @@ std::filesystem::path reportPath(const std::filesystem::path& folder, const std:
 std::filesystem::path timingPath(const std::filesystem::path& folder, const std::optional<Shard>& shard);
 
 /// Writes the report that one process would have written, of those of `count` shards; where one of them is not in the
-/// folder, none. What an earlier bake by one process has left is removed. Throws Error(content) for a file that is no
-/// report.
-void mergeReports(const std::filesystem::path& folder, int count);
+/// folder, or of other sectors than the index, none. What an earlier bake by one process has left is removed. Throws
+/// Error(content) for a file that is no report.
+void mergeReports(const std::filesystem::path& folder, int count, const probes::LevelIndex& index);
 
 }  // namespace welkin::tools
