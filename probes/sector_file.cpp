@@ -6,14 +6,19 @@
 #include "format/domain_check.h"
 #include "format/sector_check.h"
 #include "probes/checked_file.h"
+#include "probes/sector_name.h"
 
 namespace welkin::probes {
 namespace {
 
 static_assert(kMostProbes == format::kMostProbes && kNoProbe == format::kNoProbe &&
                   kCells * kCells * kCells == format::kGridCells && kMostSunModes == format::kMostSunModes &&
-                  kMostRooms == format::kMostRooms && 4 * kMostNamed + kMostNamedByHand <= format::kMostNamedPlaces,
+                  kMostRooms == format::kMostRooms && 4 * kMostNamed + kMostNamedByHand <= format::kMostNamedPlaces &&
+                  kFarthestSector == format::kFarthestSector,
               "what a bake makes and what a file may hold");
+static_assert(static_cast<format::PlaceKind>(NamedPlace::Kind::moved) == format::PlaceKind::moved &&
+                  static_cast<format::PlaceKind>(NamedPlace::Kind::thinned) == format::PlaceKind::thinned,
+              "the file's kinds in the file's order");
 
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
