@@ -36,10 +36,11 @@ LocalSampling samplingOf(const std::vector<LocalProbe>& probes) {
 }
 
 /// Its probes as its own bake places them.
-std::vector<Probe> probesOfNeighbour(const Surfaces& near, SectorId id, const BakeSection& section) {
+std::vector<Probe> probesOfNeighbour(const Surfaces& near, SectorId id, const BakeSection& section,
+                                     const Checkpoint& checkpoint) {
   const Column column = columnOf(id, section.transfer.reach_m);
   const Surfaces surfaces = withTexels(surfacesWithin(near, column), near);
-  return placeProbes(Tracer(surfaces), id, sectionOf(id, section, column).probes);
+  return placeProbes(Tracer(surfaces), id, sectionOf(id, section, column).probes, checkpoint);
 }
 
 }  // namespace
@@ -64,12 +65,13 @@ bool hasLocalTransfer(SectorId sector, const TransferSection& transfer, const Su
          std::any_of(level.spot.begin(), level.spot.end(), [&](const Number3& place) { return reach.holds(place); });
 }
 
-std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sector, const BakeSection& section) {
+std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sector, const BakeSection& section,
+                                   const Checkpoint& checkpoint) {
   constexpr std::size_t kSide = 3;
   std::array<std::vector<Probe>, kSide * kSide> placed;
   tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
     const SectorId id = {sector.id.x - 1 + static_cast<int>(i / kSide), sector.id.z - 1 + static_cast<int>(i % kSide)};
-    placed[i] = id == sector.id ? sector.probe : probesOfNeighbour(near, id, section);
+    placed[i] = id == sector.id ? sector.probe : probesOfNeighbour(near, id, section, checkpoint);
   });
   const Column reach = columnOf(sector.id, section.transfer.reach_m);
   std::vector<Number3> lights;
@@ -81,7 +83,8 @@ std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sec
 
 BakedLocal bakeLocal(const Tracer& tracer, const Surfaces& near, const PlacedSector& sector,
                      const SectorSettings& settings, const TransferProgress& progress) {
-  const LocalTransferTracer transfer(tracer, localSettings(settings), virtualLights(near, sector, settings.section));
+  const LocalTransferTracer transfer(tracer, localSettings(settings),
+                                     virtualLights(near, sector, settings.section, [&] { progress(0); }));
   progress(0);
   std::vector<LocalProbe> traced(sector.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "probes/build/sector_bake.h"
+#include "probes/placement/checkpoint.h"
 #include "probes/sector.h"
 #include "probes/tracer.h"
 #include "probes/transfer/trace_transfer.h"
@@ -20,8 +21,9 @@ bool hasLocalTransfer(SectorId sector, const TransferSection& transfer, const Su
 /// Virtual lights of a sector: its probes and those of the eight sectors about it, as far as they lie within reach, in
 /// the order of sectors and, within one, of placement. Neighbours are placed again, each out of the surfaces that its
 /// own bake reads: no file of theirs is read, and the lights are their probes. `near`, `section`: as columnOfBake
-/// reaches.
-std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sector, const BakeSection& section);
+/// reaches; what the checkpoint throws ends it.
+std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sector, const BakeSection& section,
+                                   const Checkpoint& checkpoint = {});
 
 /// The local transfer of a sector that has probes, thinned to kMostLocalBytes. On all threads of the caller's arena;
 /// the same for any number of them. `tracer`: of what the sector's probes see; what `progress` throws ends the bake.

@@ -15,6 +15,7 @@
 #include "probes/placement/placement.h"
 #include "probes/transfer/fixed_point.h"
 #include "probes/transfer/trace_transfer.h"
+#include "rounding.h"
 #include "sky/error.h"
 #include "sky/sky_file.h"
 
@@ -41,12 +42,6 @@ constexpr Sharing kSharing[] = {
 /// Whether the numbers that are never below 0 use the bit of the sign.
 enum class Sign { of_all, of_some };
 
-double rounded(double value, double scale, int bits, bool is_signed) {
-  if (scale == 0.0) return 0.0;
-  const double steps = std::ldexp(1.0, is_signed ? bits - 1 : bits) - 1.0;
-  return std::floor(value / scale * steps + 0.5) * scale / steps;
-}
-
 ProbeTransfer roundedSky(ProbeTransfer t, int bits, const Sharing& sharing, Sign sign) {
   std::array<double, 8> largest{};
   const auto eachNumber = [&](auto&& what) {
@@ -56,13 +51,13 @@ ProbeTransfer roundedSky(ProbeTransfer t, int bits, const Sharing& sharing, Sign
   };
   eachNumber([](double x, double& l, std::size_t) { l = std::max(l, std::abs(x)); });
   eachNumber([&](double& x, double l, std::size_t k) {
-    x = rounded(x, scaleOf(scaleFor(l)), bits, sign == Sign::of_all || k > 1);
+    x = bench::rounded(x, scaleOf(scaleFor(l)), bits, sign == Sign::of_all || k > 1);
   });
   return t;
 }
 
 ProbeTransfer roundedVisibility(ProbeTransfer t, int bits) {
-  for (double& v : t.visibility) v = rounded(v, 1.0, bits, false);
+  for (double& v : t.visibility) v = bench::rounded(v, 1.0, bits, false);
   return t;
 }
 

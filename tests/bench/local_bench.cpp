@@ -22,6 +22,7 @@
 #include "probes/transfer/local_encoding.h"
 #include "probes/transfer/local_paths.h"
 #include "probes/transfer/local_relight.h"
+#include "rounding.h"
 #include "town.h"
 
 namespace {
@@ -117,12 +118,6 @@ std::vector<LocalProbe> traced(const Tracer& tracer, const PlacedSector& sector,
   return probes;
 }
 
-/// A number over a scale in so many bits.
-double rounded(double x, double scale, int bits) {
-  const double steps = std::exp2(bits - 1) - 1.0;
-  return scale == 0.0 ? 0.0 : std::floor(x / scale * steps + 0.5) * scale / steps;
-}
-
 /// Shares of the influence that find no room in a sector with so many bytes a transfer: of all probes', and of the
 /// worst one's.
 std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t lights,
@@ -172,7 +167,7 @@ void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>
         for (std::size_t k = 0; k < 4; ++k)
           for (int c = 0; c < 3; ++c) {
             double& x = coarse[t].radiance[k][c];
-            x = rounded(x, scale, bits);
+            x = bench::rounded(x, scale, bits, true);
             worst = std::max(worst, std::abs(x - p.transfer[t].radiance[k][c]) / largest);
           }
         add(0, {p.transfer[t]}, {coarse[t]});

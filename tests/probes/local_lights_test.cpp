@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "closed_forms.h"
 #include "local_helpers.h"
 #include "probes/transfer/local_relight.h"
 #include "probes/transfer/trace_transfer.h"
+#include "same_bits.h"
 #include "sky/error.h"
 
 namespace welkin::probes {
@@ -26,18 +26,7 @@ using tests::furnishedRoom;
 using tests::Measured;
 using tests::measured;
 using tests::of;
-
-bool sameBits(const LocalProbe& a, const LocalProbe& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0;
-  };
-  bool result = a.transfer.size() == b.transfer.size() && same(a.standard_error, b.standard_error) &&
-                a.error == b.error && a.paths == b.paths && a.rays == b.rays;
-  for (std::size_t i = 0; result && i < a.transfer.size(); ++i)
-    result = a.transfer[i].light == b.transfer[i].light &&
-             std::memcmp(&a.transfer[i].radiance, &b.transfer[i].radiance, sizeof a.transfer[i].radiance) == 0;
-  return result;
-}
+using tests::sameBits;
 
 }  // namespace
 

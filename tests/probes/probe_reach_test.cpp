@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A probe sees the level within its own reach: what it holds depends neither on what lies beyond nor on its sector.
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "closed_forms.h"
 #include "probes/reach.h"
-#include "probes/transfer/local_transfer.h"
+#include "same_bits.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {
@@ -24,21 +23,6 @@ TransferSettings settingsWithin(double reach_m) {
   for (int i = 0; i < 12; ++i) settings.light_directions.push_back(towards(1.5 + 0.25 * i, 0.1 + 0.1 * i));
   settings.light_directions.push_back(towards(1.5 * det::kPi, 0.15));
   return settings;
-}
-
-bool sameBits(const TracedProbe& a, const TracedProbe& b) {
-  const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
-  bool result = same(a.transfer.visibility, b.transfer.visibility) && same(a.transfer.sky, b.transfer.sky) &&
-                same(a.transfer.emitted, b.transfer.emitted) && same(a.effort, b.effort);
-  for (std::size_t d = 0; d < kDirections; ++d) result = result && a.transfer.sun[d] == b.transfer.sun[d];
-  return result;
-}
-
-bool sameBits(const LocalProbe& a, const LocalProbe& b) {
-  bool result = a.transfer.size() == b.transfer.size() && a.rays == b.rays;
-  for (std::size_t i = 0; result && i < a.transfer.size(); ++i)
-    result = a.transfer[i].light == b.transfer[i].light && a.transfer[i].radiance == b.transfer[i].radiance;
-  return result;
 }
 
 /// What a bake of a sector reads of a level.

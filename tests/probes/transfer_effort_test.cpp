@@ -4,30 +4,22 @@
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "closed_forms.h"
+#include "same_bits.h"
 #include "sky/error.h"
 #include "transfer_helpers.h"
 
 namespace welkin::probes {
 namespace {
 
+using tests::sameBits;
+
 TransferSettings settingsOf(std::size_t rays) {
   TransferSettings settings;
   settings.rays = rays;
   for (int i = 0; i < 12; ++i) settings.light_directions.push_back(tests::towards(1.5 + 0.25 * i, 0.1 + 0.1 * i));
   return settings;
-}
-
-bool sameBits(const TracedProbe& a, const TracedProbe& b) {
-  const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
-  bool result = same(a.transfer.visibility, b.transfer.visibility) && same(a.transfer.sky, b.transfer.sky) &&
-                same(a.transfer.emitted, b.transfer.emitted) && same(a.effort, b.effort);
-  for (std::size_t d = 0; d < kDirections; ++d)
-    result = result && std::memcmp(a.transfer.sun[d].data(), b.transfer.sun[d].data(),
-                                   a.transfer.sun[d].size() * sizeof(Number3)) == 0;
-  return result;
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ SlurmdPidFile=$work/slurmd.pid
 NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
 PartitionName=bake Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
+# Without this slurmd wants /sys/fs/cgroup, which a bare root has not.
+echo "CgroupPlugin=cgroup/v1" >"$work/cgroup.conf"
 slurmctld-wlm -D -c >"$work/slurmctld.log" 2>&1 &
 controller=$!
 slurmd-wlm -D -d "$root/usr/sbin/slurmstepd-wlm" >"$work/slurmd.log" 2>&1 &

@@ -11,7 +11,7 @@
 #include "sky/atomic_file.h"
 #include "sky/error.h"
 #include "welkin/level_files.h"
-#include "welkin/sector_json.h"
+#include "welkin/sector_report.h"
 
 namespace welkin::tools {
 namespace {
@@ -98,6 +98,7 @@ std::string placesOf(const probes::PlacementCounts& placement, std::initializer_
         n.by_hand ? fmt::format("[{}, {}, {}]", p.x, p.y, p.z) : fmt::format("[{:.2f}, {:.2f}, {:.2f}]", p.x, p.y, p.z);
     if (n.moved_m > 0.0) text += fmt::format(" by {:.2f} m", n.moved_m);
   }
+  if (named == 0) return fmt::format("{} that are not named", count);
   return count > named ? fmt::format("{} and {} more", text, count - named) : text;
 }
 

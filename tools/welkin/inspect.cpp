@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin inspect: everything in a .welkin file. welkin validate: whether files are what they should be.
+// welkin inspect: everything in a .welkin file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <welkin/welkin.hpp>
 
-#include "format/container.h"
-#include "probes/level/bake_section.h"
-#include "probes/level/surfaces_of.h"
+#include "format/cubemap_format.h"
 #include "probes/sector_name.h"
 #include "sky/atomic_file.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
 #include "welkin/level_files.h"
 #include "welkin/sector_json.h"
-#include "welkin/subject.h"
-#include "welkin/warnings.h"
+#include "welkin/welkin_file.h"
 
 namespace welkin::tools {
 namespace {
@@ -28,13 +22,6 @@ using Json = nlohmann::ordered_json;
 
 const char* formatName(WelkinCubemapFormat format) {
   return format::nameOf(static_cast<format::CubemapFormat>(format));
-}
-
-Sky openSky(const std::string& path) {
-  Sky sky;
-  const Status status = sky.open(path);
-  require(status.code, path, status.message.c_str());
-  return sky;
 }
 
 Json keyJson(const Sky& sky, std::uint32_t index) {
@@ -118,17 +105,6 @@ Json skyJson(const Sky& sky) {
           {"settings", Json::parse(settings, nullptr, false)}};
 }
 
-enum class Holds { sky, sector, level };
-
-/// What a file holds; a sky where that cannot be told, whose opening says why.
-Holds whatHolds(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".toml") return Holds::sky;
-  const auto bytes = readFile(path);
-  const format::Opened opened = format::openContainer(bytes);
-  if (opened.file == nullptr) return Holds::sky;
-  return opened.file->sector() != nullptr ? Holds::sector : opened.file->level() != nullptr ? Holds::level : Holds::sky;
-}
-
 void inspectSector(const std::string& path, bool as_json) {
   const auto bytes = readFile(path);
   const probes::SectorFile sector = probes::decodeSector(bytes, path);
@@ -162,12 +138,6 @@ void inspectLevel(const std::string& path, bool as_json) {
   fmt::print("{}: level, {} sectors\n", path, index.sector.size());
   for (const probes::SectorEntry& s : index.sector)
     fmt::print("{:>9} {:4} probes {:8} bytes\n", probes::nameOf(s.id), s.probes, s.bytes);
-}
-
-/// Whether a folder is that of a level: it has an index.
-bool isLevelFolder(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error) && std::filesystem::exists(indexPath(path), error);
 }
 
 void inspect(const std::string& path, bool as_json) {
@@ -206,48 +176,6 @@ void inspect(const std::string& path, bool as_json) {
   }
 }
 
-void validateFile(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".toml") {
-    const Subject subject = readSubject(path);
-    Json warnings = warningsJson(subject.sky);
-    if (subject.level) {
-      probes::readBakeSection(*subject.level);
-      for (const std::string& warning : probes::readSurfaces(probes::readLevelFile(*subject.level)).warning)
-        warnings.push_back({{"id", "geometry"}, {"message", warning}});
-    }
-    return printWarnings(warnings);
-  }
-  const Holds holds = whatHolds(path);
-  if (holds == Holds::sector)
-    probes::decodeSector(readFile(path), path);
-  else if (holds == Holds::level)
-    readIndex(path);
-  else
-    openSky(path);
-}
-
-/// Sectors without an index are half of a level.
-void requireNoSectors(const std::filesystem::path& folder) {
-  std::error_code error;
-  if (std::filesystem::is_directory(folder / "sectors", error) && !std::filesystem::is_empty(folder / "sectors", error))
-    throw Error(ExitStatus::content, fmt::format("{}: holds sectors and no level.welkin: its bake did not end, or "
-                                                 "welkin merge is to come",
-                                                 folder.string()));
-}
-
-/// A folder is its sky and, where it has sectors, the level that the index names.
-void validate(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) {
-    if (isLevelFolder(path))
-      checkLevel(path, readIndex(indexPath(path)));
-    else
-      requireNoSectors(path);
-    const std::string file = skyFileOf(path);
-    validateFile(file);
-    fmt::print("{}: ok\n", file);
-  }
-}
-
 }  // namespace
 
 void addInspect(CLI::App& app) {
@@ -257,13 +185,6 @@ void addInspect(CLI::App& app) {
   command->add_option("FILE", *file, "A .welkin file, or the folder of a bake")->required();
   command->add_flag("--json", *json, "Print JSON");
   command->callback([file, json] { inspect(*file, *json); });
-}
-
-void addValidate(CLI::App& app) {
-  auto paths = std::make_shared<std::vector<std::string>>();
-  auto* command = app.add_subcommand("validate", "Check .welkin files, folders of bakes and sky files");
-  command->add_option("PATH", *paths, "Files and folders; the first that is wrong ends the check")->required();
-  command->callback([paths] { validate(*paths); });
 }
 
 }  // namespace welkin::tools

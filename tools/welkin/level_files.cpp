@@ -121,6 +121,11 @@ fs::path partPath(const fs::path& folder, const Shard& shard) {
   return folder / fmt::format("level.{}-of-{}.welkin", shard.index, shard.count);
 }
 
+bool isLevelFolder(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder, error) && fs::exists(indexPath(folder), error);
+}
+
 LevelIndex readIndex(const fs::path& path) {
   return probes::decodeLevel(readFile(path, kLargestIndex), path.string());
 }

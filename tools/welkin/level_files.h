@@ -13,6 +13,9 @@ namespace welkin::tools {
 std::filesystem::path indexPath(const std::filesystem::path& folder);
 std::filesystem::path partPath(const std::filesystem::path& folder, const Shard& shard);
 
+/// Whether a folder is that of a level: it has an index.
+bool isLevelFolder(const std::filesystem::path& folder);
+
 probes::LevelIndex readIndex(const std::filesystem::path& path);
 
 /// Checks sky.welkin against the index, which gets its checksum, and writes level.welkin. Throws Error.

@@ -9,6 +9,7 @@
 #include "sky/error.h"
 #include "welkin/arguments.h"
 #include "welkin/commands.h"
+#include "welkin/welkin_file.h"
 
 namespace welkin::tools {
 namespace {
@@ -22,9 +23,7 @@ void sample(const Options& options) {
   const auto n = parseDirection("--normal", options.normal);
   const double time_h = parseTime(options.time);
   const std::string file = skyFileOf(options.path);
-  Sky sky;
-  const Status status = sky.open(file);
-  require(status.code, file, status.message.c_str());
+  const Sky sky = openSky(file);
   WelkinSkySample s{};
   if (!sky.sample(time_h, s)) throw Error(ExitStatus::internal, "sample failed");
   const float normal[3] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};

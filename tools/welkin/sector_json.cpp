@@ -8,6 +8,7 @@
 #include "probes/level/bake_section.h"
 #include "probes/occlusion_tile.h"
 #include "probes/sector_name.h"
+#include "welkin/sector_report.h"
 
 namespace welkin::tools {
 namespace {
@@ -62,67 +63,6 @@ Json probeJson(const Number3& position, const probes::ProbeTransfer& t, const pr
   json["local_count"] = local.size();
   json["local"] = localJson(local);
   return json;
-}
-
-/// Null without local transfer.
-Json localErrorJson(const std::optional<probes::BakedLocal>& l) {
-  if (!l) return nullptr;
-  return {{"total", probes::totalOf(*l)},
-          {"sampling", l->sampling.error},
-          {"sampling_probe", l->sampling.probe},
-          {"rays", l->sampling.rays},
-          {"encoding", {{"position_m", l->encoding.position_m}, {"radiance", l->encoding.radiance}}},
-          {"kept", l->thinning.kept},
-          {"dropped", l->thinning.dropped},
-          {"lost", l->thinning.lost},
-          {"lost_of_worst_probe", l->thinning.worst_probe}};
-}
-
-Json errorJson(const probes::SectorFile& s) {
-  const probes::SectorError& e = s.error;
-  return {{"total", probes::totalOf(e)},
-          {"sampling", e.sampling},
-          {"sampling_probe", e.sampling_probe},
-          {"encoding",
-           {{"position_m", e.encoding.position_m},
-            {"visibility", e.encoding.visibility},
-            {"sky", e.encoding.sky},
-            {"sun", e.encoding.sun},
-            {"emitted", e.encoding.emitted}}},
-          {"modes", {{"rms", e.modes.rms}, {"worst_row", e.modes.worst_row}, {"worst", e.modes.worst}}},
-          {"local", localErrorJson(s.local)}};
-}
-
-const char* nameOf(probes::NamedPlace::Kind kind) {
-  constexpr std::array kName{"inside", "too_close", "thinned", "uncovered", "moved"};
-  return kName.at(static_cast<std::size_t>(kind));
-}
-
-Json placementJson(const probes::PlacementCounts& c) {
-  Json named = Json::array();
-  for (const probes::NamedPlace& n : c.named) {
-    named.push_back({{"kind", nameOf(n.kind)}, {"position", vectorJson(n.position)}, {"by_hand", n.by_hand}});
-    if (n.kind == probes::NamedPlace::Kind::moved) named.back()["moved_m"] = n.moved_m;
-  }
-  return {{"columns", c.columns},
-          {"ground", c.ground},
-          {"walkable", c.walkable},
-          {"moved", c.moved},
-          {"inside", c.inside},
-          {"too_close", c.too_close},
-          {"thinned", c.thinned},
-          {"uncovered", c.uncovered},
-          {"cells_without", c.cells_without},
-          {"by_hand_moved", c.by_hand_moved},
-          {"by_hand_dropped", c.by_hand_dropped},
-          {"named", named}};
-}
-
-Json fromJson(const probes::BakedFrom& from) {
-  return {{"all", textOf(from.all)},
-          {"surfaces", textOf(from.surfaces)},
-          {"settings", textOf(from.settings)},
-          {"light_paths", textOf(from.light_paths)}};
 }
 
 /// Positions of the virtual lights.
@@ -234,21 +174,6 @@ Json sectorJson(const probes::SectorFile& s, std::size_t total) {
       {"rooms", roomsJson(s.room)},
       {"unlit", s.unlit}};
   return {{"sector", sector}, {"settings", Json::parse(s.settings, nullptr, false)}};
-}
-
-Json reportJson(const probes::SectorFile& s, const probes::SectorEntry& entry) {
-  return {{"sector", probes::nameOf(s.id)},
-          {"file", "sectors/" + probes::fileNameOf(s.id)},
-          {"bytes", entry.bytes},
-          {"xxh3_128", textOf(entry.checksum)},
-          {"baked_from", fromJson(s.baked_from)},
-          {"probes", entry.probes},
-          {"probe_bytes", s.probes.bytesAProbe()},
-          {"local_bytes", s.local ? s.local->encoded.bytes() : std::size_t{0}},
-          {"rays", s.rays},
-          {"unlit", s.unlit},
-          {"error", errorJson(s)},
-          {"placement", placementJson(s.placement)}};
 }
 
 Json indexJson(const probes::LevelIndex& index) {

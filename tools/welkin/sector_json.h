@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A baked sector as JSON: all of it for inspect, its key numbers for the report.
+// A baked sector, and the index of a level, as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,8 +14,6 @@ nlohmann::ordered_json bytesJson(const probes::SectorFile& sector, std::size_t t
 
 /// Everything in it, decoded; `total` bytes.
 nlohmann::ordered_json sectorJson(const probes::SectorFile& sector, std::size_t total);
-
-nlohmann::ordered_json reportJson(const probes::SectorFile& sector, const probes::SectorEntry& entry);
 
 nlohmann::ordered_json indexJson(const probes::LevelIndex& index);
 
