@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// A new folder, in the system's place for temporary files unless it is told another.
 class Folder {
@@ -62,4 +62,4 @@ inline std::vector<std::string> filesUnder(const std::filesystem::path& folder) 
   return names;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace welkin::test {
+namespace welkin::tests {
 
 inline std::string base64(const std::vector<unsigned char>& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -162,4 +162,4 @@ inline MeshText boxMesh() {
           {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 3, 7, 6, 3, 6, 2, 1, 2, 6, 1, 6, 5, 0, 4, 7, 0, 7, 3}};
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -10,7 +10,7 @@
 
 #include "tests/folder.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// The page with `text`, whole lines, in its part `name`. Throws std::runtime_error when it has none.
 inline std::string withPart(const std::string& page, const std::string& name, const std::string& text) {
@@ -37,4 +37,4 @@ inline int bringUpToDate(const std::filesystem::path& file, const std::string& n
   return 0;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

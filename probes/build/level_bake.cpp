@@ -6,23 +6,23 @@
 #include <algorithm>
 
 #include "probes/build/local_bake.h"
-#include "probes/canonical_order.h"
+#include "probes/geometry/canonical_order.h"
+#include "probes/geometry/sector_name.h"
 #include "probes/placement/placement.h"
-#include "probes/sector_name.h"
-#include "sky/atomic_file.h"
-#include "sky/error.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::build {
 namespace {
 
 constexpr std::size_t kLargestSectorFile = std::size_t{16} << 20;
 
-LightTrack trackAlong(const sky::LightPath& path) {
-  return trackOf([&](double time_h) { return path.directionAt(time_h); }, kKnotsADay);
+transfer::LightTrack trackAlong(const model::LightPath& path) {
+  return transfer::trackOf([&](double time_h) { return path.directionAt(time_h); }, kKnotsADay);
 }
 
 /// How a file that is there differs from what it must be.
-std::string difference(const SectorFile& file, SectorId sector, const BakedFrom& from) {
+std::string difference(const sectors::SectorFile& file, geometry::SectorId sector, const sectors::BakedFrom& from) {
   if (file.id != sector) return "is of sector " + nameOf(file.id);
   std::string what;
   const auto add = [&](bool differs, const char* name) {
@@ -37,48 +37,51 @@ std::string difference(const SectorFile& file, SectorId sector, const BakedFrom&
 
 }  // namespace
 
-std::filesystem::path sectorPath(const std::filesystem::path& folder, SectorId sector) {
-  return folder / "sectors" / fileNameOf(sector);
+std::filesystem::path sectorPath(const std::filesystem::path& folder, geometry::SectorId sector) {
+  return folder / "sectors" / geometry::fileNameOf(sector);
 }
 
-LevelBake::LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky,
-                     std::optional<double> max_error, const Checkpoint& checkpoint)
+LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, const model::Sky& sky,
+                     std::optional<double> max_error, const placement::Checkpoint& checkpoint)
     : surfaces_(std::move(surfaces)),
       section_(section),
       max_error_(max_error.value_or(0.0)),
       ground_albedo_(sky.ground_albedo),
       sun_path_(sky.sun.path) {
   if (!section.transfer.rays && !max_error)
-    throw Error(ExitStatus::content,
-                "[transfer] rays = \"auto\": needs a budget, --max-error, --quality or max_error of the sky file");
+    throw base::Error(
+        base::ExitStatus::content,
+        "[transfer] rays = \"auto\": needs a budget, --max-error, --quality or max_error of the sky file");
   if (!section.transfer.rays && !(*max_error < 1.0))
-    throw Error(ExitStatus::content, fmt::format("[transfer] rays = \"auto\": needs a budget below 1, and not {}; it "
-                                                 "comes from --max-error, --quality or max_error of the sky file",
-                                                 *max_error));
-  for (Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
-  for (PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
-  surfaces_ = inCanonicalOrder(std::move(surfaces_));
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("[transfer] rays = \"auto\": needs a budget below 1, and not {}; it "
+                                  "comes from --max-error, --quality or max_error of the sky file",
+                                  *max_error));
+  for (geometry::Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
+  for (geometry::PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
+  surfaces_ = geometry::inCanonicalOrder(std::move(surfaces_));
   if (sky.moon) moon_path_ = sky.moon->path;
-  if (section.transfer.sun == SunTransfer::directional) {
+  if (section.transfer.sun == transfer::SunTransfer::directional) {
     sun_ = trackAlong(sun_path_);
     if (moon_path_) moon_ = trackAlong(*moon_path_);
   }
-  texture_hash_ = textureHashes(surfaces_);
-  sectors_ = sectorsOf(surfaces_, section_.probes, checkpoint);
+  texture_hash_ = geometry::textureHashes(surfaces_);
+  sectors_ = placement::sectorsOf(surfaces_, section_.probes, checkpoint);
   std::sort(sectors_.begin(), sectors_.end());
 }
 
-SectorSettings LevelBake::settingsOf(SectorId sector) const {
+SectorSettings LevelBake::settingsOf(geometry::SectorId sector) const {
   return {sectionOf(sector, section_, columnOfBake(sector)), max_error_, ground_albedo_, sun_, moon_};
 }
 
-Column LevelBake::columnOfBake(SectorId sector) const {
-  return probes::columnOfBake(sector, section_.transfer, surfaces_);
+geometry::Column LevelBake::columnOfBake(geometry::SectorId sector) const {
+  return build::columnOfBake(sector, section_.transfer, surfaces_);
 }
 
-SectorState LevelBake::state(const std::filesystem::path& folder, SectorId sector) const {
+SectorState LevelBake::state(const std::filesystem::path& folder, geometry::SectorId sector) const {
   SectorState state{sector, {}, {}, {}, {}};
-  state.from = bakedFrom(sector, surfacesWithin(surfaces_, columnOfBake(sector)), texture_hash_, settingsOf(sector));
+  state.from =
+      bakedFrom(sector, geometry::surfacesWithin(surfaces_, columnOfBake(sector)), texture_hash_, settingsOf(sector));
   const std::filesystem::path path = sectorPath(folder, sector);
   std::error_code none;
   if (folder.empty() || !std::filesystem::exists(path, none)) {
@@ -86,29 +89,29 @@ SectorState LevelBake::state(const std::filesystem::path& folder, SectorId secto
     return state;
   }
   try {
-    state.bytes = readFile(path, kLargestSectorFile);
-    state.file = decodeSector(state.bytes, "it");
+    state.bytes = base::readFile(path, kLargestSectorFile);
+    state.file = sectors::decodeSector(state.bytes, "it");
     state.stale = difference(*state.file, sector, state.from);
-  } catch (const Error& e) {
-    if (e.status() != ExitStatus::content) throw;
+  } catch (const base::Error& e) {
+    if (e.status() != base::ExitStatus::content) throw;
     state.stale = std::string("unreadable: ") + e.what();
   }
   if (!state.stale.empty()) state.bytes.clear();
   return state;
 }
 
-SectorFile LevelBake::bake(SectorId sector, const BakeProgress& progress) const {
-  NearSurfaces near = surfacesWithin(surfaces_, columnOfBake(sector));
+sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const BakeProgress& progress) const {
+  geometry::NearSurfaces near = geometry::surfacesWithin(surfaces_, columnOfBake(sector));
   const SectorSettings settings = settingsOf(sector);
-  const BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
-  return bakeSector(sector, withTexels(std::move(near), surfaces_), settings, from, progress);
+  const sectors::BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
+  return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
-SectorPlan LevelBake::plan(SectorId sector, const Checkpoint& checkpoint) const {
-  const Column column = columnOf(sector, section_.transfer.reach_m);
-  const Surfaces near = withTexels(surfacesWithin(surfaces_, column), surfaces_);
+SectorPlan LevelBake::plan(geometry::SectorId sector, const placement::Checkpoint& checkpoint) const {
+  const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
+  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
   const BakeSection section = sectionOf(sector, section_, column);
-  const std::size_t probes = placeProbes(Tracer(near), sector, section.probes, checkpoint).size();
+  const std::size_t probes = placement::placeProbes(geometry::Tracer(near), sector, section.probes, checkpoint).size();
   return {probes, probes > 0 && hasLocalTransfer(sector, section_.transfer, surfaces_)};
 }
 
@@ -116,17 +119,18 @@ std::optional<double> LevelBake::budget() const {
   return section_.transfer.rays ? std::nullopt : std::optional(max_error_);
 }
 
-PlacedSector LevelBake::place(SectorId sector, const Checkpoint& checkpoint) const {
-  const Column column = columnOf(sector, section_.transfer.reach_m);
-  const Surfaces near = withTexels(surfacesWithin(surfaces_, column), surfaces_);
-  PlacementReport report;
-  return placeSector(Tracer(near), sector, sectionOf(sector, section_, column).probes, report, checkpoint);
+geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const placement::Checkpoint& checkpoint) const {
+  const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
+  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
+  placement::PlacementReport report;
+  return placement::placeSector(geometry::Tracer(near), sector, sectionOf(sector, section_, column).probes, report,
+                                checkpoint);
 }
 
-LevelIndex LevelBake::index() const {
-  LevelIndex index;
+sectors::LevelIndex LevelBake::index() const {
+  sectors::LevelIndex index;
   index.sun = section_.transfer.sun;
-  if (index.sun == SunTransfer::directional) {
+  if (index.sun == transfer::SunTransfer::directional) {
     index.sun_path = sun_path_;
     index.moon_path = moon_path_;
   }
@@ -135,8 +139,8 @@ LevelIndex LevelBake::index() const {
   return index;
 }
 
-SectorEntry entryOf(const SectorFile& file, std::span<const std::byte> bytes) {
-  return {file.id, file.probes.probes(), bytes.size(), hashOf(bytes), file.baked_from.all};
+sectors::SectorEntry entryOf(const sectors::SectorFile& file, std::span<const std::byte> bytes) {
+  return {file.id, file.probes.probes(), bytes.size(), base::hashOf(bytes), file.baked_from.all};
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::build

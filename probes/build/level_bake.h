@@ -9,22 +9,24 @@
 #include <vector>
 
 #include "probes/build/sector_bake.h"
-#include "probes/level_index.h"
 #include "probes/placement/checkpoint.h"
-#include "sky/sky.h"
+#include "probes/sectors/level_index.h"
+#include "sky/model/sky.h"
 
-namespace welkin::probes {
+namespace welkin::build {
+
+using f64::Number3;
 
 /// DIR/sectors/sector_X_Z.welkin
-std::filesystem::path sectorPath(const std::filesystem::path& folder, SectorId sector);
+std::filesystem::path sectorPath(const std::filesystem::path& folder, geometry::SectorId sector);
 
 /// What a bake finds in a sector's place.
 struct SectorState {
-  SectorId id;
-  BakedFrom from;                  ///< what the sector must be baked from
-  std::optional<SectorFile> file;  ///< that is there, if it can be read
-  std::string stale;               ///< why it is to be baked; empty: it is up to date
-  std::vector<std::byte> bytes;    ///< of the file, when it is up to date
+  geometry::SectorId id;
+  sectors::BakedFrom from;                  ///< what the sector must be baked from
+  std::optional<sectors::SectorFile> file;  ///< that is there, if it can be read
+  std::string stale;                        ///< why it is to be baked; empty: it is up to date
+  std::vector<std::byte> bytes;             ///< of the file, when it is up to date
 };
 
 /// What a sector will have.
@@ -39,47 +41,47 @@ class LevelBake {
   /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
   /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget below 1, and what sectorsOf and the
   /// checkpoint throw.
-  LevelBake(Surfaces surfaces, const BakeSection& section, const sky::Sky& sky, std::optional<double> max_error,
-            const Checkpoint& checkpoint = {});
+  LevelBake(geometry::Surfaces surfaces, const BakeSection& section, const model::Sky& sky,
+            std::optional<double> max_error, const placement::Checkpoint& checkpoint = {});
 
   /// Ascending.
-  const std::vector<SectorId>& sectors() const { return sectors_; }
+  const std::vector<geometry::SectorId>& sectors() const { return sectors_; }
 
   /// The state of a sector's file under `folder`.
-  SectorState state(const std::filesystem::path& folder, SectorId sector) const;
+  SectorState state(const std::filesystem::path& folder, geometry::SectorId sector) const;
 
   /// Throws as bakeSector.
-  SectorFile bake(SectorId sector, const BakeProgress& progress) const;
+  sectors::SectorFile bake(geometry::SectorId sector, const BakeProgress& progress) const;
 
   /// Places a sector's probes to say how many. Throws what placeSector throws.
-  SectorPlan plan(SectorId sector, const Checkpoint& checkpoint = {}) const;
+  SectorPlan plan(geometry::SectorId sector, const placement::Checkpoint& checkpoint = {}) const;
 
   /// The error that rays = "auto" has to keep; none where the number of rays is fixed.
   std::optional<double> budget() const;
 
   /// The sector as placement leaves it, and the level itself: for pictures.
-  PlacedSector place(SectorId sector, const Checkpoint& checkpoint = {}) const;
-  const Surfaces& surfaces() const { return surfaces_; }
+  geometry::PlacedSector place(geometry::SectorId sector, const placement::Checkpoint& checkpoint = {}) const;
+  const geometry::Surfaces& surfaces() const { return surfaces_; }
 
   /// The index without its sectors and the sky's checksum.
-  LevelIndex index() const;
+  sectors::LevelIndex index() const;
 
  private:
-  Column columnOfBake(SectorId sector) const;
-  SectorSettings settingsOf(SectorId sector) const;
+  geometry::Column columnOfBake(geometry::SectorId sector) const;
+  SectorSettings settingsOf(geometry::SectorId sector) const;
 
-  Surfaces surfaces_;
+  geometry::Surfaces surfaces_;
   BakeSection section_;
   double max_error_ = 0.0;
   Number3 ground_albedo_{0.0};
-  sky::LightPath sun_path_;
-  std::optional<sky::LightPath> moon_path_;
-  LightTrack sun_, moon_;
-  std::vector<Hash128> texture_hash_;
-  std::vector<SectorId> sectors_;
+  model::LightPath sun_path_;
+  std::optional<model::LightPath> moon_path_;
+  transfer::LightTrack sun_, moon_;
+  std::vector<base::Hash128> texture_hash_;
+  std::vector<geometry::SectorId> sectors_;
 };
 
 /// The entry of a sector's file.
-SectorEntry entryOf(const SectorFile& file, std::span<const std::byte> bytes);
+sectors::SectorEntry entryOf(const sectors::SectorFile& file, std::span<const std::byte> bytes);
 
-}  // namespace welkin::probes
+}  // namespace welkin::build

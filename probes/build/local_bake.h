@@ -3,12 +3,14 @@
 #pragma once
 
 #include "probes/build/sector_bake.h"
+#include "probes/geometry/sector.h"
+#include "probes/geometry/tracer.h"
 #include "probes/placement/checkpoint.h"
-#include "probes/sector.h"
-#include "probes/tracer.h"
 #include "probes/transfer/trace_transfer.h"
 
-namespace welkin::probes {
+namespace welkin::build {
+
+using f64::Number3;
 
 /// LocalSettings::nearest_m. Each virtual light stands for lamps some metres about it, so one beside a wall must not
 /// light the spot behind it as a lamp there would: every lamp that shares it would make that spot (local_bench has the
@@ -16,18 +18,19 @@ namespace welkin::probes {
 inline constexpr double kNearest_m = 2.0;
 
 /// Whether a sector gets local transfer. Of the level's surfaces only lights within the sector's reach count.
-bool hasLocalTransfer(SectorId sector, const TransferSection& transfer, const Surfaces& level);
+bool hasLocalTransfer(geometry::SectorId sector, const TransferSection& transfer, const geometry::Surfaces& level);
 
 /// Virtual lights of a sector: its probes and those of the eight sectors about it, as far as they lie within reach, in
 /// the order of sectors and, within one, of placement. Neighbours are placed again, each out of the surfaces that its
 /// own bake reads: no file of theirs is read, and the lights are their probes. `near`, `section`: as columnOfBake
 /// reaches; what the checkpoint throws ends it.
-std::vector<Number3> virtualLights(const Surfaces& near, const PlacedSector& sector, const BakeSection& section,
-                                   const Checkpoint& checkpoint = {});
+std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometry::PlacedSector& sector,
+                                   const BakeSection& section, const placement::Checkpoint& checkpoint = {});
 
 /// The local transfer of a sector that has probes, thinned to kMostLocalBytes. On all threads of the caller's arena;
 /// the same for any number of them. `tracer`: of what the sector's probes see; what `progress` throws ends the bake.
-BakedLocal bakeLocal(const Tracer& tracer, const Surfaces& near, const PlacedSector& sector,
-                     const SectorSettings& settings, const TransferProgress& progress);
+sectors::BakedLocal bakeLocal(const geometry::Tracer& tracer, const geometry::Surfaces& near,
+                              const geometry::PlacedSector& sector, const SectorSettings& settings,
+                              const transfer::TransferProgress& progress);
 
-}  // namespace welkin::probes
+}  // namespace welkin::build

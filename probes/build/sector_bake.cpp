@@ -10,22 +10,22 @@
 #include "probes/placement/counts.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::build {
 namespace {
 
-void add(Hasher& hasher, const Number3& v) {
+void add(base::Hasher& hasher, const Number3& v) {
   for (const double number : {v.x, v.y, v.z}) hasher.add(number);
 }
 
-void add(Hasher& hasher, const LightTrack& track) {
+void add(base::Hasher& hasher, const transfer::LightTrack& track) {
   hasher.addAll(std::span(track.time_h));
   for (const Number3& direction : track.direction) add(hasher, direction);
 }
 
-Hash128 hashOfSettings(SectorId sector, const SectorSettings& s) {
-  Hasher hasher;
+base::Hash128 hashOfSettings(geometry::SectorId sector, const SectorSettings& s) {
+  base::Hasher hasher;
   hasher.add(sector.x);
   hasher.add(sector.z);
   hasher.add(settingsText(s.section));
@@ -34,8 +34,8 @@ Hash128 hashOfSettings(SectorId sector, const SectorSettings& s) {
   return hasher.digest();
 }
 
-TransferSettings transferSettings(const SectorSettings& s) {
-  TransferSettings t;
+transfer::TransferSettings transferSettings(const SectorSettings& s) {
+  transfer::TransferSettings t;
   t.rays = s.section.transfer.rays ? static_cast<std::size_t>(*s.section.transfer.rays) : kMostPaths;
   t.bounces = s.section.transfer.bounces;
   t.ground_albedo = s.ground_albedo;
@@ -47,38 +47,39 @@ TransferSettings transferSettings(const SectorSettings& s) {
 }
 
 [[noreturn]] void stop() {
-  throw Error(ExitStatus::interrupted, "interrupted; finished sectors are kept");
+  throw base::Error(base::ExitStatus::interrupted, "interrupted; finished sectors are kept");
 }
 
-std::vector<TracedProbe> trace(const Tracer& tracer, const PlacedSector& placed, const SectorSettings& settings,
-                               const TransferProgress& progress) {
-  const TransferTracer transfer(tracer, transferSettings(settings));
-  std::vector<TracedProbe> traced(placed.probe.size());
+std::vector<transfer::TracedProbe> trace(const geometry::Tracer& tracer, const geometry::PlacedSector& placed,
+                                         const SectorSettings& settings, const transfer::TransferProgress& progress) {
+  const transfer::TransferTracer transfer(tracer, transferSettings(settings));
+  std::vector<transfer::TracedProbe> traced(placed.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
     traced[i] = transfer.trace(placed.probe[i].position, placed.id, i, progress);
   });
   return traced;
 }
 
-bool isUnlit(const ProbeTransfer& t) {
+bool isUnlit(const transfer::ProbeTransfer& t) {
   const auto none = [](const auto& light) {
     return std::all_of(light.begin(), light.end(), [](const Number3& e) { return e == Number3(0.0); });
   };
-  for (std::size_t b = 0; b < kDirections; ++b)
+  for (std::size_t b = 0; b < transfer::kDirections; ++b)
     if (t.visibility[b] > 0.0 || !none(t.sky[b]) || !none(t.sun[b])) return false;
   return none(t.emitted);
 }
 
 /// The traced probes as numbers, the sun's transfer in modes.
-SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>& traced,
-                      const SectorSettings& settings, SunModesError& error) {
-  std::vector<const ProbeTransfer*> transfers;
-  for (const TracedProbe& t : traced) transfers.push_back(&t.transfer);
-  SunModesFit fit = fitSunModes(transfers, settings.sun, settings.moon, kMostSunModes);
+transfer::SectorProbes probesOf(const geometry::PlacedSector& placed, const std::vector<transfer::TracedProbe>& traced,
+                                const SectorSettings& settings, transfer::SunModesError& error) {
+  std::vector<const transfer::ProbeTransfer*> transfers;
+  for (const transfer::TracedProbe& t : traced) transfers.push_back(&t.transfer);
+  transfer::SunModesFit fit = transfer::fitSunModes(transfers, settings.sun, settings.moon, transfer::kMostSunModes);
   const bool budget = !settings.section.transfer.rays;
-  fit = firstModes(std::move(fit), budget ? modesFor(fit, kModesShare * settings.max_error) : kSunModes);
+  fit = transfer::firstModes(std::move(fit),
+                             budget ? transfer::modesFor(fit, kModesShare * settings.max_error) : kSunModes);
   error = fit.error.back();
-  SectorProbes probes;
+  transfer::SectorProbes probes;
   probes.id = placed.id;
   for (std::size_t i = 0; i < traced.size(); ++i) {
     probes.position.push_back(placed.probe[i].position);
@@ -91,15 +92,18 @@ SectorProbes probesOf(const PlacedSector& placed, const std::vector<TracedProbe>
 
 }  // namespace
 
-Column columnOfBake(SectorId sector, const TransferSection& transfer, const Surfaces& level) {
-  return columnOf(sector, transfer.reach_m + (hasLocalTransfer(sector, transfer, level) ? kSector_m : 0.0));
+geometry::Column columnOfBake(geometry::SectorId sector, const TransferSection& transfer,
+                              const geometry::Surfaces& level) {
+  return geometry::columnOf(sector,
+                            transfer.reach_m + (hasLocalTransfer(sector, transfer, level) ? geometry::kSector_m : 0.0));
 }
 
-BakeSection sectionOf(SectorId sector, const BakeSection& level, const Column& column) {
+BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const geometry::Column& column) {
   BakeSection section = level;
   std::erase_if(section.probes.add, [&](const Number3& p) { return !column.holds(p); });
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
-    std::erase_if(*boxes, [&](const Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
+    std::erase_if(*boxes,
+                  [&](const geometry::Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
   using Where = LocalLights::Where;
   LocalLights& lights = section.transfer.local_lights;
   if (lights.where == Where::listed) {
@@ -109,42 +113,45 @@ BakeSection sectionOf(SectorId sector, const BakeSection& level, const Column& c
   return section;
 }
 
-BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector<Hash128>& texture_hash,
-                    const SectorSettings& settings) {
-  BakedFrom from;
-  Hasher surfaces;
-  addTo(surfaces, near, texture_hash);
+sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
+                             const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings) {
+  sectors::BakedFrom from;
+  base::Hasher surfaces;
+  geometry::addTo(surfaces, near, texture_hash);
   from.surfaces = surfaces.digest();
   from.settings = hashOfSettings(sector, settings);
-  Hasher lights;
+  base::Hasher lights;
   add(lights, settings.sun);
   add(lights, settings.moon);
   from.light_paths = lights.digest();
-  Hasher all;
+  base::Hasher all;
   all.add(kBakeVersion);
   all.add(format::kVersion);
-  all.add(std::string_view(Tracer::kIsa));
-  for (const Hash128& part : {from.surfaces, from.settings, from.light_paths}) all.add(part);
+  all.add(std::string_view(geometry::Tracer::kIsa));
+  for (const base::Hash128& part : {from.surfaces, from.settings, from.light_paths}) all.add(part);
   from.all = all.digest();
   return from;
 }
 
-SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSettings& settings, const BakedFrom& from,
-                      const BakeProgress& progress) {
+sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
+                               const SectorSettings& settings, const sectors::BakedFrom& from,
+                               const BakeProgress& progress) {
   const auto tell = [&](std::uint64_t rays) {
     if (!progress(rays)) stop();
   };
   const TransferSection& transfer = settings.section.transfer;
   const bool is_local = hasLocalTransfer(sector, transfer, near);
-  Surfaces within;
-  if (is_local) within = withTexels(surfacesWithin(near, columnOf(sector, transfer.reach_m)), near);
-  const Tracer tracer(is_local ? within : near);
+  geometry::Surfaces within;
+  if (is_local)
+    within = geometry::withTexels(geometry::surfacesWithin(near, geometry::columnOf(sector, transfer.reach_m)), near);
+  const geometry::Tracer tracer(is_local ? within : near);
   tell(0);
-  PlacementReport report;
-  const PlacedSector placed = placeSector(tracer, sector, settings.section.probes, report, [&] { tell(0); });
+  placement::PlacementReport report;
+  const geometry::PlacedSector placed =
+      placement::placeSector(tracer, sector, settings.section.probes, report, [&] { tell(0); });
   tell(0);
-  const std::vector<TracedProbe> traced = trace(tracer, placed, settings, tell);
-  SectorFile file;
+  const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, tell);
+  sectors::SectorFile file;
   file.id = sector;
   file.low_y = placed.low_y;
   file.cell_height_m = placed.cell_height_m;
@@ -155,7 +162,7 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   file.sun = settings.section.transfer.sun;
   file.settings = settingsText(settings.section);
   file.baked_from = from;
-  file.placement = countsOf(report);
+  file.placement = placement::countsOf(report);
   for (std::size_t i = 0; i < traced.size(); ++i) {
     file.rays += traced[i].effort.rays;
     file.unlit += isUnlit(traced[i].transfer) ? 1 : 0;
@@ -164,9 +171,9 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
       file.error.sampling_probe = i;
     }
   }
-  const SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
-  file.probes = encodeProbes(probes);
-  file.error.encoding = encodingError(probes, decodedProbes(file.probes, sector));
+  const transfer::SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
+  file.probes = transfer::encodeProbes(probes);
+  file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, sector));
   if (!placed.probe.empty() && is_local) {
     file.local = bakeLocal(tracer, near, placed, settings, tell);
     file.rays += file.local->sampling.rays;
@@ -174,4 +181,4 @@ SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSetting
   return file;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::build

@@ -4,12 +4,14 @@
 
 #include <functional>
 
-#include "probes/level/bake_section.h"
-#include "probes/reach.h"
-#include "probes/sector_file.h"
+#include "probes/build/bake_section.h"
+#include "probes/geometry/reach.h"
+#include "probes/sectors/sector_file.h"
 #include "probes/transfer/light_track.h"
 
-namespace welkin::probes {
+namespace welkin::build {
+
+using f64::Number3;
 
 /// Of the method: one more whenever the same input gives other bytes.
 inline constexpr std::uint32_t kBakeVersion = 4;
@@ -33,25 +35,27 @@ struct SectorSettings {
   BakeSection section;     ///< as sectionOf gives it
   double max_error = 0.0;  ///< that totalOf should keep, for as many rays as it takes; 0: no budget
   Number3 ground_albedo{0.0};
-  LightTrack sun, moon;  ///< without knots where their transfer is not directional
+  transfer::LightTrack sun, moon;  ///< without knots where their transfer is not directional
 };
 
 /// What a sector's bake reads: the reach of its probes, and that of the eight sectors about it where it gets local
 /// transfer, whose virtual lights are their probes.
-Column columnOfBake(SectorId sector, const TransferSection& transfer, const Surfaces& level);
+geometry::Column columnOfBake(geometry::SectorId sector, const TransferSection& transfer,
+                              const geometry::Surfaces& level);
 
 /// The settings with those places only that lie within what its bake reads.
-BakeSection sectionOf(SectorId sector, const BakeSection& level, const Column& column);
+BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const geometry::Column& column);
 
-BakedFrom bakedFrom(SectorId sector, const NearSurfaces& near, const std::vector<Hash128>& texture_hash,
-                    const SectorSettings& settings);
+sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
+                             const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings);
 
 /// Called now and then, from any thread, with rays traced since; false ends the bake.
 using BakeProgress = std::function<bool(std::uint64_t rays)>;
 
 /// On all threads of the caller's arena; the same for any number of them. Throws Error(interrupted) when told to end,
 /// and what placing and tracing throw.
-SectorFile bakeSector(SectorId sector, const Surfaces& near, const SectorSettings& settings, const BakedFrom& from,
-                      const BakeProgress& progress);
+sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
+                               const SectorSettings& settings, const sectors::BakedFrom& from,
+                               const BakeProgress& progress);
 
-}  // namespace welkin::probes
+}  // namespace welkin::build

@@ -8,7 +8,7 @@
 #include "probes/level/level_file.h"
 #include "probes/level/scene_builder.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 class GeometrySource {
  public:
@@ -21,4 +21,4 @@ class GeometrySource {
   virtual void place(const GeometryEntry& entry) = 0;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

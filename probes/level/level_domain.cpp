@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/level/level_domain.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 namespace {
 
-using sky::Kind;
-using sky::Range;
-using sky::Required;
+using base::Kind;
+using base::Range;
+using base::Required;
 
 constexpr Range kMetres{-1e6, 1e6};
 constexpr Range kDegrees{-36000.0, 36000.0};
@@ -16,7 +16,7 @@ constexpr Range kSpacing{0.25, 64.0};
 constexpr Range kMultiplier{0.0, 1000.0};
 constexpr std::string_view kMetre = "m";
 
-sky::Domain rows() {
+base::Domain rows() {
   return {
       {"level", "sky", "", Kind::file, "", {}, Required{}, "the sky file"},
       {"[geometry]", "file", "", Kind::file, "", {}, Required{}, ""},
@@ -113,9 +113,9 @@ sky::Domain rows() {
 
 }  // namespace
 
-const sky::Domain& levelDomain() {
-  static const sky::Domain kRows = rows();
+const base::Domain& levelDomain() {
+  static const base::Domain kRows = rows();
   return kRows;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

@@ -3,11 +3,11 @@
 // table.
 #pragma once
 
-#include "sky/domain.h"
+#include "sky/base/domain.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 /// In the order of the page.
-const sky::Domain& levelDomain();
+const base::Domain& levelDomain();
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

@@ -5,20 +5,20 @@
 #include <fmt/format.h>
 
 #include "probes/level/level_domain.h"
-#include "sky/atomic_file.h"
-#include "sky/toml_table.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/toml_table.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 namespace {
 
+using base::Range;
+using base::TomlTable;
 using f64::Number3;
-using sky::Range;
-using sky::TomlTable;
 
 constexpr double kRadians = f64::kPi / 180.0;
 
 const Range& rangeOf(std::string_view key) {
-  return sky::parameterOf(levelDomain(), "[geometry]", key).range;
+  return base::parameterOf(levelDomain(), "[geometry]", key).range;
 }
 
 std::string requiredName(TomlTable& table, const std::string& key) {
@@ -51,7 +51,7 @@ GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder)
   entry.path = folder / requiredName(table, "file");
   const Number3 translation = table.colour("translation", rangeOf("translation"), Number3(0.0));
   const Number3 rotation_deg = table.colour("rotation_deg", rangeOf("rotation_deg"), Number3(0.0));
-  entry.transform = fromEuler(translation, rotation_deg * kRadians, readScale(table));
+  entry.transform = geometry::fromEuler(translation, rotation_deg * kRadians, readScale(table));
   entry.role = *roleOf(table.string("role", {"static", "vegetation", "ignore"}, "static"));
   entry.vegetation_nodes = readPatterns(table);
   entry.albedo = table.colour("albedo", rangeOf("albedo"), entry.albedo);
@@ -61,19 +61,19 @@ GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder)
 
 }  // namespace
 
-std::optional<Role> roleOf(const std::string& name) {
-  if (name == "static") return Role::fixed;
-  if (name == "vegetation") return Role::vegetation;
-  if (name == "water") return Role::water;
-  if (name == "ignore") return Role::ignored;
+std::optional<geometry::Role> roleOf(const std::string& name) {
+  if (name == "static") return geometry::Role::fixed;
+  if (name == "vegetation") return geometry::Role::vegetation;
+  if (name == "water") return geometry::Role::water;
+  if (name == "ignore") return geometry::Role::ignored;
   return std::nullopt;
 }
 
 LevelFile readLevelFile(const std::filesystem::path& path) {
-  const std::vector<std::byte> bytes = readFile(path, kLargestLevelFile);
+  const std::vector<std::byte> bytes = base::readFile(path, kLargestLevelFile);
   const std::string name = path.string();
   const toml::table root =
-      sky::parseToml(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+      base::parseToml(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   TomlTable top(name, &root, "");
   LevelFile file;
   TomlTable level = top.table("level");
@@ -91,4 +91,4 @@ LevelFile readLevelFile(const std::filesystem::path& path) {
   return file;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

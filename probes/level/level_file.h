@@ -7,24 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "probes/level/affine.h"
+#include "probes/geometry/affine.h"
+#include "probes/geometry/surfaces.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 inline constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;  ///< bytes of level.toml
 
-/// What a surface is to the bake and to the picture. Water is drawn as such and casts no shadow; what is ignored is
-/// neither baked nor drawn.
-enum class Role { fixed, vegetation, water, ignored };
-
 /// The role of its name ("static", "vegetation", "water", "ignore"); nothing for another name.
-std::optional<Role> roleOf(const std::string& name);
+std::optional<geometry::Role> roleOf(const std::string& name);
 
 /// One [[geometry]].
 struct GeometryEntry {
   std::filesystem::path path;  ///< level.toml's folder is in it
-  Affine transform;
-  Role role = Role::fixed;
+  geometry::Affine transform;
+  geometry::Role role = geometry::Role::fixed;
   std::vector<std::string> vegetation_nodes;  ///< patterns of node names: * stands for any run of characters
   f64::Number3 albedo{0.5, 0.5, 0.5};         ///< of surfaces that have neither a material nor vertex colours
 };
@@ -39,4 +36,4 @@ struct LevelFile {
 /// holds.
 LevelFile readLevelFile(const std::filesystem::path& path);
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

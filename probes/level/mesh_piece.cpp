@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 namespace {
 
 using f64::Number3;
@@ -103,7 +103,7 @@ MeshPiece appendPiece(Scene& scene, const Attributes& attributes, const std::vec
   const std::size_t added = flat ? 3 * triangles.size() : attributes.positions.count;
   constexpr std::size_t kMost = std::numeric_limits<int32_t>::max();
   if (scene.vertices.size() + added > kMost || scene.indices.size() + 3 * triangles.size() > kMost)
-    throw Error(ExitStatus::content, what + ": the level has more than 2^31 vertices or indices");
+    throw base::Error(base::ExitStatus::content, what + ": the level has more than 2^31 vertices or indices");
   MeshPiece piece;
   piece.first_index = static_cast<uint32_t>(scene.indices.size());
   piece.index_count = static_cast<uint32_t>(3 * triangles.size());
@@ -117,4 +117,4 @@ MeshPiece appendPiece(Scene& scene, const Attributes& attributes, const std::vec
   return piece;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

@@ -10,7 +10,7 @@
 
 #include "probes/level/scene.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 /// Floats, `components` an element; no components: there are none.
 struct FloatRows {
@@ -43,4 +43,4 @@ struct MeshPiece {
 MeshPiece appendPiece(Scene& scene, const Attributes& attributes, const std::vector<uint32_t>& indices,
                       const std::string& what);
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "probes/geometry/surfaces.h"
 #include "probes/level/level_file.h"
-#include "probes/surfaces.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 struct Vertex {
   float position[3];
@@ -28,7 +28,7 @@ struct Instance {
 
 /// The same placing for rays.
 struct Placing {
-  Affine transform;
+  geometry::Affine transform;
   uint32_t object = 0;  ///< of Scene::objects
 };
 
@@ -36,14 +36,14 @@ struct Placing {
 struct TextureSource {
   std::string name;  ///< for messages: its file, or the file and the part that hold it
   std::vector<std::byte> bytes;
-  Texture::Wrap wrap_u = Texture::Wrap::repeat;
-  Texture::Wrap wrap_v = Texture::Wrap::repeat;
+  geometry::Texture::Wrap wrap_u = geometry::Texture::Wrap::repeat;
+  geometry::Texture::Wrap wrap_v = geometry::Texture::Wrap::repeat;
 };
 
 struct SceneMaterial {
-  Material surface;           ///< its texture is of Scene::textures
-  int emissive_texture = -1;  ///< of Scene::textures: its mean colour multiplies the emission; -1: none
-  double roughness = 1.0;     ///< 0: a mirror
+  geometry::Material surface;  ///< its texture is of Scene::textures
+  int emissive_texture = -1;   ///< of Scene::textures: its mean colour multiplies the emission; -1: none
+  double roughness = 1.0;      ///< 0: a mirror
 };
 
 /// Consecutive instances of one piece of a mesh.
@@ -53,7 +53,7 @@ struct Draw {
   int32_t vertex_offset = 0;
   uint32_t first_instance = 0;
   uint32_t instance_count = 0;
-  Role role = Role::fixed;
+  geometry::Role role = geometry::Role::fixed;
   bool double_sided = false;
   bool mirrored = false;              ///< its triangles turn the other way round
   uint32_t material = 0;              ///< of Scene::materials
@@ -76,8 +76,8 @@ struct Scene {
   std::vector<Draw> draws;
   std::vector<SceneMaterial> materials;
   std::vector<TextureSource> textures;
-  std::vector<Object> objects;
-  std::vector<PointLight> lights;
+  std::vector<geometry::Object> objects;
+  std::vector<geometry::PointLight> lights;
   std::vector<f64::Number3> spots;           ///< places of spot lights
   std::vector<std::string> warnings;         ///< what the files hold that has no effect here, or another one
   std::vector<std::filesystem::path> files;  ///< all that were read
@@ -86,8 +86,4 @@ struct Scene {
   double least_roughness = 1.0;              ///< of all materials, water included; 0: a mirror
 };
 
-/// Reads every geometry of a level, a file that several name once; at least one draw comes of it. Images are read and
-/// not decoded. Throws Error as readLevelFile does, naming the file and the part of it.
-Scene readScene(const LevelFile& level);
-
-}  // namespace welkin::probes
+}  // namespace welkin::level

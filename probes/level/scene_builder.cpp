@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace welkin::probes {
+namespace welkin::level {
 
 using f64::Number3;
 
@@ -44,7 +44,7 @@ int SceneBuilder::addTexture(TextureSource source) {
   return found->second;
 }
 
-uint32_t SceneBuilder::addObject(std::string name, Role role) {
+uint32_t SceneBuilder::addObject(std::string name, geometry::Role role) {
   scene_.objects.push_back({std::move(name), role});
   return static_cast<uint32_t>(scene_.objects.size() - 1);
 }
@@ -57,17 +57,17 @@ uint32_t SceneBuilder::bareMaterial(const Number3& albedo) {
   return bare_[key] = addMaterial(std::move(material));
 }
 
-void SceneBuilder::place(const MeshPiece& piece, const Affine& t, uint32_t object, const Number3& albedo) {
+void SceneBuilder::place(const MeshPiece& piece, const geometry::Affine& t, uint32_t object, const Number3& albedo) {
   if (t.determinant() == 0.0) {
     if (without_volume_.empty() || without_volume_.back() != object) without_volume_.push_back(object);
     return;
   }
   const uint32_t material = piece.material ? *piece.material : bareMaterial(piece.coloured ? Number3(1.0) : albedo);
-  const Role role = scene_.objects[object].role;
+  const geometry::Role role = scene_.objects[object].role;
   placed_.push_back({&piece, material, role, t.determinant() < 0.0, {t, object}});
   scene_.least_roughness = std::min(scene_.least_roughness, scene_.materials[material].roughness);
   if (piece.bounds.empty()) return;
-  Bounds& bounds = role == Role::water ? scene_.water : scene_.bounds;
+  Bounds& bounds = role == geometry::Role::water ? scene_.water : scene_.bounds;
   for (int corner = 0; corner < 8; ++corner)
     bounds.add(t.point({(corner & 1) != 0 ? piece.bounds.high.x : piece.bounds.low.x,
                         (corner & 2) != 0 ? piece.bounds.high.y : piece.bounds.low.y,
@@ -95,7 +95,7 @@ Scene SceneBuilder::finish() {
   std::stable_sort(placed_.begin(), placed_.end(), [&](const Placed& a, const Placed& b) { return key(a) < key(b); });
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const Placed& p = placed_[i];
-    const Material& surface = scene_.materials[p.material].surface;
+    const geometry::Material& surface = scene_.materials[p.material].surface;
     if (i == 0 || key(p) != key(placed_[i - 1])) {
       Draw draw;
       draw.first_index = p.piece->first_index;
@@ -110,7 +110,7 @@ Scene SceneBuilder::finish() {
       scene_.draws.push_back(draw);
     }
     ++scene_.draws.back().instance_count;
-    const Affine& t = p.placing.transform;
+    const geometry::Affine& t = p.placing.transform;
     Instance instance{};
     for (int row = 0; row < 3; ++row) {
       const double numbers[4] = {t.x[row], t.y[row], t.z[row], t.translation[row]};
@@ -123,4 +123,4 @@ Scene SceneBuilder::finish() {
   return std::move(scene_);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

@@ -10,7 +10,7 @@
 #include "probes/level/mesh_piece.h"
 #include "probes/level/scene.h"
 
-namespace welkin::probes {
+namespace welkin::level {
 
 /// Whether a name fits a pattern in which * stands for any run of characters.
 bool matchesPattern(const std::string& pattern, const std::string& name);
@@ -23,11 +23,11 @@ class SceneBuilder {
   uint32_t addMaterial(SceneMaterial material);
   /// Gives the index of the same image with the same wrapping where there is one.
   int addTexture(TextureSource source);
-  uint32_t addObject(std::string name, Role role);
+  uint32_t addObject(std::string name, geometry::Role role);
 
   /// Places a piece; `albedo` is that of one with neither a material nor colours. A transform without volume, which is
   /// how animations hide a node, places nothing; finish() warns of it.
-  void place(const MeshPiece& piece, const Affine& transform, uint32_t object, const f64::Number3& albedo);
+  void place(const MeshPiece& piece, const geometry::Affine& transform, uint32_t object, const f64::Number3& albedo);
 
   /// Warns of the entry's patterns of vegetation_nodes that none of the names fits.
   void warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names);
@@ -39,7 +39,7 @@ class SceneBuilder {
   struct Placed {
     const MeshPiece* piece;
     uint32_t material;
-    Role role;
+    geometry::Role role;
     bool mirrored;
     Placing placing;
   };
@@ -49,7 +49,7 @@ class SceneBuilder {
   std::vector<Placed> placed_;
   std::vector<uint32_t> without_volume_;  // objects
   std::map<std::vector<double>, uint32_t> bare_;
-  std::map<std::pair<std::string, std::pair<Texture::Wrap, Texture::Wrap>>, int> textures_;
+  std::map<std::pair<std::string, std::pair<geometry::Texture::Wrap, geometry::Texture::Wrap>>, int> textures_;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::level

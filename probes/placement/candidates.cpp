@@ -12,13 +12,14 @@
 #include "probes/placement/validity.h"
 #include "probes/placement/vegetation_boxes.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 constexpr double kFoot_m = 0.1;
 
 bool isRemoved(const PlacementSettings& settings, const Number3& p) {
-  return std::any_of(settings.remove.begin(), settings.remove.end(), [&](const Box& box) { return contains(box, p); });
+  return std::any_of(settings.remove.begin(), settings.remove.end(),
+                     [&](const geometry::Box& box) { return geometry::contains(box, p); });
 }
 
 /// A place as it was wanted, and what became of it.
@@ -31,8 +32,8 @@ struct Wanted {
 };
 
 /// Above ground a probe stays in sight of the `foot` of its place.
-Wanted settle(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, const Number3& position,
-              bool by_hand, const std::optional<Number3>& foot = {}) {
+Wanted settle(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+              const Number3& position, bool by_hand, const std::optional<Number3>& foot = {}) {
   Wanted result{position, by_hand, !by_hand && isRemoved(settings, position), Place::free, std::nullopt};
   if (result.removed) return result;
   result.place = placeAt(tracer, position, settings.clearance_m);
@@ -43,7 +44,7 @@ Wanted settle(const Tracer& tracer, const SectorId& id, const PlacementSettings&
   }
   const std::size_t room = roomOf(settings, position);
   result.settled = freePlaceNear(tracer, position, settings.clearance_m, [&](const Number3& to) {
-    return sectorAt(to) == id && roomOf(settings, to) == room && (by_hand || !isRemoved(settings, to)) &&
+    return geometry::sectorAt(to) == id && roomOf(settings, to) == room && (by_hand || !isRemoved(settings, to)) &&
            (!foot || sees(tracer, *foot, to));
   });
   return result;
@@ -71,7 +72,7 @@ struct Ground {
 };
 
 /// What a line of the lattice meets.
-struct Column {
+struct LatticeColumn {
   int preference = 0;
   std::size_t buried = 0;
   std::size_t low = 0;
@@ -81,18 +82,19 @@ struct Column {
 };
 
 /// Whether water is the first but leaves above a point.
-bool isUnderWater(const Tracer& tracer, Number3 point) {
-  const Surfaces& s = tracer.surfaces();
+bool isUnderWater(const geometry::Tracer& tracer, Number3 point) {
+  const geometry::Surfaces& s = tracer.surfaces();
   while (const auto hit = tracer.closest(point, {0, 1, 0}, std::numeric_limits<double>::infinity())) {
-    const Role role = s.object[s.triangle[hit->triangle].object].role;
-    if (role != Role::vegetation) return role == Role::water;
+    const geometry::Role role = s.object[s.triangle[hit->triangle].object].role;
+    if (role != geometry::Role::vegetation) return role == geometry::Role::water;
     point.y += hit->distance + kFoot_m;
   }
   return false;
 }
 
-Column groundAt(const Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line, double top_y) {
-  Column result;
+LatticeColumn groundAt(const geometry::Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line,
+                       double top_y) {
+  LatticeColumn result;
   for (const Span& span : spansAt(tracer, line.x, line.z, top_y)) {
     if (!span.hasFloor()) continue;
     const double height = span.high_y - span.low_y;
@@ -112,9 +114,9 @@ Column groundAt(const Tracer& tracer, const PlacementSettings& settings, const L
 }
 
 /// Ground with a candidate above it.
-Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, const LatticeLine& line,
-                double top_y) {
-  Column result = groundAt(tracer, settings, line, top_y);
+LatticeColumn columnAt(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+                       const LatticeLine& line, double top_y) {
+  LatticeColumn result = groundAt(tracer, settings, line, top_y);
   const bool odd_i = line.i % 2 != 0;
   const bool odd_k = line.k % 2 != 0;
   result.preference = odd_i != odd_k ? 2 : odd_i ? 1 : 0;
@@ -127,15 +129,15 @@ Column columnAt(const Tracer& tracer, const SectorId& id, const PlacementSetting
 }
 
 /// For ground that no line of the lattice meets.
-std::vector<LatticeLine> linesThroughParts(const Surfaces& surfaces, const SectorId& id) {
+std::vector<LatticeLine> linesThroughParts(const geometry::Surfaces& surfaces, const geometry::SectorId& id) {
   std::vector<LatticeLine> lines;
   for (const GroundPart& part : walkableParts(surfaces, id)) lines.push_back({0, 0, part.x, part.z});
   return lines;
 }
 
 template <typename Make>
-std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, const Checkpoint& checkpoint, Make make) {
-  std::vector<Column> result(lines.size());
+std::vector<LatticeColumn> columnsOf(const std::vector<LatticeLine>& lines, const Checkpoint& checkpoint, Make make) {
+  std::vector<LatticeColumn> result(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
     pass(checkpoint);
     result[i] = make(lines[i]);
@@ -145,29 +147,30 @@ std::vector<Column> columnsOf(const std::vector<LatticeLine>& lines, const Check
 
 }  // namespace
 
-Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
-                        PlacementReport& report, const Checkpoint& checkpoint) {
+Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+                        double top_y, PlacementReport& report, const Checkpoint& checkpoint) {
   Candidates result;
   const auto add = [&](const Wanted& wanted) {
     pass(checkpoint);
     if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
   };
   for (const Number3& p : settings.add)
-    if (sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
+    if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
   const auto candidatesOn = [&](const std::vector<LatticeLine>& lines) {
     return columnsOf(lines, checkpoint,
                      [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
   };
-  const auto hasGround = [](const Column& column) { return !column.ground.empty(); };
-  std::vector<Column> columns = candidatesOn(latticeOf(id, settings.spacing_m));
-  const std::vector<Column> between =
+  const auto hasGround = [](const LatticeColumn& column) { return !column.ground.empty(); };
+  std::vector<LatticeColumn> columns = candidatesOn(latticeOf(id, settings.spacing_m));
+  const std::vector<LatticeColumn> between =
       columnsOf(latticeOf(id, 0.5 * settings.spacing_m), checkpoint,
                 [&](const LatticeLine& line) { return groundAt(tracer, settings, line, top_y); });
   if (std::none_of(columns.begin(), columns.end(), hasGround) &&
       std::none_of(between.begin(), between.end(), hasGround))
-    for (Column& column : candidatesOn(linesThroughParts(tracer.surfaces(), id))) columns.push_back(std::move(column));
+    for (LatticeColumn& column : candidatesOn(linesThroughParts(tracer.surfaces(), id)))
+      columns.push_back(std::move(column));
   report.columns = columns.size();
-  for (const Column& column : columns) {
+  for (const LatticeColumn& column : columns) {
     report.buried += column.buried;
     report.low += column.low;
     report.under_water += column.under_water;
@@ -178,12 +181,12 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
     }
   }
   for (int preference = 0; preference < 3; ++preference)
-    for (const Column& column : columns)
+    for (const LatticeColumn& column : columns)
       if (column.preference == preference)
         for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
     add(settle(tracer, id, settings, p, false));
-  for (const Column& column : between)
+  for (const LatticeColumn& column : between)
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);
       if (ground.walkable) result.walkable.push_back({ground.point.foot, ground.point.above, false});
@@ -191,9 +194,10 @@ Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const Placemen
   return result;
 }
 
-std::optional<Candidate> candidateFor(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings,
-                                      const WalkablePoint& point, PlacementReport& report) {
+std::optional<Candidate> candidateFor(const geometry::Tracer& tracer, const geometry::SectorId& id,
+                                      const PlacementSettings& settings, const WalkablePoint& point,
+                                      PlacementReport& report) {
   return take(settle(tracer, id, settings, point.above, false, point.foot), report);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

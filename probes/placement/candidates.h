@@ -5,11 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "probes/geometry/tracer.h"
 #include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
-#include "probes/tracer.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 struct Candidate {
   Number3 position;
@@ -32,11 +34,12 @@ struct Candidates {
 /// By hand; above ground of the lattice, lines with both numbers even first, then both odd, then the rest; above
 /// vegetation. Where neither lattice meets ground, lines through the middles of the sector's walkable triangles take
 /// their place. `top_y` as in spansAt.
-Candidates candidatesOf(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings, double top_y,
-                        PlacementReport& report, const Checkpoint& checkpoint = {});
+Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+                        double top_y, PlacementReport& report, const Checkpoint& checkpoint = {});
 
 /// A probe for a walkable point between the lines, moved and reported as candidates are; none where it may not stand.
-std::optional<Candidate> candidateFor(const Tracer& tracer, const SectorId& id, const PlacementSettings& settings,
-                                      const WalkablePoint& point, PlacementReport& report);
+std::optional<Candidate> candidateFor(const geometry::Tracer& tracer, const geometry::SectorId& id,
+                                      const PlacementSettings& settings, const WalkablePoint& point,
+                                      PlacementReport& report);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace welkin::probes {
+namespace welkin::placement {
 
 /// Called every few milliseconds, from any thread; what it throws ends the work. May be empty.
 using Checkpoint = std::function<void()>;
@@ -13,4 +13,4 @@ inline void pass(const Checkpoint& checkpoint) {
   if (checkpoint) checkpoint();
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -7,7 +7,7 @@
 
 #include "probes/placement/validity.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -21,14 +21,14 @@ struct Crossing {
 };
 
 /// From the highest to the lowest.
-std::vector<Crossing> crossingsAt(const Tracer& tracer, double x, double z, double top_y) {
+std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
   constexpr double kSheet_m = 1e-3;
   constexpr double kFloats = 4.0 * 0x1p-23;  // of the origin's own rounding
   std::vector<Crossing> result;
-  const Surfaces& s = tracer.surfaces();
+  const geometry::Surfaces& s = tracer.surfaces();
   double y = top_y;
   std::optional<std::uint32_t> last;
-  while (const auto hit = tracer.closest({x, y, z}, {0, -1, 0}, kNowhere, Meets::fixed)) {
+  while (const auto hit = tracer.closest({x, y, z}, {0, -1, 0}, kNowhere, geometry::Meets::fixed)) {
     if (!last || *last != hit->triangle) {
       const bool two_sides = s.material[s.triangle[hit->triangle].material].double_sided;
       result.push_back({hit->position.y, hit->normal.y, !hit->back, two_sides || hit->back});
@@ -41,7 +41,7 @@ std::vector<Crossing> crossingsAt(const Tracer& tracer, double x, double z, doub
 
 }  // namespace
 
-std::vector<Span> spansAt(const Tracer& tracer, double x, double z, double top_y) {
+std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
   const std::vector<Crossing> crossing = crossingsAt(tracer, x, z, top_y);
   std::vector<Span> result;
   for (std::size_t i = crossing.size() + 1; i-- > 0;) {
@@ -64,18 +64,18 @@ std::vector<Span> spansAt(const Tracer& tracer, double x, double z, double top_y
   return result;
 }
 
-std::optional<double> topOver(const Surfaces& s, const SectorId& id) {
-  const double low_x = kSector_m * id.x;
-  const double low_z = kSector_m * id.z;
+std::optional<double> topOver(const geometry::Surfaces& s, const geometry::SectorId& id) {
+  const double low_x = geometry::kSector_m * id.x;
+  const double low_z = geometry::kSector_m * id.z;
   std::optional<double> top;
-  for (const Triangle& t : s.triangle) {
-    if (s.object[t.object].role != Role::fixed) continue;
+  for (const geometry::Triangle& t : s.triangle) {
+    if (s.object[t.object].role != geometry::Role::fixed) continue;
     const auto& a = s.position[t.vertex[0]];
     const auto& b = s.position[t.vertex[1]];
     const auto& c = s.position[t.vertex[2]];
     const auto over = [&](std::size_t axis, double low) {
       return double{std::max({a[axis], b[axis], c[axis]})} >= low &&
-             double{std::min({a[axis], b[axis], c[axis]})} <= low + kSector_m;
+             double{std::min({a[axis], b[axis], c[axis]})} <= low + geometry::kSector_m;
     };
     if (!over(0, low_x) || !over(2, low_z)) continue;
     const double high = double{std::max({a[1], b[1], c[1]})} + 1.0;
@@ -84,4 +84,4 @@ std::optional<double> topOver(const Surfaces& s, const SectorId& id) {
   return top;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

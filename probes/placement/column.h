@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "probes/sector.h"
-#include "probes/tracer.h"
+#include "probes/geometry/sector.h"
+#include "probes/geometry/tracer.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 
 /// The lines of cells stand this much beside the round numbers on which levels have their edges: a ray along an exact
 /// lattice meets shared edges, and each of those is a chance to slip through.
@@ -26,9 +26,9 @@ struct Span {
 /// All spans at (x, z) from the lowest to the highest; `top_y` is above all static geometry there. A surface with one
 /// side bounds air in front of it only; what lies between a front and a back is decided by insideGeometry. Surfaces
 /// within 1 mm are one.
-std::vector<Span> spansAt(const Tracer& tracer, double x, double z, double top_y);
+std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, double top_y);
 
 /// Above all static triangles over the sector's square; no value where there are none.
-std::optional<double> topOver(const Surfaces& surfaces, const SectorId& id);
+std::optional<double> topOver(const geometry::Surfaces& surfaces, const geometry::SectorId& id);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -5,7 +5,7 @@
 
 #include "probes/placement/validity.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 using Kind = NamedPlace::Kind;
@@ -64,4 +64,4 @@ PlacementCounts countsOf(const PlacementReport& r) {
   return c;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

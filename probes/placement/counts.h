@@ -4,7 +4,9 @@
 
 #include "probes/placement/settings.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 /// Places named, at most: the first of each kind, and of those by hand of all kinds.
 inline constexpr std::size_t kMostNamed = 4;
@@ -31,4 +33,4 @@ struct PlacementCounts {
 
 PlacementCounts countsOf(const PlacementReport& report);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -10,7 +10,9 @@
 #include "probes/placement/grid_cells.h"
 #include "probes/placement/validity.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 namespace {
 
 enum class Found : std::uint8_t { none, middle, part, way, inside };
@@ -25,15 +27,15 @@ struct Choice {
 };
 
 /// A cell from above that names no probe, where some do, takes after the nearest that does, in cells, then by index.
-void fillFromNearest(std::array<std::uint8_t, kCells * kCells>& top) {
+void fillFromNearest(std::array<std::uint8_t, geometry::kCells * geometry::kCells>& top) {
   const auto named = top;
-  for (int cell = 0; cell < kCells * kCells; ++cell) {
+  for (int cell = 0; cell < geometry::kCells * geometry::kCells; ++cell) {
     int nearest = std::numeric_limits<int>::max();
-    for (int other = 0; other < kCells * kCells; ++other) {
-      const int dx = other % kCells - cell % kCells;
-      const int dz = other / kCells - cell / kCells;
+    for (int other = 0; other < geometry::kCells * geometry::kCells; ++other) {
+      const int dx = other % geometry::kCells - cell % geometry::kCells;
+      const int dz = other / geometry::kCells - cell / geometry::kCells;
       const std::uint8_t probe = named[static_cast<std::size_t>(other)];
-      if (probe == kNoProbe || dx * dx + dz * dz >= nearest) continue;
+      if (probe == geometry::kNoProbe || dx * dx + dz * dz >= nearest) continue;
       top[static_cast<std::size_t>(cell)] = probe;
       nearest = dx * dx + dz * dz;
     }
@@ -42,7 +44,7 @@ void fillFromNearest(std::array<std::uint8_t, kCells * kCells>& top) {
 
 class Grid {
  public:
-  Grid(const Tracer& tracer, const PlacementSettings& settings, PlacedSector& sector, double top_y,
+  Grid(const geometry::Tracer& tracer, const PlacementSettings& settings, geometry::PlacedSector& sector, double top_y,
        const Checkpoint& checkpoint)
       : tracer_(tracer),
         settings_(settings),
@@ -51,8 +53,8 @@ class Grid {
         cells_(gridCellsOf(tracer, sector.id, sector.low_y, sector.cell_height_m, top_y)),
         found_(kAllCells, Found::none),
         anchor_(kAllCells) {
-    for (const Probe& p : sector.probe) room_.push_back(roomOf(settings, p.position));
-    sector_.grid.fill(kNoProbe);
+    for (const geometry::Probe& p : sector.probe) room_.push_back(roomOf(settings, p.position));
+    sector_.grid.fill(geometry::kNoProbe);
   }
 
   void bySight() {
@@ -111,18 +113,21 @@ class Grid {
   }
 
   void fillTop() {
-    if (sector_.probe.empty()) return sector_.top.fill(kNoProbe);
+    if (sector_.probe.empty()) return sector_.top.fill(geometry::kNoProbe);
     for (std::size_t column = 0; column < cells_.top.size(); ++column) {
-      sector_.top[column] = kNoProbe;
+      sector_.top[column] = geometry::kNoProbe;
       const auto& span = cells_.top[column];
       if (!span) continue;
-      const Number3& line =
-          cells_.cell[cellIndex(static_cast<int>(column % kCells), 0, static_cast<int>(column / kCells))].middle;
+      const Number3& line = cells_
+                                .cell[cellIndex(static_cast<int>(column % geometry::kCells), 0,
+                                                static_cast<int>(column / geometry::kCells))]
+                                .middle;
       const double height = std::min(settings_.height_m, 0.5 * (span->high_y - span->low_y));
       if (const auto choice = nearestSeen({line.x, span->low_y + height, line.z}))
         sector_.top[column] = static_cast<std::uint8_t>(choice->probe);
     }
-    if (std::all_of(sector_.top.begin(), sector_.top.end(), [](std::uint8_t probe) { return probe == kNoProbe; }))
+    if (std::all_of(sector_.top.begin(), sector_.top.end(),
+                    [](std::uint8_t probe) { return probe == geometry::kNoProbe; }))
       nameProbesBelow();
     fillFromNearest(sector_.top);
   }
@@ -142,11 +147,13 @@ class Grid {
   /// From above every probe by its own cell, the first of one: for a sector where nothing that is seen sees a probe.
   void nameProbesBelow() {
     for (std::size_t i = sector_.probe.size(); i-- > 0;) {
-      const auto cellOf = [](double along) { return std::clamp(static_cast<int>(along / kCell_m), 0, kCells - 1); };
+      const auto cellOf = [](double along) {
+        return std::clamp(static_cast<int>(along / geometry::kCell_m), 0, geometry::kCells - 1);
+      };
       const Number3& p = sector_.probe[i].position;
-      const int x = cellOf(p.x - kSector_m * sector_.id.x);
-      const int z = cellOf(p.z - kSector_m * sector_.id.z);
-      sector_.top[static_cast<std::size_t>(x + kCells * z)] = static_cast<std::uint8_t>(i);
+      const int x = cellOf(p.x - geometry::kSector_m * sector_.id.x);
+      const int z = cellOf(p.z - geometry::kSector_m * sector_.id.z);
+      sector_.top[static_cast<std::size_t>(x + geometry::kCells * z)] = static_cast<std::uint8_t>(i);
     }
   }
 
@@ -178,10 +185,10 @@ class Grid {
 
   /// Cells that differ by one in at most `axes` of the three coordinates, within the sector.
   static std::vector<std::size_t> around(std::size_t cell, int axes) {
-    const int x = static_cast<int>(cell) % kCells;
-    const int y = static_cast<int>(cell) / kCells % kCells;
-    const int z = static_cast<int>(cell) / (kCells * kCells);
-    const auto within = [](int a) { return a >= 0 && a < kCells; };
+    const int x = static_cast<int>(cell) % geometry::kCells;
+    const int y = static_cast<int>(cell) / geometry::kCells % geometry::kCells;
+    const int z = static_cast<int>(cell) / (geometry::kCells * geometry::kCells);
+    const auto within = [](int a) { return a >= 0 && a < geometry::kCells; };
     std::vector<std::size_t> result;
     for (int dz = -1; dz <= 1; ++dz)
       for (int dy = -1; dy <= 1; ++dy)
@@ -219,9 +226,9 @@ class Grid {
     return std::nullopt;
   }
 
-  const Tracer& tracer_;
+  const geometry::Tracer& tracer_;
   const PlacementSettings& settings_;
-  PlacedSector& sector_;
+  geometry::PlacedSector& sector_;
   const Checkpoint& checkpoint_;
   GridCells cells_;
   std::vector<Found> found_;
@@ -229,19 +236,19 @@ class Grid {
   std::vector<std::size_t> room_;  // by probe
 };
 
-void setHeights(const std::vector<double>& ground_y, PlacedSector& sector) {
+void setHeights(const std::vector<double>& ground_y, geometry::PlacedSector& sector) {
   std::vector<double> y = ground_y;
-  for (const Probe& p : sector.probe) y.push_back(p.position.y);
+  for (const geometry::Probe& p : sector.probe) y.push_back(p.position.y);
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  sector.low_y = y.empty() ? 0.0 : kCell_m * std::floor(*low / kCell_m);
+  sector.low_y = y.empty() ? 0.0 : geometry::kCell_m * std::floor(*low / geometry::kCell_m);
   const double height = y.empty() ? 0.0 : *high - sector.low_y;
-  sector.cell_height_m = kCell_m * (std::floor(height / kSector_m) + 1.0);
+  sector.cell_height_m = geometry::kCell_m * (std::floor(height / geometry::kSector_m) + 1.0);
 }
 
 }  // namespace
 
-void fillGrid(const Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
-              double top_y, PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint) {
+void fillGrid(const geometry::Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
+              double top_y, geometry::PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint) {
   setHeights(ground_y, sector);
   Grid grid(tracer, settings, sector, top_y, checkpoint);
   grid.bySight();
@@ -251,4 +258,4 @@ void fillGrid(const Tracer& tracer, const PlacementSettings& settings, const std
   grid.count(report);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

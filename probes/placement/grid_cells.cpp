@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 constexpr double kThinnest_m = 0.02;  // air thinner than this holds no point
@@ -21,7 +21,7 @@ void addPoints(GridCell& cell, const std::vector<Span>& air, double x, double z,
   }
 }
 
-std::vector<Span> airAt(const Tracer& tracer, double x, double z, double top_y) {
+std::vector<Span> airAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
   std::vector<Span> result = spansAt(tracer, x, z, top_y);
   std::erase_if(result, [](const Span& span) { return span.inside; });
   return result;
@@ -29,18 +29,19 @@ std::vector<Span> airAt(const Tracer& tracer, double x, double z, double top_y) 
 
 }  // namespace
 
-GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, double cell_height_m, double top_y) {
+GridCells gridCellsOf(const geometry::Tracer& tracer, const geometry::SectorId& id, double low_y, double cell_height_m,
+                      double top_y) {
   GridCells result;
   result.cell.resize(kAllCells);
-  tbb::parallel_for(0, kCells * kCells, [&](int column) {
-    const int i = column % kCells;
-    const int k = column / kCells;
-    const double x = kSector_m * id.x + (i + 0.5) * kCell_m + kAside_x_m;
-    const double z = kSector_m * id.z + (k + 0.5) * kCell_m + kAside_z_m;
+  tbb::parallel_for(0, geometry::kCells * geometry::kCells, [&](int column) {
+    const int i = column % geometry::kCells;
+    const int k = column / geometry::kCells;
+    const double x = geometry::kSector_m * id.x + (i + 0.5) * geometry::kCell_m + kAside_x_m;
+    const double z = geometry::kSector_m * id.z + (k + 0.5) * geometry::kCell_m + kAside_z_m;
     const std::vector<Span> middle = airAt(tracer, x, z, top_y);
     for (const Span& span : middle)
       if (span.hasFloor()) result.top[static_cast<std::size_t>(column)] = span;
-    for (int j = 0; j < kCells; ++j) {
+    for (int j = 0; j < geometry::kCells; ++j) {
       GridCell& cell = result.cell[cellIndex(i, j, k)];
       cell.middle = {x, low_y + (j + 0.5) * cell_height_m, z};
       for (const Span& span : middle)
@@ -51,10 +52,10 @@ GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, do
       if (cell.middle_free) cell.point.push_back(cell.middle);
       addPoints(cell, middle, x, z, low_y + j * cell_height_m, low_y + (j + 1) * cell_height_m);
     }
-    for (const double dz : {-0.25 * kCell_m, 0.25 * kCell_m})
-      for (const double dx : {-0.25 * kCell_m, 0.25 * kCell_m}) {
+    for (const double dz : {-0.25 * geometry::kCell_m, 0.25 * geometry::kCell_m})
+      for (const double dx : {-0.25 * geometry::kCell_m, 0.25 * geometry::kCell_m}) {
         const std::vector<Span> air = airAt(tracer, x + dx, z + dz, top_y);
-        for (int j = 0; j < kCells; ++j)
+        for (int j = 0; j < geometry::kCells; ++j)
           addPoints(result.cell[cellIndex(i, j, k)], air, x + dx, z + dz, low_y + j * cell_height_m,
                     low_y + (j + 1) * cell_height_m);
       }
@@ -62,4 +63,4 @@ GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, do
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -8,13 +8,15 @@
 
 #include "probes/placement/column.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 
-inline constexpr std::size_t kAllCells = std::size_t{kCells} * kCells * kCells;
+using f64::Number3;
+
+inline constexpr std::size_t kAllCells = std::size_t{geometry::kCells} * geometry::kCells * geometry::kCells;
 
 /// Index of a cell: x + kCells (y + kCells z).
 inline std::size_t cellIndex(int x, int y, int z) {
-  return static_cast<std::size_t>(x + kCells * (y + kCells * z));
+  return static_cast<std::size_t>(x + geometry::kCells * (y + geometry::kCells * z));
 }
 
 struct GridCell {
@@ -26,12 +28,14 @@ struct GridCell {
 };
 
 struct GridCells {
-  std::vector<GridCell> cell;                                         ///< kAllCells
-  std::array<std::optional<Span>, std::size_t{kCells} * kCells> top;  ///< highest span with a floor: x + kCells z
+  std::vector<GridCell> cell;  ///< kAllCells
+  std::array<std::optional<Span>, std::size_t{geometry::kCells} * geometry::kCells>
+      top;  ///< highest span with a floor: x + kCells z
 };
 
 /// Points of a cell: its middle, and, above ground, the middle of every span of air within it along its middle line and
 /// along four others, halfway to its corners.
-GridCells gridCellsOf(const Tracer& tracer, const SectorId& id, double low_y, double cell_height_m, double top_y);
+GridCells gridCellsOf(const geometry::Tracer& tracer, const geometry::SectorId& id, double low_y, double cell_height_m,
+                      double top_y);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

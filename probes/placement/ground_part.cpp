@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 /// What of a polygon has side * (coordinate - limit) >= 0.
@@ -23,7 +23,7 @@ std::vector<Number3> cut(const std::vector<Number3>& polygon, int axis, double l
 
 }  // namespace
 
-std::array<Number3, 3> cornersOf(const Surfaces& surfaces, const Triangle& triangle) {
+std::array<Number3, 3> cornersOf(const geometry::Surfaces& surfaces, const geometry::Triangle& triangle) {
   std::array<Number3, 3> corner;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& p = surfaces.position[triangle.vertex[i]];
@@ -38,12 +38,12 @@ bool isWalkable(const std::array<Number3, 3>& corner, bool two_sides) {
   return y > 0.0 && y >= kWalkable_normal_y * std::sqrt(dot(normal, normal));
 }
 
-GroundPart partOver(const std::array<Number3, 3>& corner, const SectorId& id) {
+GroundPart partOver(const std::array<Number3, 3>& corner, const geometry::SectorId& id) {
   std::vector<Number3> polygon(corner.begin(), corner.end());
-  polygon = cut(polygon, 0, kSector_m * id.x, 1.0);
-  polygon = cut(polygon, 0, kSector_m * (id.x + 1.0), -1.0);
-  polygon = cut(polygon, 2, kSector_m * id.z, 1.0);
-  polygon = cut(polygon, 2, kSector_m * (id.z + 1.0), -1.0);
+  polygon = cut(polygon, 0, geometry::kSector_m * id.x, 1.0);
+  polygon = cut(polygon, 0, geometry::kSector_m * (id.x + 1.0), -1.0);
+  polygon = cut(polygon, 2, geometry::kSector_m * id.z, 1.0);
+  polygon = cut(polygon, 2, geometry::kSector_m * (id.z + 1.0), -1.0);
   GroundPart part;
   double x = 0.0;
   double z = 0.0;
@@ -62,14 +62,14 @@ GroundPart partOver(const std::array<Number3, 3>& corner, const SectorId& id) {
   return part;
 }
 
-std::vector<GroundPart> walkableParts(const Surfaces& s, const SectorId& id) {
+std::vector<GroundPart> walkableParts(const geometry::Surfaces& s, const geometry::SectorId& id) {
   std::vector<GroundPart> parts;
-  for (const Triangle& t : s.triangle) {
-    if (s.object[t.object].role != Role::fixed) continue;
+  for (const geometry::Triangle& t : s.triangle) {
+    if (s.object[t.object].role != geometry::Role::fixed) continue;
     const std::array<Number3, 3> corner = cornersOf(s, t);
     if (!isWalkable(corner, s.material[t.material].double_sided)) continue;
     const GroundPart part = partOver(corner, id);
-    if (part.area_m2 > 0.0 && sectorAt({part.x, 0.0, part.z}) == id) parts.push_back(part);
+    if (part.area_m2 > 0.0 && geometry::sectorAt({part.x, 0.0, part.z}) == id) parts.push_back(part);
   }
   std::sort(parts.begin(), parts.end(), [](const GroundPart& a, const GroundPart& b) {
     return std::tuple(-a.area_m2, a.x, a.z) < std::tuple(-b.area_m2, b.x, b.z);
@@ -77,8 +77,8 @@ std::vector<GroundPart> walkableParts(const Surfaces& s, const SectorId& id) {
   double area_m2 = 0.0;
   for (const GroundPart& part : parts) area_m2 += part.area_m2;
   if (area_m2 < kLeastGround_m2) return {};
-  parts.resize(std::min(parts.size(), kMostProbes));
+  parts.resize(std::min(parts.size(), geometry::kMostProbes));
   return parts;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -5,10 +5,12 @@
 #include <array>
 #include <vector>
 
-#include "probes/sector.h"
-#include "probes/surfaces.h"
+#include "probes/geometry/sector.h"
+#include "probes/geometry/surfaces.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 /// Ground is walkable up to 60 degrees: least y of its normal.
 inline constexpr double kWalkable_normal_y = 0.5;
@@ -23,15 +25,15 @@ struct GroundPart {
   double z = 0.0;
 };
 
-std::array<Number3, 3> cornersOf(const Surfaces& surfaces, const Triangle& triangle);
+std::array<Number3, 3> cornersOf(const geometry::Surfaces& surfaces, const geometry::Triangle& triangle);
 
 /// Whether a triangle, or one of its `two_sides`, is ground up to 60 degrees.
 bool isWalkable(const std::array<Number3, 3>& corner, bool two_sides);
 
-GroundPart partOver(const std::array<Number3, 3>& corner, const SectorId& id);
+GroundPart partOver(const std::array<Number3, 3>& corner, const geometry::SectorId& id);
 
 /// The parts of all walkable triangles over a sector, the largest first and at most kMostProbes; none where all of
 /// them together are less than kLeastGround_m2.
-std::vector<GroundPart> walkableParts(const Surfaces& surfaces, const SectorId& id);
+std::vector<GroundPart> walkableParts(const geometry::Surfaces& surfaces, const geometry::SectorId& id);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

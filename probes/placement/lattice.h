@@ -6,7 +6,7 @@
 
 #include "probes/placement/column.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 
 /// Between the half metres that walls stand on, by more than a probe's clearance, and on no sixteenth.
 inline constexpr double kLattice_x_m = 0.2871;
@@ -31,6 +31,6 @@ inline int lineFrom(double coordinate, double spacing_m, double aside_m) {
 }
 
 /// The lines within a sector, by k, then i.
-std::vector<LatticeLine> latticeOf(const SectorId& id, double spacing_m);
+std::vector<LatticeLine> latticeOf(const geometry::SectorId& id, double spacing_m);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -7,15 +7,18 @@
 #include <utility>
 #include <vector>
 
+#include "probes/geometry/sector.h"
 #include "probes/placement/validity.h"
-#include "probes/sector.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 /// Numbered points in patches of 1 m.
 class Nearby {
  public:
-  explicit Nearby(const SectorId& id) : low_x_(kSector_m * id.x), low_z_(kSector_m * id.z) {}
+  explicit Nearby(const geometry::SectorId& id)
+      : low_x_(geometry::kSector_m * id.x), low_z_(geometry::kSector_m * id.z) {}
 
   /// A position within the sector.
   void add(std::size_t number, const Number3& position) {
@@ -46,7 +49,7 @@ class Nearby {
   }
 
  private:
-  static constexpr int kAcross = static_cast<int>(kSector_m);
+  static constexpr int kAcross = static_cast<int>(geometry::kSector_m);
 
   static int patchAt(double offset_m) { return static_cast<int>(std::floor(std::clamp(offset_m, 0.0, kAcross - 1.0))); }
   static std::size_t indexOf(int i, int k) { return static_cast<std::size_t>(i + kAcross * k); }
@@ -55,4 +58,4 @@ class Nearby {
   std::array<std::vector<std::pair<std::size_t, Number3>>, std::size_t{kAcross} * kAcross> patch_;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

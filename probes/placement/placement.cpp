@@ -7,13 +7,14 @@
 #include "probes/placement/rooms.h"
 #include "probes/placement/selection.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 
-PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSettings& settings, PlacementReport& report,
-                         const Checkpoint& checkpoint) {
+geometry::PlacedSector placeSector(const geometry::Tracer& tracer, geometry::SectorId id,
+                                   const PlacementSettings& settings, PlacementReport& report,
+                                   const Checkpoint& checkpoint) {
   checkSettings(settings);
   report = {};
-  PlacedSector result;
+  geometry::PlacedSector result;
   result.id = id;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
   const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report, checkpoint);
@@ -23,8 +24,8 @@ PlacedSector placeSector(const Tracer& tracer, SectorId id, const PlacementSetti
   return result;
 }
 
-std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const PlacementSettings& settings,
-                               const Checkpoint& checkpoint) {
+std::vector<geometry::Probe> placeProbes(const geometry::Tracer& tracer, geometry::SectorId id,
+                                         const PlacementSettings& settings, const Checkpoint& checkpoint) {
   checkSettings(settings);
   PlacementReport report;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
@@ -32,4 +33,4 @@ std::vector<Probe> placeProbes(const Tracer& tracer, SectorId id, const Placemen
                       checkpoint);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -5,15 +5,17 @@
 
 #include <algorithm>
 
+#include "probes/geometry/reach.h"
 #include "probes/placement/validity.h"
-#include "probes/reach.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 namespace {
 
 /// Of the box's part of the sector.
-Number3 middleOf(const Box& box, const Column& square) {
+Number3 middleOf(const geometry::Box& box, const geometry::Column& square) {
   return {0.5 * (std::max(box.low.x, square.low_x) + std::min(box.high.x, square.high_x)),
           0.5 * (box.low.y + box.high.y),
           0.5 * (std::max(box.low.z, square.low_z) + std::min(box.high.z, square.high_z))};
@@ -21,26 +23,27 @@ Number3 middleOf(const Box& box, const Column& square) {
 
 }  // namespace
 
-void setRooms(const PlacementSettings& settings, PlacedSector& sector) {
-  const Column square = columnOf(sector.id, 0.0);
+void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector) {
+  const geometry::Column square = geometry::columnOf(sector.id, 0.0);
   std::vector<std::size_t> room_of;
-  for (const Probe& p : sector.probe) room_of.push_back(roomOf(settings, p.position));
+  for (const geometry::Probe& p : sector.probe) room_of.push_back(roomOf(settings, p.position));
   std::vector<std::uint8_t> in_room(sector.probe.size(), 0);
   sector.room.clear();
   for (std::size_t r = 0; r < settings.room.size(); ++r) {
-    const Box& box = settings.room[r];
+    const geometry::Box& box = settings.room[r];
     if (!square.touches(box.low.x, box.high.x, box.low.z, box.high.z)) continue;
-    if (sector.room.size() == kMostRooms)
-      throw Error(ExitStatus::content, fmt::format("[[room]]: more than {} touch sector {}_{}; at most {} may",
-                                                   kMostRooms, sector.id.x, sector.id.z, kMostRooms));
-    Room& room = sector.room.emplace_back(Room{box});
+    if (sector.room.size() == geometry::kMostRooms)
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("[[room]]: more than {} touch sector {}_{}; at most {} may", geometry::kMostRooms,
+                                    sector.id.x, sector.id.z, geometry::kMostRooms));
+    geometry::Room& room = sector.room.emplace_back(geometry::Room{box});
     const Number3 middle = middleOf(box, square);
     double nearest_m = 0.0;
     for (std::size_t i = 0; i < room_of.size(); ++i) {
       if (room_of[i] != r + 1) continue;
       in_room[i] = static_cast<std::uint8_t>(sector.room.size());
       const double distance_m = distanceOf(middle, sector.probe[i].position);
-      if (room.probe != kNoProbe && distance_m >= nearest_m) continue;
+      if (room.probe != geometry::kNoProbe && distance_m >= nearest_m) continue;
       room.probe = static_cast<std::uint8_t>(i);
       nearest_m = distance_m;
     }
@@ -48,4 +51,4 @@ void setRooms(const PlacementSettings& settings, PlacedSector& sector) {
   sector.in_room = sector.room.empty() ? std::vector<std::uint8_t>() : std::move(in_room);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

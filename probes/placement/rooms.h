@@ -5,10 +5,10 @@
 
 #include "probes/placement/settings.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 
 /// Fills `room` and `in_room` of a sector whose probes stand. Throws Error(content) where more than kMostRooms touch
 /// it.
-void setRooms(const PlacementSettings& settings, PlacedSector& sector);
+void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -9,9 +9,11 @@
 #include "probes/placement/lattice.h"
 #include "probes/placement/placement.h"
 #include "probes/placement/vegetation_boxes.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 namespace {
 
 /// A triangle from above, metres. A line on its edge counts: what a ray says there is for placeSector to see.
@@ -45,11 +47,11 @@ class Shadow {
   double area_;  // twice, positive when it looks up
 };
 
-bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
+bool meetsALine(const Shadow& shadow, const geometry::SectorId& id, double spacing_m) {
   const auto lines = [&](int axis, int sector, double aside_m) {
     constexpr double kEdge_m = 1e-3;
-    const double low = std::max(shadow.low(axis) - kEdge_m, kSector_m * sector);
-    const double high = std::min(shadow.high(axis) + kEdge_m, kSector_m * (sector + 1.0));
+    const double low = std::max(shadow.low(axis) - kEdge_m, geometry::kSector_m * sector);
+    const double high = std::min(shadow.high(axis) + kEdge_m, geometry::kSector_m * (sector + 1.0));
     return std::pair{lineFrom(low, spacing_m, aside_m), lineFrom(high, spacing_m, aside_m)};
   };
   const auto [first_i, last_i] = lines(0, id.x, kLattice_x_m);
@@ -58,7 +60,7 @@ bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
     for (int i = first_i; i <= last_i; ++i) {
       const double x = lineAt(i, spacing_m, kLattice_x_m);
       const double z = lineAt(k, spacing_m, kLattice_z_m);
-      if (sectorAt({x, 0, z}) == id && shadow.covers(x, z)) return true;
+      if (geometry::sectorAt({x, 0, z}) == id && shadow.covers(x, z)) return true;
     }
   return false;
 }
@@ -66,16 +68,16 @@ bool meetsALine(const Shadow& shadow, const SectorId& id, double spacing_m) {
 /// The sectors found so far. Throws where they, or those that one thing spans, are too many to go through.
 class Found {
  public:
-  const std::set<SectorId>& sectors() const { return sectors_; }
-  bool contains(const SectorId& id) const { return sectors_.contains(id); }
+  const std::set<geometry::SectorId>& sectors() const { return sectors_; }
+  bool contains(const geometry::SectorId& id) const { return sectors_.contains(id); }
 
   template <typename Name>
-  void checkSpan(const SectorId& low, const SectorId& high, const Name& name) const {
+  void checkSpan(const geometry::SectorId& low, const geometry::SectorId& high, const Name& name) const {
     check((high.x - low.x + 1.0) * (high.z - low.z + 1.0), "spans", name);
   }
 
   template <typename Name>
-  void add(const SectorId& id, const Name& name) {
+  void add(const geometry::SectorId& id, const Name& name) {
     sectors_.insert(id);
     check(static_cast<double>(sectors_.size()), "makes the level one of", name);
   }
@@ -84,34 +86,35 @@ class Found {
   template <typename Name>
   static void check(double count, const char* how, const Name& name) {
     if (count > static_cast<double>(kMostSectors))
-      throw Error(ExitStatus::content,
-                  fmt::format("{} {} {:.0f} sectors of 64 m; at most {} may be", name(), how, count, kMostSectors));
+      throw base::Error(base::ExitStatus::content, fmt::format("{} {} {:.0f} sectors of 64 m; at most {} may be",
+                                                               name(), how, count, kMostSectors));
   }
 
-  std::set<SectorId> sectors_;
+  std::set<geometry::SectorId> sectors_;
 };
 
 }  // namespace
 
-std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& settings, const Checkpoint& checkpoint) {
+std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const PlacementSettings& settings,
+                                          const Checkpoint& checkpoint) {
   checkSettings(settings);
   Found found;
-  std::map<SectorId, double> between_m2;  // walkable ground of sectors without a line on any
-  for (const Triangle& t : s.triangle) {
-    if (s.object[t.object].role != Role::fixed) continue;
+  std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors without a line on any
+  for (const geometry::Triangle& t : s.triangle) {
+    if (s.object[t.object].role != geometry::Role::fixed) continue;
     const std::array<Number3, 3> corner = cornersOf(s, t);
     const Shadow shadow(corner);
     const bool two_sides = s.material[t.material].double_sided;
     if (!shadow.ground(two_sides)) continue;
     const bool walkable = isWalkable(corner, two_sides);
-    const SectorId low = sectorAt({shadow.low(0), 0, shadow.low(2)});
-    const SectorId high = sectorAt({shadow.high(0), 0, shadow.high(2)});
+    const geometry::SectorId low = geometry::sectorAt({shadow.low(0), 0, shadow.low(2)});
+    const geometry::SectorId high = geometry::sectorAt({shadow.high(0), 0, shadow.high(2)});
     const auto name = [&] { return fmt::format("object \"{}\"", s.object[t.object].name); };
     found.checkSpan(low, high, name);
     for (int x = low.x; x <= high.x; ++x) {
       pass(checkpoint);
       for (int z = low.z; z <= high.z; ++z) {
-        const SectorId id{x, z};
+        const geometry::SectorId id{x, z};
         if (found.contains(id)) continue;
         if (meetsALine(shadow, id, settings.spacing_m))
           found.add(id, name);
@@ -123,15 +126,15 @@ std::vector<SectorId> sectorsOf(const Surfaces& s, const PlacementSettings& sett
   const auto others = [] { return "all the level's ground, vegetation and probes by hand"; };
   for (const auto& [id, area_m2] : between_m2)
     if (area_m2 >= kLeastGround_m2) found.add(id, others);
-  for (const Box& box : vegetationBoxes(s)) {
-    found.checkSpan(sectorAt(box.low), sectorAt(box.high), [&] {
+  for (const geometry::Box& box : vegetationBoxes(s)) {
+    found.checkSpan(geometry::sectorAt(box.low), geometry::sectorAt(box.high), [&] {
       return fmt::format("vegetation from ({}, {}) to ({}, {}) m", box.low.x, box.low.z, box.high.x, box.high.z);
     });
     pass(checkpoint);
-    for (const SectorId& id : sectorsOfVegetation(box, settings)) found.add(id, others);
+    for (const geometry::SectorId& id : sectorsOfVegetation(box, settings)) found.add(id, others);
   }
-  for (const Number3& p : settings.add) found.add(sectorAt(p), others);
+  for (const Number3& p : settings.add) found.add(geometry::sectorAt(p), others);
   return {found.sectors().begin(), found.sectors().end()};
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -9,13 +9,15 @@
 #include "probes/placement/thinning.h"
 #include "probes/placement/validity.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 namespace {
 
 class Selection {
  public:
-  Selection(const Tracer& tracer, const SectorId& id, const Candidates& candidates, const PlacementSettings& settings,
-            const Checkpoint& checkpoint)
+  Selection(const geometry::Tracer& tracer, const geometry::SectorId& id, const Candidates& candidates,
+            const PlacementSettings& settings, const Checkpoint& checkpoint)
       : tracer_(tracer),
         id_(id),
         settings_(settings),
@@ -59,7 +61,7 @@ class Selection {
     report.walkable = walkable_.size();
   }
 
-  std::vector<Probe> finish(PlacementReport& report) const {
+  std::vector<geometry::Probe> finish(PlacementReport& report) const {
     std::vector<bool> by_hand;
     for (const std::size_t i : probe_) by_hand.push_back(candidate_[i].by_hand);
     const Look look = [&](std::size_t point, const std::vector<bool>& gone) {
@@ -68,7 +70,7 @@ class Selection {
                       [&](std::size_t p) { return !gone[p]; });
     };
     std::vector<bool> gone(probe_.size(), false);
-    for (const std::size_t i : thin(walkable_.size(), look, by_hand, kMostProbes)) {
+    for (const std::size_t i : thin(walkable_.size(), look, by_hand, geometry::kMostProbes)) {
       gone[i] = true;
       report.dropped.push_back({position(probe_[i]), DroppedProbe::Reason::thinned, by_hand[i]});
     }
@@ -79,7 +81,7 @@ class Selection {
     });
     for (std::size_t i = 0; i < covered.size(); ++i)
       if (covered[i] == 0) report.uncovered.push_back(walkable_[i].foot);
-    std::vector<Probe> result;
+    std::vector<geometry::Probe> result;
     for (std::size_t i = 0; i < probe_.size(); ++i)
       if (!gone[i]) result.push_back({position(probe_[i])});
     return result;
@@ -139,8 +141,8 @@ class Selection {
     return true;
   }
 
-  const Tracer& tracer_;
-  SectorId id_;
+  const geometry::Tracer& tracer_;
+  geometry::SectorId id_;
   const PlacementSettings& settings_;
   const Checkpoint& checkpoint_;
   std::vector<Candidate> candidate_;
@@ -153,13 +155,13 @@ class Selection {
 
 }  // namespace
 
-std::vector<Probe> selectProbes(const Tracer& tracer, const SectorId& id, const Candidates& candidates,
-                                const PlacementSettings& settings, PlacementReport& report,
-                                const Checkpoint& checkpoint) {
+std::vector<geometry::Probe> selectProbes(const geometry::Tracer& tracer, const geometry::SectorId& id,
+                                          const Candidates& candidates, const PlacementSettings& settings,
+                                          PlacementReport& report, const Checkpoint& checkpoint) {
   Selection selection(tracer, id, candidates, settings, checkpoint);
   selection.keepApart(report);
   selection.keepInSight(report);
   return selection.finish(report);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

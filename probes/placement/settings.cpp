@@ -5,23 +5,23 @@
 
 #include <cmath>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 void checkLength(const char* key, double value, double least) {
   if (std::isfinite(value) && value >= least) return;
-  throw Error(ExitStatus::content,
-              fmt::format("[probes] {} = {}: must be a length of {} m or more", key, value, least));
+  throw base::Error(base::ExitStatus::content,
+                    fmt::format("[probes] {} = {}: must be a length of {} m or more", key, value, least));
 }
 
-void checkBoxes(const char* what, const std::vector<Box>& boxes) {
-  for (const Box& b : boxes)
+void checkBoxes(const char* what, const std::vector<geometry::Box>& boxes) {
+  for (const geometry::Box& b : boxes)
     for (int axis = 0; axis < 3; ++axis)
       if (!std::isfinite(b.low[axis]) || !std::isfinite(b.high[axis]) || !(b.low[axis] < b.high[axis]))
-        throw Error(
-            ExitStatus::content,
+        throw base::Error(
+            base::ExitStatus::content,
             fmt::format("{}: [{}, {}, {}] to [{}, {}, {}]: the first corner must be below the second on each axis",
                         what, b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z));
 }
@@ -38,16 +38,16 @@ void checkSettings(const PlacementSettings& s) {
   checkLength("coverage_m", s.coverage_m, 0.25);
   for (const Number3& p : s.add)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || std::abs(p.x) > 1e6 || std::abs(p.z) > 1e6)
-      throw Error(ExitStatus::content,
-                  fmt::format("[probes] add: [{}, {}, {}] must be within 1000 km of the origin", p.x, p.y, p.z));
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("[probes] add: [{}, {}, {}] must be within 1000 km of the origin", p.x, p.y, p.z));
   checkBoxes("[probes] remove", s.remove);
   checkBoxes("[[room]]", s.room);
 }
 
 std::size_t roomOf(const PlacementSettings& settings, const Number3& position) {
   for (std::size_t i = 0; i < settings.room.size(); ++i)
-    if (contains(settings.room[i], position)) return i + 1;
+    if (geometry::contains(settings.room[i], position)) return i + 1;
   return 0;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -4,9 +4,11 @@
 
 #include <vector>
 
-#include "probes/sector.h"
+#include "probes/geometry/sector.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 /// Lengths in metres, all > 0.
 struct PlacementSettings {
@@ -18,8 +20,8 @@ struct PlacementSettings {
   double clearance_m = 0.2;           ///< between a probe and the nearest surface
   double coverage_m = 8.0;            ///< every walkable point sees a probe that is as near as this
   std::vector<Number3> add;           ///< probes by hand
-  std::vector<Box> remove;            ///< no probe in there, but for those by hand
-  std::vector<Box> room;              ///< inside and outside have probes of their own
+  std::vector<geometry::Box> remove;  ///< no probe in there, but for those by hand
+  std::vector<geometry::Box> room;    ///< inside and outside have probes of their own
 };
 
 /// Throws Error(content) with key, value and range for a setting out of its range.
@@ -69,4 +71,4 @@ struct PlacementReport {
   std::size_t ground_cells_without = 0;  ///< of those, cells with air above ground
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -7,7 +7,7 @@
 #include <compare>
 #include <set>
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 struct Loss {
@@ -123,4 +123,4 @@ std::vector<std::size_t> thin(std::size_t points, const Look& look, const std::v
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

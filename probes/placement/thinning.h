@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace welkin::probes {
+namespace welkin::placement {
 
 /// A probe that a walkable point sees, by index, metres away.
 struct SeenProbe {
@@ -27,4 +27,4 @@ using Look = std::function<std::vector<SeenProbe>(std::size_t point, const std::
 /// order in which they go.
 std::vector<std::size_t> thin(std::size_t points, const Look& look, const std::vector<bool>& by_hand, std::size_t most);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

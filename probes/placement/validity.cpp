@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
 constexpr std::size_t kRays = 64;
@@ -20,7 +20,7 @@ const std::array<Number3, kRays>& fixedDirections() {
     for (std::size_t i = 0; i < kRays; ++i) {
       constexpr double kGolden = 0.6180339887498949;
       const double turn = static_cast<double>(i) * kGolden;
-      result[i] = sphereDirection((static_cast<double>(i) + 0.5) / double{kRays}, turn - std::floor(turn));
+      result[i] = geometry::sphereDirection((static_cast<double>(i) + 0.5) / double{kRays}, turn - std::floor(turn));
     }
     return result;
   }();
@@ -28,35 +28,37 @@ const std::array<Number3, kRays>& fixedDirections() {
 }
 
 /// What placeAt would say, with fewer rays.
-bool isFree(const Tracer& tracer, const Number3& position, double clearance_m) {
+bool isFree(const geometry::Tracer& tracer, const Number3& position, double clearance_m) {
   std::size_t backs = 0;
-  const Surfaces& s = tracer.surfaces();
+  const geometry::Surfaces& s = tracer.surfaces();
   for (const Number3& direction : fixedDirections()) {
     const auto hit = tracer.closest(position, direction, kFar_m);
     if (!hit) continue;
     if (hit->back && ++backs > kMostBackRays) return false;
-    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) return false;
+    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == geometry::Role::fixed)
+      return false;
   }
   return true;
 }
 
 }  // namespace
 
-Place placeAt(const Tracer& tracer, const Number3& position, double clearance_m) {
+Place placeAt(const geometry::Tracer& tracer, const Number3& position, double clearance_m) {
   std::size_t backs = 0;
   bool close = false;
-  const Surfaces& s = tracer.surfaces();
+  const geometry::Surfaces& s = tracer.surfaces();
   for (const Number3& direction : fixedDirections()) {
     const auto hit = tracer.closest(position, direction, kFar_m);
     if (!hit) continue;
     if (hit->back) ++backs;
-    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == Role::fixed) close = true;
+    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == geometry::Role::fixed)
+      close = true;
   }
   if (backs > kMostBackRays) return Place::inside;
   return close ? Place::too_close : Place::free;
 }
 
-bool insideGeometry(const Tracer& tracer, const Number3& position) {
+bool insideGeometry(const geometry::Tracer& tracer, const Number3& position) {
   std::size_t backs = 0;
   for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
     const auto hit = tracer.closest(position, fixedDirections()[left - 1], kFar_m);
@@ -65,7 +67,7 @@ bool insideGeometry(const Tracer& tracer, const Number3& position) {
   return backs > kMostBackRays;
 }
 
-std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& position, double clearance_m,
+std::optional<Number3> freePlaceNear(const geometry::Tracer& tracer, const Number3& position, double clearance_m,
                                      const std::function<bool(const Number3&)>& allowed) {
   const bool inside = placeAt(tracer, position, clearance_m) == Place::inside;
   for (const double distance_m : {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0})
@@ -77,9 +79,9 @@ std::optional<Number3> freePlaceNear(const Tracer& tracer, const Number3& positi
   return std::nullopt;
 }
 
-bool sees(const Tracer& tracer, const Number3& from, const Number3& to) {
+bool sees(const geometry::Tracer& tracer, const Number3& from, const Number3& to) {
   const double distance = distanceOf(from, to);
-  return distance == 0.0 || !tracer.occluded(from, (to - from) / distance, distance, Meets::fixed);
+  return distance == 0.0 || !tracer.occluded(from, (to - from) / distance, distance, geometry::Meets::fixed);
 }
 
 double distanceOf(const Number3& a, const Number3& b) {
@@ -87,4 +89,4 @@ double distanceOf(const Number3& a, const Number3& b) {
   return std::sqrt(dot(way, way));
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

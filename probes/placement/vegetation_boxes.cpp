@@ -6,16 +6,16 @@
 
 #include "probes/placement/lattice.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
 namespace {
 
-bool over(const Box& box, double x, double z) {
+bool over(const geometry::Box& box, double x, double z) {
   return x >= box.low.x && x <= box.high.x && z >= box.low.z && z <= box.high.z;
 }
 
-std::optional<double> highestAt(const std::vector<Box>& boxes, double x, double z) {
+std::optional<double> highestAt(const std::vector<geometry::Box>& boxes, double x, double z) {
   std::optional<double> result;
-  for (const Box& box : boxes)
+  for (const geometry::Box& box : boxes)
     if (over(box, x, z)) result = result ? std::max(*result, box.high.y) : box.high.y;
   return result;
 }
@@ -26,7 +26,7 @@ struct Lines {
   bool none() const { return first_i > last_i || first_k > last_k; }
 };
 
-Lines linesOf(const Box& box, double spacing_m) {
+Lines linesOf(const geometry::Box& box, double spacing_m) {
   Lines r{lineFrom(box.low.x, spacing_m, kLattice_x_m), lineFrom(box.high.x, spacing_m, kLattice_x_m),
           lineFrom(box.low.z, spacing_m, kLattice_z_m), lineFrom(box.high.z, spacing_m, kLattice_z_m)};
   if (lineAt(r.last_i, spacing_m, kLattice_x_m) > box.high.x) --r.last_i;
@@ -38,62 +38,62 @@ Lines linesOf(const Box& box, double spacing_m) {
 std::vector<int> sectorsAlong(int first, int last, double spacing_m, double aside_m) {
   std::vector<int> result;
   for (int n = first; n <= last; ++n) {
-    const int sector = static_cast<int>(std::floor(lineAt(n, spacing_m, aside_m) / kSector_m));
+    const int sector = static_cast<int>(std::floor(lineAt(n, spacing_m, aside_m) / geometry::kSector_m));
     if (result.empty() || result.back() != sector) result.push_back(sector);
   }
   return result;
 }
 
-Number3 middleOf(const Box& box) {
+Number3 middleOf(const geometry::Box& box) {
   return (box.low + box.high) * 0.5;
 }
 
 }  // namespace
 
-std::vector<Box> vegetationBoxes(const Surfaces& s) {
-  std::vector<std::optional<Box>> box(s.object.size());
-  for (const Triangle& t : s.triangle) {
-    if (s.object[t.object].role != Role::vegetation) continue;
+std::vector<geometry::Box> vegetationBoxes(const geometry::Surfaces& s) {
+  std::vector<std::optional<geometry::Box>> box(s.object.size());
+  for (const geometry::Triangle& t : s.triangle) {
+    if (s.object[t.object].role != geometry::Role::vegetation) continue;
     for (const std::uint32_t v : t.vertex) {
       const Number3 p{double{s.position[v][0]}, double{s.position[v][1]}, double{s.position[v][2]}};
-      std::optional<Box>& b = box[t.object];
-      if (!b) b = Box{p, p};
+      std::optional<geometry::Box>& b = box[t.object];
+      if (!b) b = geometry::Box{p, p};
       for (int axis = 0; axis < 3; ++axis) {
         b->low[axis] = std::min(b->low[axis], p[axis]);
         b->high[axis] = std::max(b->high[axis], p[axis]);
       }
     }
   }
-  std::vector<Box> result;
+  std::vector<geometry::Box> result;
   for (const auto& b : box)
     if (b) result.push_back(*b);
   return result;
 }
 
-std::vector<Number3> aboveVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings,
-                                     const SectorId& id) {
+std::vector<Number3> aboveVegetation(const std::vector<geometry::Box>& boxes, const PlacementSettings& settings,
+                                     const geometry::SectorId& id) {
   std::vector<Number3> result;
   for (const LatticeLine& line : latticeOf(id, settings.vegetation_spacing_m))
     if (const auto high = highestAt(boxes, line.x, line.z))
       result.push_back({line.x, *high + settings.height_m, line.z});
-  for (const Box& box : boxes) {
+  for (const geometry::Box& box : boxes) {
     const Number3 middle = middleOf(box);
-    if (sectorAt(middle) != id || !linesOf(box, settings.vegetation_spacing_m).none()) continue;
+    if (geometry::sectorAt(middle) != id || !linesOf(box, settings.vegetation_spacing_m).none()) continue;
     const double high = highestAt(boxes, middle.x, middle.z).value_or(box.high.y);
     result.push_back({middle.x, high + settings.height_m, middle.z});
   }
   return result;
 }
 
-std::vector<SectorId> sectorsOfVegetation(const Box& box, const PlacementSettings& settings) {
+std::vector<geometry::SectorId> sectorsOfVegetation(const geometry::Box& box, const PlacementSettings& settings) {
   const double spacing_m = settings.vegetation_spacing_m;
   const Lines lines = linesOf(box, spacing_m);
-  if (lines.none()) return {sectorAt(middleOf(box))};
+  if (lines.none()) return {geometry::sectorAt(middleOf(box))};
   const std::vector<int> along_z = sectorsAlong(lines.first_k, lines.last_k, spacing_m, kLattice_z_m);
-  std::vector<SectorId> result;
+  std::vector<geometry::SectorId> result;
   for (const int x : sectorsAlong(lines.first_i, lines.last_i, spacing_m, kLattice_x_m))
     for (const int z : along_z) result.push_back({x, z});
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

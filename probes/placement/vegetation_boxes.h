@@ -4,20 +4,22 @@
 
 #include <vector>
 
+#include "probes/geometry/surfaces.h"
 #include "probes/placement/settings.h"
-#include "probes/surfaces.h"
 
-namespace welkin::probes {
+namespace welkin::placement {
+
+using f64::Number3;
 
 /// The world box of every object of vegetation, in the order of the objects; none for one without triangles.
-std::vector<Box> vegetationBoxes(const Surfaces& surfaces);
+std::vector<geometry::Box> vegetationBoxes(const geometry::Surfaces& surfaces);
 
 /// Places above the boxes: at each line of the lattice of vegetation_spacing_m the highest box there, and the middle of
 /// each box that no line meets. Those of a sector only, in that order.
-std::vector<Number3> aboveVegetation(const std::vector<Box>& boxes, const PlacementSettings& settings,
-                                     const SectorId& id);
+std::vector<Number3> aboveVegetation(const std::vector<geometry::Box>& boxes, const PlacementSettings& settings,
+                                     const geometry::SectorId& id);
 
 /// Sectors that aboveVegetation has places of a box in, each once.
-std::vector<SectorId> sectorsOfVegetation(const Box& box, const PlacementSettings& settings);
+std::vector<geometry::SectorId> sectorsOfVegetation(const geometry::Box& box, const PlacementSettings& settings);
 
-}  // namespace welkin::probes
+}  // namespace welkin::placement

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "probes/directions.h"
-#include "sky/projection.h"
+#include "probes/geometry/directions.h"
+#include "sky/model/projection.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
 namespace {
 
 constexpr double kConverged = 1e-9;  // of the quadrature of the horizontal irradiance, relative
 
 /// The part of the lobe c exp(d angle) in the indicatrix, over itself and a sky of 1, halved: the other samples keep
 /// every weight below 2.
-double shareOf(const sky::LuminanceModel& model) {
+double shareOf(const model::LuminanceModel& model) {
   constexpr double kBroad = -2.0;  // a wider lobe is no peak
   if (model.c <= 0.0 || model.d > kBroad) return 0.0;
   const double lobe = model.c / (1.0 + model.d * model.d);  // its integral over the sphere, over 2 pi
@@ -23,16 +23,16 @@ double shareOf(const sky::LuminanceModel& model) {
 
 }  // namespace
 
-DistantLight::DistantLight(const sky::Sky& sky, double time_h)
+DistantLight::DistantLight(const model::Sky& sky, double time_h)
     : instant_(sky, time_h), saturation_(sky.ambient_saturation.at(time_h)), lobe_share_(shareOf(sky.luminance)) {
-  const auto add = [&](const sky::Light& light) {
+  const auto add = [&](const model::Light& light) {
     const Number3 direction = light.path.directionAt(time_h);
     const Number3 irradiance = light.normalIrradianceAt(time_h);
     if (direction.y > 0.0 && irradiance != Number3(0.0)) light_.push_back({direction, irradiance});
   };
   add(sky.sun);
   if (sky.moon) add(*sky.moon);
-  const sky::SkyProjector projector(sky.luminance, 1, kConverged);
+  const model::SkyProjector projector(sky.luminance, 1, kConverged);
   const Number3 under_sky =
       det::desaturate(projector.project(instant_).horizontal_irradiance, saturation_) * instant_.intensity();
   Number3 under_lights(0.0);
@@ -50,7 +50,7 @@ bool DistantLight::sampleLobe(double s, double t, double extra, Number3& directi
   if (angle >= det::kPi) return false;
   const double sine = det::sin(angle);
   const Number3& sun = instant_.sunDirection();
-  direction = cosineDirection(angle < det::kHalfPi ? sun : -sun, std::min(sine * sine, 1.0), t);
+  direction = geometry::cosineDirection(angle < det::kHalfPi ? sun : -sun, std::min(sine * sine, 1.0), t);
   return true;
 }
 
@@ -62,4 +62,4 @@ double DistantLight::lobeDensity(const Number3& direction) const {
   return d * d * stretch * det::exp(d * angle) / det::kTwoPi;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

@@ -5,10 +5,12 @@
 
 #include <vector>
 
-#include "probes/surfaces.h"
-#include "sky/sky.h"
+#include "probes/geometry/surfaces.h"
+#include "sky/model/sky.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
+
+using f64::Number3;
 
 /// A light without extent, far away.
 struct DirectionalLight {
@@ -20,7 +22,7 @@ struct DirectionalLight {
 class DistantLight {
  public:
   /// `sky` outlives it; `time_h` is finite.
-  DistantLight(const sky::Sky& sky, double time_h);
+  DistantLight(const model::Sky& sky, double time_h);
 
   /// The sky's radiance at intensity, desaturated by ambient_saturation, without tint; 0 below the horizon.
   Number3 skyRadiance(const Number3& direction) const;
@@ -40,7 +42,7 @@ class DistantLight {
   double lobeDensity(const Number3& direction) const;
 
  private:
-  sky::SkyInstant instant_;
+  model::SkyInstant instant_;
   double saturation_;
   Number3 ground_under_sky_{0.0};
   Number3 ground_under_lights_{0.0};
@@ -48,4 +50,4 @@ class DistantLight {
   double lobe_share_ = 0.0;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

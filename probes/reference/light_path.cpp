@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -20,12 +20,12 @@ struct Turn {
 
 /// Cosine-distributed, and a share of them about the sun where the sky is brightest, weighed by the density of both
 /// (the balance heuristic of Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
-Turn turnAt(const DistantLight& distant, const Number3& normal, double s, double t, Random& random) {
+Turn turnAt(const DistantLight& distant, const Number3& normal, double s, double t, geometry::Random& random) {
   const double share = distant.lobeShare();
-  if (share == 0.0) return {cosineDirection(normal, s, t), 1.0};
+  if (share == 0.0) return {geometry::cosineDirection(normal, s, t), 1.0};
   Turn turn;
   if (s >= share)
-    turn.direction = cosineDirection(normal, (s - share) / (1.0 - share), t);
+    turn.direction = geometry::cosineDirection(normal, (s - share) / (1.0 - share), t);
   else if (!distant.sampleLobe(s / share, t, random.unit(), turn.direction))
     return turn;
   const double cosine = std::max(dot(normal, turn.direction), 0.0) / det::kPi;
@@ -45,8 +45,8 @@ Number3 lightsAt(const PathScene& scene, const Number3& origin, const Number3& n
 
 }  // namespace
 
-Number3 localIrradiance(const Tracer& tracer, const LocalLight& light, const Number3& origin, const Number3& normal,
-                        double s, double t) {
+Number3 localIrradiance(const geometry::Tracer& tracer, const LocalLight& light, const Number3& origin,
+                        const Number3& normal, double s, double t) {
   const Number3 to_light = light.position - origin;
   const double squared = dot(to_light, to_light);
   if (squared == 0.0 && light.radius_m == 0.0) return Number3(0.0);
@@ -56,9 +56,9 @@ Number3 localIrradiance(const Tracer& tracer, const LocalLight& light, const Num
   const double widest2 = inside ? 1.0 : radius2 / squared;
   const double narrowest = std::sqrt(1.0 - widest2);
   const double cosine_axis = 1.0 - s * widest2 / (1.0 + narrowest);
-  const Number3 direction =
-      inside ? cosineDirection(normal, s, t)
-             : cosineDirection(to_light / std::sqrt(squared), std::max(1.0 - cosine_axis * cosine_axis, 0.0), t);
+  const Number3 direction = inside ? geometry::cosineDirection(normal, s, t)
+                                   : geometry::cosineDirection(to_light / std::sqrt(squared),
+                                                               std::max(1.0 - cosine_axis * cosine_axis, 0.0), t);
   const double cosine = dot(normal, direction);
   if (cosine <= 0.0) return Number3(0.0);
   const double along = dot(to_light, direction);
@@ -67,11 +67,12 @@ Number3 localIrradiance(const Tracer& tracer, const LocalLight& light, const Num
   return inside ? light.intensity / radius2 : light.intensity * (2.0 * cosine / (squared * (1.0 + narrowest)));
 }
 
-LightShares tracePath(const PathScene& scene, const Hit& start, double s, double t, Random& random) {
-  const Tracer& tracer = scene.tracer;
+LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double s, double t,
+                      geometry::Random& random) {
+  const geometry::Tracer& tracer = scene.tracer;
   const DistantLight& distant = scene.distant;
   LightShares found;
-  Hit at = start;
+  geometry::Hit at = start;
   Turn turn = turnAt(distant, at.normal, s, t, random);
   Number3 throughput(det::kPi);  // of cosine-distributed radiance: irradiance
   for (int bounced = 0;; ++bounced) {
@@ -105,4 +106,4 @@ LightShares tracePath(const PathScene& scene, const Hit& start, double s, double
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

@@ -2,10 +2,12 @@
 // One path of the reference.
 #pragma once
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 #include "probes/reference/reference.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
+
+using f64::Number3;
 
 /// Light by what it comes from.
 struct LightShares {
@@ -16,7 +18,7 @@ struct LightShares {
 
 /// What every path of one point shares; all of it outlives the object.
 struct PathScene {
-  const Tracer& tracer;
+  const geometry::Tracer& tracer;
   const DistantLight& distant;
   std::span<const LocalLight> lights;
   int bounces;
@@ -24,11 +26,11 @@ struct PathScene {
 
 /// Irradiance that one path from a point of a surface finds, pi included: its mean over s and t, uniform in [0, 1), and
 /// over `random` is the irradiance. `start` needs only position and normal.
-LightShares tracePath(const PathScene& scene, const Hit& start, double s, double t, Random& random);
+LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double s, double t, geometry::Random& random);
 
 /// Irradiance of one side of a surface by a local light, its shadow included, seen from `origin` just off the surface;
 /// the mean over s and t.
-Number3 localIrradiance(const Tracer& tracer, const LocalLight& light, const Number3& origin, const Number3& normal,
-                        double s, double t);
+Number3 localIrradiance(const geometry::Tracer& tracer, const LocalLight& light, const Number3& origin,
+                        const Number3& normal, double s, double t);
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "probes/reference/light_path.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
 namespace {
 
 constexpr std::size_t kLeastBatches = 64;  // their spread gives the standard error within a tenth of itself
@@ -23,9 +23,9 @@ std::size_t strataOf(const ReferenceSettings& settings) {
 }
 
 /// The point as a path starts from it: as far off the surface that it lies on as a ray that found that surface.
-Hit startAt(const Tracer& tracer, const Number3& position, const Number3& normal) {
+geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal) {
   constexpr double kOnSurface_m = 0.01;
-  Hit start;
+  geometry::Hit start;
   start.position = position;
   start.normal = normal;
   if (const auto under = tracer.closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
@@ -33,11 +33,11 @@ Hit startAt(const Tracer& tracer, const Number3& position, const Number3& normal
   return start;
 }
 
-LightShares meanOfBatch(const PathScene& scene, const Hit& start, std::size_t strata, std::uint64_t seed,
+LightShares meanOfBatch(const PathScene& scene, const geometry::Hit& start, std::size_t strata, std::uint64_t seed,
                         std::size_t batch) {
   LightShares sum;
   for (std::size_t i = 0; i < strata * strata; ++i) {
-    Random random(seed, batch, i);
+    geometry::Random random(seed, batch, i);
     const double s = (static_cast<double>(i % strata) + random.unit()) / static_cast<double>(strata);
     const double t = (static_cast<double>(i / strata) + random.unit()) / static_cast<double>(strata);
     const LightShares found = tracePath(scene, start, s, t, random);
@@ -73,16 +73,16 @@ std::size_t referenceBatches(const ReferenceSettings& settings) {
   return std::max(kLeastBatches, (settings.samples + paths - 1) / paths);
 }
 
-ReferenceIrradiance traceReference(const Tracer& tracer, const DistantLight& distant,
+ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
                                    const ReferenceSettings& settings, const ReferenceProgress& progress) {
   const PathScene scene{tracer, distant, lights, settings.bounces};
   const std::size_t strata = strataOf(settings);
-  const Hit start = startAt(tracer, position, normal);
+  const geometry::Hit start = startAt(tracer, position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
     batches[i] = meanOfBatch(scene, start, strata, settings.seed, i);
-    if (progress && !progress()) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+    if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted; nothing was written");
   });
   ReferenceIrradiance irradiance;
   irradiance.sky = estimateOf(batches, [](const LightShares& b) { return b.sky; });
@@ -93,4 +93,4 @@ ReferenceIrradiance traceReference(const Tracer& tracer, const DistantLight& dis
   return irradiance;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

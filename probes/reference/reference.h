@@ -12,10 +12,12 @@
 #include <functional>
 #include <span>
 
+#include "probes/geometry/tracer.h"
 #include "probes/reference/distant_light.h"
-#include "probes/tracer.h"
 
-namespace welkin::probes {
+namespace welkin::reference {
+
+using f64::Number3;
 
 /// A dynamic light that shines alike in all directions. It stops no rays, and rays do not see it.
 struct LocalLight {
@@ -53,8 +55,8 @@ std::size_t referenceBatches(const ReferenceSettings& settings);
 /// In parallel (oneTBB's current arena); the same bits for any number of threads. `normal` is a unit vector. The point
 /// may lie on a surface: rays start off it, on the normal's side. Batches are independent and each is stratified over
 /// the directions at the point; the standard error is that of their mean.
-ReferenceIrradiance traceReference(const Tracer& tracer, const DistantLight& distant,
+ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
                                    const ReferenceSettings& settings, const ReferenceProgress& progress = {});
 
-}  // namespace welkin::probes
+}  // namespace welkin::reference

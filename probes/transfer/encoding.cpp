@@ -8,9 +8,9 @@
 #include <span>
 
 #include "probes/transfer/fixed_point.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 constexpr std::size_t kUp = 3;                     ///< directions that see the sky
@@ -19,21 +19,21 @@ constexpr std::size_t kSky = 2 * kColours;         ///< of coefficients 0 and 1,
 constexpr double kLargest = 3e38;
 constexpr double kMostSun = 1e6;  ///< far above what a light of normal irradiance 1 can give
 
-[[noreturn]] void refuse(SectorId id, std::size_t probe, const std::string& what) {
-  throw Error(ExitStatus::content, fmt::format("sector {}_{}: probe {}: {}", id.x, id.z, probe, what));
+[[noreturn]] void refuse(geometry::SectorId id, std::size_t probe, const std::string& what) {
+  throw base::Error(base::ExitStatus::content, fmt::format("sector {}_{}: probe {}: {}", id.x, id.z, probe, what));
 }
 
 /// The probe's numbers of a kind, with what they may be.
 class Checked {
  public:
-  Checked(SectorId id, std::size_t probe) : id_(id), probe_(probe) {}
+  Checked(geometry::SectorId id, std::size_t probe) : id_(id), probe_(probe) {}
   void of(double value, const char* what, double low = -kLargest, double high = kLargest) const {
     if (!(value >= low && value <= high))
       refuse(id_, probe_, fmt::format("{}: {}; allowed: {} to {}", what, value, low, high));
   }
 
  private:
-  SectorId id_;
+  geometry::SectorId id_;
   std::size_t probe_;
 };
 
@@ -153,11 +153,11 @@ ProbeBytes EncodedProbes::bytes() const {
 
 EncodedProbes encodeProbes(const SectorProbes& probes) {
   EncodedProbes encoded;
-  const Number3 corner(kSector_m * probes.id.x, 0.0, kSector_m * probes.id.z);
+  const Number3 corner(geometry::kSector_m * probes.id.x, 0.0, geometry::kSector_m * probes.id.z);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     const Checked checked(probes.id, i);
-    checked.of(probes.position[i].x - corner.x, "x from the sector's corner", 0.0, kSector_m);
-    checked.of(probes.position[i].z - corner.z, "z from the sector's corner", 0.0, kSector_m);
+    checked.of(probes.position[i].x - corner.x, "x from the sector's corner", 0.0, geometry::kSector_m);
+    checked.of(probes.position[i].z - corner.z, "z from the sector's corner", 0.0, geometry::kSector_m);
     checked.of(probes.position[i].y, "y", -1e6, 1e6);
     const ProbeTransfer& t = probes.transfer[i];
     for (std::size_t b = 0; b < kDirections; ++b) checked.of(t.visibility[b], "visibility", 0.0, b < kUp ? 1.0 : 0.0);
@@ -179,9 +179,9 @@ EncodedProbes encodeProbes(const SectorProbes& probes) {
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     const ProbeTransfer& t = probes.transfer[i];
     const Number3 place = probes.position[i] - corner;
-    encoded.position.push_back(toFixed<std::uint16_t>(place.x, kSector_m));
+    encoded.position.push_back(toFixed<std::uint16_t>(place.x, geometry::kSector_m));
     encoded.position.push_back(toFixed<std::uint16_t>(place.y - low, height));
-    encoded.position.push_back(toFixed<std::uint16_t>(place.z, kSector_m));
+    encoded.position.push_back(toFixed<std::uint16_t>(place.z, geometry::kSector_m));
     for (std::size_t b = 0; b < kUp; ++b) encoded.visibility.push_back(toFixed<std::uint16_t>(t.visibility[b], 1.0));
     encodeSky(t, encoded);
     encodeSun(probes.sun[i], encoded);
@@ -190,7 +190,7 @@ EncodedProbes encodeProbes(const SectorProbes& probes) {
   return encoded;
 }
 
-SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
+SectorProbes decodedProbes(const EncodedProbes& e, geometry::SectorId id) {
   const std::size_t n = e.probes();
   const std::size_t modes = e.modes();
   const std::size_t knots = e.sun_time_h.size() + e.moon_time_h.size();
@@ -200,7 +200,8 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
       e.sun.size() != n * modes * kDirections || e.coefficient_scale.size() != modes ||
       e.mode.size() != modes * knots * 3 || (emissive && e.emitted_scale.size() != n) ||
       e.emitted.size() != (emissive ? n * kColours : 0))
-    throw Error(ExitStatus::content, fmt::format("sector {}_{}: its arrays do not fit each other", id.x, id.z));
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("sector {}_{}: its arrays do not fit each other", id.x, id.z));
   SectorProbes probes;
   probes.id = id;
   probes.modes.sun_time_h.assign(e.sun_time_h.begin(), e.sun_time_h.end());
@@ -213,9 +214,9 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
   const double low = double{e.low_y};
   const double height = double{e.high_y} - low;
   for (std::size_t i = 0; i < n; ++i) {
-    probes.position.emplace_back(kSector_m * id.x + fromFixed(e.position[3 * i], kSector_m),
+    probes.position.emplace_back(geometry::kSector_m * id.x + fromFixed(e.position[3 * i], geometry::kSector_m),
                                  low + fromFixed(e.position[3 * i + 1], height),
-                                 kSector_m * id.z + fromFixed(e.position[3 * i + 2], kSector_m));
+                                 geometry::kSector_m * id.z + fromFixed(e.position[3 * i + 2], geometry::kSector_m));
     ProbeTransfer& t = probes.transfer.emplace_back();
     SunCoefficients& sun = probes.sun.emplace_back();
     for (std::size_t b = 0; b < kUp; ++b) t.visibility[b] = fromFixed(e.visibility[kUp * i + b], 1.0);
@@ -232,4 +233,4 @@ SectorProbes decodedProbes(const EncodedProbes& e, SectorId id) {
   return probes;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -26,15 +26,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "probes/sector.h"
+#include "probes/geometry/sector.h"
 #include "probes/transfer/sun_modes.h"
 #include "probes/transfer/transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// The probes of a sector as numbers. ProbeTransfer::sun is not among them: `sun` and `modes` stand for it.
 struct SectorProbes {
-  SectorId id;
+  geometry::SectorId id;
   std::vector<Number3> position;  ///< metres; x and z within the sector
   std::vector<ProbeTransfer> transfer;
   std::vector<SunCoefficients> sun;  ///< one a probe, each of as many numbers as there are modes
@@ -82,6 +84,6 @@ struct EncodedProbes {
 EncodedProbes encodeProbes(const SectorProbes& probes);
 
 /// Throws Error(content) where arrays do not fit each other.
-SectorProbes decodedProbes(const EncodedProbes& encoded, SectorId id);
+SectorProbes decodedProbes(const EncodedProbes& encoded, geometry::SectorId id);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

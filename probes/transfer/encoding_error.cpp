@@ -6,7 +6,9 @@
 
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 namespace {
 
 void worsen(double& worst, double a, double b, double over = 1.0) {
@@ -62,4 +64,4 @@ EncodingError encodingError(const SectorProbes& probes, const SectorProbes& deco
   return error;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -4,7 +4,7 @@
 
 #include "probes/transfer/encoding.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 /// The worst difference between probes and what became of them.
 struct EncodingError {
@@ -21,4 +21,4 @@ struct EncodingError {
 /// `decoded` has the places, modes and knots of `probes`.
 EncodingError encodingError(const SectorProbes& probes, const SectorProbes& decoded);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 /// The least number that is not below `largest` and whose float32 has only its first 16 bits, as these bits. `largest`
 /// in [0, 3e38].
@@ -33,4 +33,4 @@ double fromFixed(Integer step, double scale) {
   return static_cast<double>(step) * scale / double{std::numeric_limits<Integer>::max()};
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 constexpr double kDay_h = 24.0;
@@ -55,4 +55,4 @@ TrackPlace placeOnTrack(const std::vector<double>& knot_time_h, double time_h) {
   return place;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -7,7 +7,7 @@
 
 #include "shared.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 using f64::Number3;
 
@@ -32,4 +32,4 @@ struct TrackPlace {
 /// first of the next day. It says nothing of whether the light is up.
 TrackPlace placeOnTrack(const std::vector<double>& knot_time_h, double time_h);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

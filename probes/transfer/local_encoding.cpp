@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "probes/transfer/fixed_point.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 constexpr std::size_t kNumbers = 4 * 3;  ///< of a transfer
@@ -18,7 +18,7 @@ constexpr double kFarthest_m = 1e7;
 constexpr std::size_t kMostLights = std::size_t{1} << 16;
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Error(ExitStatus::content, "local transfer: " + what);
+  throw base::Error(base::ExitStatus::content, "local transfer: " + what);
 }
 
 std::array<double, kNumbers> numbersOf(const LocalTransfer& t) {
@@ -187,4 +187,4 @@ LocalEncodingError encodingError(const SectorLocal& local, const SectorLocal& de
   return error;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -21,7 +21,9 @@
 
 #include "probes/transfer/local_transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 inline constexpr std::size_t kMostLocalBytes = 210 * 1024;  ///< of a sector
 inline constexpr std::size_t kLocalTransferBytes = 16;
@@ -72,4 +74,4 @@ struct LocalEncodingError {
 };
 LocalEncodingError encodingError(const SectorLocal& local, const SectorLocal& decoded);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
-std::vector<double> influenceOf(const Tracer& tracer, const Number3& probe, std::span<const PathVertex> vertices,
-                                std::span<const Number3> lights, std::size_t draws, double nearest_m,
-                                std::uint64_t& rays) {
+std::vector<double> influenceOf(const geometry::Tracer& tracer, const Number3& probe,
+                                std::span<const PathVertex> vertices, std::span<const Number3> lights,
+                                std::size_t draws, double nearest_m, std::uint64_t& rays) {
   std::vector<double> unshadowed(lights.size(), 0.0);
   std::vector<double> tested(lights.size(), 1.0);
   std::vector<double> passed(lights.size(), 0.0);
@@ -41,4 +41,4 @@ std::vector<std::size_t> mostInfluential(std::span<const double> influence, std:
   return chosen;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

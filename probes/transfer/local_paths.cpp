@@ -7,10 +7,10 @@
 
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
-std::uint64_t traceVertices(const Tracer& tracer, const Number3& position, const PathPoints& points, std::uint32_t from,
-                            std::uint32_t to, int bounces, std::vector<PathVertex>& vertices) {
+std::uint64_t traceVertices(const geometry::Tracer& tracer, const Number3& position, const PathPoints& points,
+                            std::uint32_t from, std::uint32_t to, int bounces, std::vector<PathVertex>& vertices) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::uint64_t rays = 0;
   for (std::uint32_t i = from; i < to; ++i) {
@@ -40,10 +40,10 @@ double unshadowedIrradiance(const Number3& origin, const Number3& normal, const 
   return cosine / (std::max(squared, nearest_m * nearest_m) * std::sqrt(squared));
 }
 
-bool seesEachOther(const Tracer& tracer, const Number3& from, const Number3& to) {
+bool seesEachOther(const geometry::Tracer& tracer, const Number3& from, const Number3& to) {
   const Number3 away = to - from;
   const double distance = std::sqrt(dot(away, away));
   return distance == 0.0 || !tracer.occluded(from, away / distance, distance);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -7,10 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "probes/tracer.h"
+#include "probes/geometry/tracer.h"
 #include "probes/transfer/path_points.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// Where a path meets a surface.
 struct PathVertex {
@@ -23,8 +25,8 @@ struct PathVertex {
 
 /// Appends the vertices of paths from <= i < to, at most `bounces` each; returns the rays that it took. Beyond the
 /// level there is nothing that a local light could reach.
-std::uint64_t traceVertices(const Tracer& tracer, const Number3& position, const PathPoints& points, std::uint32_t from,
-                            std::uint32_t to, int bounces, std::vector<PathVertex>& vertices);
+std::uint64_t traceVertices(const geometry::Tracer& tracer, const Number3& position, const PathPoints& points,
+                            std::uint32_t from, std::uint32_t to, int bounces, std::vector<PathVertex>& vertices);
 
 /// Irradiance, with nothing in its way, of one side of a surface by a point light of radiant intensity 1: cosine over
 /// the square of the distance, or of `nearest_m` where that is more; 0 at the light itself.
@@ -76,6 +78,6 @@ class LightDraw {
 };
 
 /// Whether nothing lies between two points.
-bool seesEachOther(const Tracer& tracer, const Number3& from, const Number3& to);
+bool seesEachOther(const geometry::Tracer& tracer, const Number3& from, const Number3& to);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

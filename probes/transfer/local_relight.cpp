@@ -6,7 +6,7 @@
 
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 constexpr std::size_t kNearest = 4;
@@ -35,12 +35,12 @@ std::vector<Seen> seenFrom(std::span<const Number3> lights, const Number3& posit
 
 }  // namespace
 
-LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<const PointLight> dynamic_lights,
+LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<const geometry::PointLight> dynamic_lights,
                           const SeeEachOther& see_each_other) {
   LocalColours result;
   result.colour.resize(virtual_lights.size(), Number3(0.0));
   for (std::size_t i = 0; i < dynamic_lights.size(); ++i) {
-    const PointLight& lamp = dynamic_lights[i];
+    const geometry::PointLight& lamp = dynamic_lights[i];
     const auto seen = seenFrom(virtual_lights, lamp.position, see_each_other);
     if (seen.empty()) {
       result.unseen.push_back(i);
@@ -78,4 +78,4 @@ std::array<Number3, kDirections> relitLocal(std::span<const LocalTransfer> trans
   return irradiance;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -8,15 +8,15 @@
 #include <cmath>
 #include <utility>
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 #include "probes/transfer/local_lights.h"
 #include "probes/transfer/rounds.h"
 #include "probes/transfer/sums.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sh/deterministic.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 constexpr std::uint64_t kLocal = 0x6c6f63616cU;   ///< keeps these paths apart from those of the distant light
@@ -25,7 +25,7 @@ constexpr std::uint32_t kChoicePaths = 128;       ///< for the choice under a bu
 constexpr std::uint32_t kMostChoicePaths = 4096;  ///< without one; their vertices are kept
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Error(ExitStatus::content, "local transfer: " + what);
+  throw base::Error(base::ExitStatus::content, "local transfer: " + what);
 }
 
 void check(const LocalSettings& s, const std::vector<Number3>& lights) {
@@ -37,8 +37,8 @@ void check(const LocalSettings& s, const std::vector<Number3>& lights) {
   if (s.light_rays == 0) refuse("light rays: 0; allowed: at least 1");
   if (s.lights == 0 || s.lights > kMostLocalLights)
     refuse(fmt::format("lights a probe: {}; allowed: 1 to {}", s.lights, kMostLocalLights));
-  if (!(s.nearest_m >= 0.0 && s.nearest_m <= kSector_m))
-    refuse(fmt::format("nearest distance: {} m; allowed: 0 to {}", s.nearest_m, kSector_m));
+  if (!(s.nearest_m >= 0.0 && s.nearest_m <= geometry::kSector_m))
+    refuse(fmt::format("nearest distance: {} m; allowed: 0 to {}", s.nearest_m, geometry::kSector_m));
   if (!(s.max_error >= 0.0 && s.max_error < 1.0))
     refuse(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
   for (const Number3& p : lights)
@@ -113,18 +113,19 @@ void setTransfer(const std::vector<std::size_t>& chosen, const ReplicateMeans& m
 
 }  // namespace
 
-LocalTransferTracer::LocalTransferTracer(const Tracer& tracer, const LocalSettings& settings,
+LocalTransferTracer::LocalTransferTracer(const geometry::Tracer& tracer, const LocalSettings& settings,
                                          std::vector<Number3> lights)
     : tracer_(&tracer), settings_(settings), light_(std::move(lights)) {
   check(settings_, light_);
 }
 
-LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe,
+LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                                       const TransferProgress& progress) const {
-  const Tracer seen = tracer_->within(position, settings_.reach_m);
+  const geometry::Tracer seen = tracer_->within(position, settings_.reach_m);
   const auto most = static_cast<std::uint32_t>(settings_.rays / kReplicates);
   const auto points_of = [&](std::size_t replicate) {
-    return PathPoints(circle_, Random(sector.x, sector.z, probe, replicate, kLocal).next(), settings_.bounces);
+    return PathPoints(circle_, geometry::Random(sector.x, sector.z, probe, replicate, kLocal).next(),
+                      settings_.bounces);
   };
   LocalProbe result;
   std::uint64_t told = 0;
@@ -179,11 +180,11 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, SectorId sector, 
   return result;
 }
 
-std::vector<LocalProbe> LocalTransferTracer::trace(const PlacedSector& sector) const {
+std::vector<LocalProbe> LocalTransferTracer::trace(const geometry::PlacedSector& sector) const {
   std::vector<LocalProbe> traced(sector.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(),
                     [&](std::size_t i) { traced[i] = trace(sector.probe[i].position, sector.id, i); });
   return traced;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

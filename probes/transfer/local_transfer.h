@@ -10,12 +10,14 @@
 #include <limits>
 #include <vector>
 
-#include "probes/sector.h"
-#include "probes/tracer.h"
+#include "probes/geometry/sector.h"
+#include "probes/geometry/tracer.h"
 #include "probes/transfer/path_points.h"
 #include "probes/transfer/trace_transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 inline constexpr std::size_t kMostLocalLights = 128;  ///< of a probe
 
@@ -66,21 +68,21 @@ class LocalTransferTracer {
  public:
   /// `tracer` outlives it; `lights`: positions of virtual lights, near the sector. Throws Error(content) for settings
   /// outside their range and positions that are not finite.
-  LocalTransferTracer(const Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
+  LocalTransferTracer(const geometry::Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
 
-  LocalProbe trace(const Number3& position, SectorId sector, std::size_t probe,
+  LocalProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                    const TransferProgress& progress = {}) const;
 
   /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
-  std::vector<LocalProbe> trace(const PlacedSector& sector) const;
+  std::vector<LocalProbe> trace(const geometry::PlacedSector& sector) const;
 
   const std::vector<Number3>& lights() const { return light_; }
 
  private:
-  const Tracer* tracer_;
+  const geometry::Tracer* tracer_;
   LocalSettings settings_;
   std::vector<Number3> light_;
   CircleTable circle_;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -3,17 +3,17 @@
 
 #include <cmath>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 /// Streams of a replicate: the first direction, then two a bounce.
 enum : std::uint64_t { kFirst = 0, kBounce = 1, kLight = 2 };
 
 std::uint64_t keyOf(std::uint64_t key, std::uint64_t stream, int bounce) {
-  return mixed(mixed(key ^ stream) ^ static_cast<std::uint64_t>(bounce));
+  return geometry::mixed(geometry::mixed(key ^ stream) ^ static_cast<std::uint64_t>(bounce));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ PathPoints::PathPoints(const CircleTable& circle, std::uint64_t key, int bounces
 }
 
 PathPoints::Stream PathPoints::streamOf(std::uint64_t key) const {
-  Random random(key);
+  geometry::Random random(key);
   const double angle = det::kTwoPi * random.unit();
   return {Sequence(key), {det::cos(angle), det::sin(angle)}};
 }
@@ -59,11 +59,11 @@ Number3 PathPoints::aboutNormal(int bounce, std::uint32_t i, const Number3& norm
   const UnitVector2 at = azimuth(stream, point.t);
   const double s = fractionOf(point.s);
   const double radius = std::sqrt(s);
-  return inFrameOf(normal, radius * at.x, radius * at.y, std::sqrt(1.0 - s));
+  return geometry::inFrameOf(normal, radius * at.x, radius * at.y, std::sqrt(1.0 - s));
 }
 
 double PathPoints::lightOffset(int bounce, std::uint32_t i) const {
   return fractionOf(light_[static_cast<std::size_t>(bounce)].value(i));
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -11,7 +11,7 @@
 #include "probes/transfer/sequence.h"
 #include "shared.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 using f64::Number3;
 
@@ -58,4 +58,4 @@ class PathPoints {
   std::vector<Sequence> light_;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -6,15 +6,17 @@
 #include <cmath>
 #include <limits>
 
-#include "probes/random.h"
-#include "probes/sector.h"
+#include "probes/geometry/random.h"
+#include "probes/geometry/sector.h"
 #include "probes/transfer/path_points.h"
 #include "probes/transfer/rounds.h"
 #include "probes/transfer/sums.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// Traces paths from a position through `Rays`, which is Tracer or does as Tracer does (a benchmark records).
 template <typename Rays>
@@ -50,7 +52,7 @@ class Paths {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   /// The path from its first surface on.
-  void follow(Hit hit, const PathPoints& points, std::uint32_t i, HalfSums& half) {
+  void follow(geometry::Hit hit, const PathPoints& points, std::uint32_t i, HalfSums& half) {
     Number3 throughput(1.0);
     for (int bounce = 0;; ++bounce) {
       if (emissive_) addWeighted(half.emitted, weight_, throughput * rays_.emission(hit));
@@ -114,22 +116,22 @@ class Paths {
 };
 
 /// Whether any surface emits.
-inline bool anyEmissive(const Surfaces& surfaces) {
+inline bool anyEmissive(const geometry::Surfaces& surfaces) {
   return std::any_of(surfaces.material.begin(), surfaces.material.end(),
-                     [](const Material& m) { return !(m.emission == Number3(0.0)); });
+                     [](const geometry::Material& m) { return !(m.emission == Number3(0.0)); });
 }
 
 /// Paths of a probe until there are enough of them: all at once, or doubled until the error is small.
 template <typename Rays>
 TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
-                       const Number3& position, SectorId sector, std::size_t probe,
+                       const Number3& position, geometry::SectorId sector, std::size_t probe,
                        const TransferProgress& progress = {}) {
   constexpr std::uint32_t kBlock = 1024;  // between two calls of progress: some milliseconds
   TransferSums sums;
   std::vector<PathPoints> points;
   for (std::size_t r = 0; r < kReplicates; ++r) {
     for (HalfSums& half : sums[r]) half.light.resize(settings.light_directions.size());
-    points.emplace_back(circle, Random(sector.x, sector.z, probe, r).next(), settings.bounces);
+    points.emplace_back(circle, geometry::Random(sector.x, sector.z, probe, r).next(), settings.bounces);
   }
   Paths<Rays> paths(rays, settings, emissive);
   std::uint32_t untold = 0;
@@ -161,4 +163,4 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -5,7 +5,7 @@
 
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 std::array<double, 4> twoBands(const Number3& direction) {
@@ -69,4 +69,4 @@ ProbeIrradiance relit(const ProbeTransfer& transfer, const SunCoefficients& sun,
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

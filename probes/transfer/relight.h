@@ -9,7 +9,9 @@
 #include "probes/transfer/sun_modes.h"
 #include "probes/transfer/transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// Where the bounced light of sun and moon comes from.
 enum class SunTransfer {
@@ -69,4 +71,4 @@ struct ProbeIrradiance {
 /// `sun`: coefficients of the modes; they count for `directional` only.
 ProbeIrradiance relit(const ProbeTransfer& transfer, const SunCoefficients& sun, const Relight& light);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

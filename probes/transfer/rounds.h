@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 /// Rounds of paths of every replicate, `most` of each at once, or, with max_error > 0, doubled from 32 until the error
 /// is at most that. round(from, to) traces paths from <= i < to of every replicate and gives the error of all so far.
@@ -23,4 +23,4 @@ std::uint32_t traceRounds(std::uint32_t most, double max_error, const Round& rou
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

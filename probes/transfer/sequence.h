@@ -7,9 +7,9 @@
 
 #include <cstdint>
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 
 /// The bits of a number from the last to the first.
 constexpr std::uint32_t reversedBits(std::uint32_t x) {
@@ -31,8 +31,9 @@ class Sequence {
   };
 
   explicit constexpr Sequence(std::uint64_t key)
-      : shuffle_(static_cast<std::uint32_t>(mixed(key))),
-        shift_{static_cast<std::uint32_t>(mixed(key + 1)), static_cast<std::uint32_t>(mixed(key + 2))} {}
+      : shuffle_(static_cast<std::uint32_t>(geometry::mixed(key))),
+        shift_{static_cast<std::uint32_t>(geometry::mixed(key + 1)),
+               static_cast<std::uint32_t>(geometry::mixed(key + 2))} {}
 
   constexpr Point point(std::uint32_t i) const {
     const std::uint32_t reversed = shuffled(i);
@@ -65,4 +66,4 @@ class Sequence {
   Point shift_;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -6,10 +6,10 @@
 
 #include "sh/deterministic.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
-struct Estimate {
+struct RatioEstimate {
   double value = 0.0;
   double variance = 0.0;
 };
@@ -28,7 +28,7 @@ class DirectionEstimator {
 
   /// Of summand(r, h), a replicate's sum of weights times radiance.
   template <typename Summand>
-  Estimate of(const Summand& summand) const {
+  RatioEstimate of(const Summand& summand) const {
     std::array<std::array<double, 2>, kReplicates> value;
     std::array<double, 2> sum{};
     std::array<double, 2> weight{};
@@ -38,7 +38,7 @@ class DirectionEstimator {
         weight[h] += weight_[r][h];
       }
     }
-    Estimate result;
+    RatioEstimate result;
     result.value = factor_[0] * sum[0] + factor_[1] * sum[1];
     for (std::size_t r = 0; r < kReplicates; ++r) {
       double rest = 0.0;
@@ -83,14 +83,14 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
         result.transfer.sky[b][k][c] = estimator.of([&](std::size_t r, std::size_t h) { return sky(k, r, h); }).value;
       result.transfer.emitted[b][c] =
           estimator.of([&](std::size_t r, std::size_t h) { return sums[r][h].emitted[b][channel]; }).value;
-      const Estimate uniform = estimator.of(
+      const RatioEstimate uniform = estimator.of(
           [&](std::size_t r, std::size_t h) { return sums[r][h].open[b] + sky(0, r, h) / det::kShConstant; });
       const double sky_error = std::sqrt(uniform.variance);
       result.effort.sky_error[b][c] = sky_error;
       result.effort.error = std::max(result.effort.error, kStudent * sky_error / det::kPi);
       for (std::size_t i = 0; i < light_direction.size(); ++i) {
         const double plane = plane_albedo[c] / det::kPi * std::max(light_direction[i].y, 0.0);
-        const Estimate light = estimator.of([&](std::size_t r, std::size_t h) {
+        const RatioEstimate light = estimator.of([&](std::size_t r, std::size_t h) {
           return sums[r][h].light[i][b][channel] + sums[r][h].plane[b][channel] * plane;
         });
         result.transfer.sun[b][i][c] = light.value;
@@ -103,4 +103,4 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
   return result;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

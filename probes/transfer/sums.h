@@ -11,7 +11,9 @@
 
 #include "probes/transfer/transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// Independent sets of paths a probe.
 inline constexpr std::size_t kReplicates = 8;
@@ -52,4 +54,4 @@ using TransferSums = std::array<std::array<HalfSums, 2>, kReplicates>;
 TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
                      const std::vector<Number3>& light_direction);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

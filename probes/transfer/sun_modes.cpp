@@ -6,7 +6,7 @@
 
 #include "sh/modes.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 /// A row for every probe and direction, a column for every knot and channel.
@@ -106,4 +106,4 @@ Number3 sunTransfer(std::span<const double> coefficient, std::span<const Number3
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -10,7 +10,9 @@
 #include "probes/transfer/light_track.h"
 #include "probes/transfer/transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 inline constexpr std::size_t kMostSunModes = 16;
 
@@ -61,4 +63,4 @@ std::vector<Number3> modesAt(const SunModes& modes, LightOf light, double time_h
 /// Irradiance of a light of normal irradiance 1 from coefficients and as many modes at a time, not below 0.
 Number3 sunTransfer(std::span<const double> coefficient, std::span<const Number3> mode);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "probes/transfer/probe_paths.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Error(ExitStatus::content, "[transfer] " + what);
+  throw base::Error(base::ExitStatus::content, "[transfer] " + what);
 }
 
 void check(const TransferSettings& s) {
@@ -34,27 +34,27 @@ void check(const TransferSettings& s) {
 
 }  // namespace
 
-TransferTracer::TransferTracer(const Tracer& tracer, TransferSettings settings)
+TransferTracer::TransferTracer(const geometry::Tracer& tracer, TransferSettings settings)
     : tracer_(&tracer), settings_(std::move(settings)), emissive_(anyEmissive(tracer.surfaces())) {
   check(settings_);
 }
 
-TracedProbe TransferTracer::trace(const Number3& position, SectorId sector, std::size_t probe,
+TracedProbe TransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                                   const TransferProgress& progress) const {
   return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, emissive_, position, sector,
                     probe, progress);
 }
 
-std::vector<TracedProbe> TransferTracer::trace(const PlacedSector& sector) const {
+std::vector<TracedProbe> TransferTracer::trace(const geometry::PlacedSector& sector) const {
   std::vector<TracedProbe> traced(sector.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(),
                     [&](std::size_t i) { traced[i] = trace(sector.probe[i].position, sector.id, i); });
   return traced;
 }
 
-ProbeTransfer traceTransfer(const Tracer& tracer, const Number3& position, const TransferSettings& settings,
-                            SectorId sector, std::size_t probe) {
+ProbeTransfer traceTransfer(const geometry::Tracer& tracer, const Number3& position, const TransferSettings& settings,
+                            geometry::SectorId sector, std::size_t probe) {
   return TransferTracer(tracer, settings).trace(position, sector, probe).transfer;
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

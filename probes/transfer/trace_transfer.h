@@ -7,12 +7,14 @@
 #include <limits>
 #include <vector>
 
-#include "probes/sector.h"
-#include "probes/tracer.h"
+#include "probes/geometry/sector.h"
+#include "probes/geometry/tracer.h"
 #include "probes/transfer/path_points.h"
 #include "probes/transfer/transfer.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 struct TransferSettings {
   /// Paths a probe: a multiple of kReplicates, at least kLeastRays. With max_error > 0, the most that a probe may take.
@@ -45,25 +47,25 @@ using TransferProgress = std::function<void(std::uint64_t rays)>;
 class TransferTracer {
  public:
   /// `tracer` outlives it. Throws Error(content) for settings outside their range.
-  TransferTracer(const Tracer& tracer, TransferSettings settings);
+  TransferTracer(const geometry::Tracer& tracer, TransferSettings settings);
 
-  TracedProbe trace(const Number3& position, SectorId sector, std::size_t probe,
+  TracedProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                     const TransferProgress& progress = {}) const;
 
   /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
-  std::vector<TracedProbe> trace(const PlacedSector& sector) const;
+  std::vector<TracedProbe> trace(const geometry::PlacedSector& sector) const;
 
   const TransferSettings& settings() const { return settings_; }
 
  private:
-  const Tracer* tracer_;
+  const geometry::Tracer* tracer_;
   TransferSettings settings_;
   CircleTable circle_;
   bool emissive_;
 };
 
 /// One probe alone.
-ProbeTransfer traceTransfer(const Tracer& tracer, const Number3& position, const TransferSettings& settings,
-                            SectorId sector, std::size_t probe);
+ProbeTransfer traceTransfer(const geometry::Tracer& tracer, const Number3& position, const TransferSettings& settings,
+                            geometry::SectorId sector, std::size_t probe);
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

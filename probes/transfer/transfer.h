@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "probes/transfer_basis.h"
+#include "probes/transfer/transfer_basis.h"
 
-namespace welkin::probes {
+namespace welkin::transfer {
+
+using f64::Number3;
 
 /// Transfer of one probe, by direction of the transfer basis. Irradiance, pi included.
 struct ProbeTransfer {
@@ -41,4 +43,4 @@ struct TracedProbe {
   TransferEffort effort;
 };
 
-}  // namespace welkin::probes
+}  // namespace welkin::transfer

@@ -15,6 +15,11 @@ namespace welkin::format {
 inline constexpr int kLargestFixed16 = 32767;
 inline constexpr int kLargestFixed8 = 127;
 
+/// "float32", "float16", "fixed16", "fixed8".
+inline const char* nameOf(Encoding encoding) {
+  return EnumNameEncoding(encoding);
+}
+
 constexpr std::size_t bytesOf(Encoding encoding) {
   return encoding == Encoding::float32 ? 4 : encoding == Encoding::fixed8 ? 1 : 2;
 }

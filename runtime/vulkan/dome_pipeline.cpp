@@ -12,7 +12,8 @@ namespace {
 
 WelkinResult createLayout(const Device& device, VkDescriptorSetLayout set, VkPipelineLayout& layout,
                           WelkinMessage* message) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(DomePush)};
+  const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                                  sizeof(passes::DomePush)};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   info.setLayoutCount = 1;
@@ -151,7 +152,7 @@ void destroy(const Device& device, DomePipeline& dome) {
 }
 
 void recordDome(const Device& device, const DomePipeline& dome, VkCommandBuffer commands, VkDescriptorSet set,
-                WelkinVulkanSource source, float opacity, const DomePush& push) {
+                WelkinVulkanSource source, float opacity, const passes::DomePush& push) {
   const bool blend = opacity > 0.0F && opacity < 1.0F;
   const float constants[4] = {0.0F, 0.0F, 0.0F, opacity};
   device.fn.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, dome.pipelines[source + (blend ? 2 : 0)]);

@@ -18,6 +18,6 @@ WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateIn
 void destroy(const Device& device, DomePipeline& dome);
 
 void recordDome(const Device& device, const DomePipeline& dome, VkCommandBuffer commands, VkDescriptorSet set,
-                WelkinVulkanSource source, float opacity, const DomePush& push);
+                WelkinVulkanSource source, float opacity, const passes::DomePush& push);
 
 }  // namespace welkin::vulkan

@@ -308,7 +308,7 @@ WelkinResult welkin_vulkan_draw_dome(const WelkinVulkanSky* object, VkCommandBuf
     return WELKIN_ERROR_ARGUMENT;
   if (view->source != WELKIN_VULKAN_ANALYTIC && (view->source != WELKIN_VULKAN_CUBEMAP || object->cubemap_count == 0))
     return WELKIN_ERROR_ARGUMENT;
-  DomePush push{};
+  welkin::passes::DomePush push{};
   std::memcpy(push.inverse_view_projection, view->inverse_view_projection, sizeof(push.inverse_view_projection));
   if (fisheye) {
     push.fisheye_scale[0] = view->aspect > 1.0F ? view->aspect : 1.0F;

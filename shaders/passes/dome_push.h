@@ -5,7 +5,7 @@
 
 #ifdef __cplusplus
 #include <cstdint>
-namespace welkin::vulkan {
+namespace welkin::passes {
 struct DomePush {
   float inverse_view_projection[16];  // column-major
   float fisheye_scale[2];             // normalised device coordinates to the unit disc of the fisheye
@@ -13,7 +13,7 @@ struct DomePush {
   uint32_t flags;
 };
 static_assert(sizeof(DomePush) == 80);
-}  // namespace welkin::vulkan
+}  // namespace welkin::passes
 #else
 layout(push_constant) uniform DomePush {
   mat4 inverse_view_projection;

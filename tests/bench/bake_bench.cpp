@@ -7,19 +7,19 @@
 #include <cmath>
 
 #include "sh/environment.h"
-#include "sky/cubemap.h"
-#include "sky/day_table.h"
-#include "sky/toml_table.h"
+#include "sky/base/toml_table.h"
+#include "sky/cubemap/cubemap.h"
+#include "sky/table/day_table.h"
 
 namespace {
 
 using namespace welkin;
 
 /// A clear tropical day with gradients of 96 x 32 texels.
-sky::Sky exampleSky() {
-  sky::Sky sky;
-  sky.sun.path = sky::sunPathFromPlace(17.0, 0.0, 0.0, 2012, 172);
-  for (sky::Gradient* gradient : {&sky.gradient_sun, &sky.gradient_anti}) {
+model::Sky exampleSky() {
+  model::Sky sky;
+  sky.sun.path = model::sunPathFromPlace(17.0, 0.0, 0.0, 2012, 172);
+  for (model::Gradient* gradient : {&sky.gradient_sun, &sky.gradient_anti}) {
     gradient->width = 96;
     gradient->height = 32;
     gradient->rgb.clear();
@@ -34,11 +34,11 @@ sky::Sky exampleSky() {
 
 void dayTable(benchmark::State& state) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(state.range(2)));
-  const sky::Sky sky = exampleSky();
-  const auto hours = sky::evenHours(static_cast<int>(state.range(0)));
+  const model::Sky sky = exampleSky();
+  const auto hours = base::evenHours(static_cast<int>(state.range(0)));
   std::size_t evaluations = 0;
   for (auto _ : state) {
-    const auto table = sky::bakeDayTable(sky, static_cast<int>(state.range(1)), hours, [] { return true; });
+    const auto table = table::bakeDayTable(sky, static_cast<int>(state.range(1)), hours, [] { return true; });
     benchmark::DoNotOptimize(table.number.data());
     evaluations = table.evaluations;
   }
@@ -60,17 +60,17 @@ BENCHMARK(dayTable)
 
 /// The sky's radiance alone, direction by direction: what a cubemap cannot do without.
 void evaluations(benchmark::State& state) {
-  const sky::Sky sky = exampleSky();
-  const sky::SkyInstant instant(sky, 8.0);
+  const model::Sky sky = exampleSky();
+  const model::SkyInstant instant(sky, 8.0);
   const int size = static_cast<int>(state.range(0));
-  std::vector<sky::Number3> direction;
+  std::vector<det::Number3> direction;
   for (int row = 0; row < 6 * size; ++row)
     for (int column = 0; column < size; ++column)
-      direction.push_back(sky::directionOfTexel(sky::Layout::vulkan_cube, size, column, row));
-  const sky::IndicatrixTable table(sky.luminance.d);
+      direction.push_back(cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, size, column, row));
+  const model::IndicatrixTable table(sky.luminance.d);
   for (auto _ : state) {
-    sky::Number3 sum(0.0);
-    for (const auto& d : direction) sum += instant.dome(d, sky::Number3(0.0), &table);
+    det::Number3 sum(0.0);
+    for (const auto& d : direction) sum += instant.dome(d, det::Number3(0.0), &table);
     benchmark::DoNotOptimize(sum);
   }
 }
@@ -79,11 +79,11 @@ BENCHMARK(evaluations)->ArgName("size")->Arg(128)->UseRealTime()->Unit(benchmark
 void cubemap(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(state.range(1)));
-  const sky::Sky sky = exampleSky();
-  const sky::SkyInstant instant(sky, 8.0);
+  const model::Sky sky = exampleSky();
+  const model::SkyInstant instant(sky, 8.0);
   for (auto _ : state) {
     const auto image =
-        sky::renderDome(instant, sky::Number3(0.0), sky::Layout::vulkan_cube, static_cast<int>(state.range(0)));
+        cubemap::renderDome(instant, det::Number3(0.0), cubemap::Layout::vulkan_cube, static_cast<int>(state.range(0)));
     benchmark::DoNotOptimize(image.rgb_half.data());
   }
 }

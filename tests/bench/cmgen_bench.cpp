@@ -16,10 +16,10 @@
 #include <functional>
 #include <stdexcept>
 
-#include "sky/cubemap.h"
-#include "sky/day_table.h"
-#include "sky/sky_file.h"
-#include "sky/toml_table.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/toml_table.h"
+#include "sky/cubemap/cubemap.h"
+#include "sky/table/day_table.h"
 #include "tests/folder.h"
 
 namespace {
@@ -51,14 +51,14 @@ void runOrThrow(const std::string& command) {
 }
 
 /// The sky's radiance at intensity 1 on a horizontal cross of faces of N texels, float, uncompressed.
-void writeCross(const std::string& path, const sky::SkyInstant& instant, int size) {
+void writeCross(const std::string& path, const model::SkyInstant& instant, int size) {
   static const int kPlace[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
   const auto width = static_cast<std::size_t>(4 * size);
   std::vector<float> rgb(3 * width * 3 * static_cast<std::size_t>(size));
   tbb::parallel_for(0, 6 * size, [&](int row) {
     const int face = row / size;
     for (int column = 0; column < size; ++column) {
-      const auto radiance = instant.shape(sky::directionOfTexel(sky::Layout::vulkan_cube, size, column, row));
+      const auto radiance = instant.shape(cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, size, column, row));
       const auto x = static_cast<std::size_t>(kPlace[face][0] * size + column);
       const auto y = static_cast<std::size_t>(kPlace[face][1] * size + row % size);
       for (int c = 0; c < 3; ++c)
@@ -95,23 +95,23 @@ std::vector<double> readCmgen(const std::string& path) {
 
 int main(int argc, char** argv) try {
   if (argc != 2) return std::fputs("cmgen_bench WELKIN\n", stderr), 1;
-  const test::Folder folder;
-  const sky::SkyFile file = sky::readSkyFile(folder.write("sky.toml", kSky));
-  const auto hours = sky::evenHours(kKeys);
-  const sky::SkyProjector reference(file.sky.luminance, kBands, 1e-12);
+  const tests::Folder folder;
+  const bake::SkyFile file = bake::readSkyFile(folder.write("sky.toml", kSky));
+  const auto hours = base::evenHours(kKeys);
+  const model::SkyProjector reference(file.sky.luminance, kBands, 1e-12);
 
   // Welkin, in process on one core and as a whole process.
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  sky::DayTable table;
+  table::DayTable table;
   const auto bake = [&] {
-    table = sky::bakeDayTable(
+    table = table::bakeDayTable(
         file.sky, kBands, hours, [] { return true; }, kError);
   };
   double in_process = 1e9;
   for (int i = 0; i < 5; ++i) in_process = std::min(in_process, seconds(bake));
   double worst = 0.0;
   for (std::size_t k = 0; k < hours.size(); ++k) {
-    const auto want = reference.projectPolar(sky::SkyInstant(file.sky, hours[k])).radiance_sh;
+    const auto want = reference.projectPolar(model::SkyInstant(file.sky, hours[k])).radiance_sh;
     for (std::size_t i = 0; i < want.size(); ++i)
       worst = std::max(worst, std::abs(table.number[k * table.numbersOfKey() + i * 3] - want[i].x) / want[0].x);
   }
@@ -132,7 +132,7 @@ int main(int argc, char** argv) try {
     double render = 0.0;
     int runs = 0;
     for (std::size_t k = 0; k < hours.size(); k += 8, ++runs) {
-      const sky::SkyInstant instant(file.sky, hours[k]);
+      const model::SkyInstant instant(file.sky, hours[k]);
       render += seconds([&] { writeCross(folder / "cross.exr", instant, size); });
       run += seconds([&] {
         runOrThrow("cmgen -q --sh=3 --sh-window=no --no-mirror -s " + std::to_string(size) + " --sh-output='" +

@@ -9,22 +9,24 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "probes/level/bake_section.h"
-#include "probes/level/surfaces_of.h"
-#include "probes/level_light.h"
+#include "probes/build/bake_section.h"
+#include "probes/loader/surfaces_of.h"
 #include "probes/placement/placement.h"
+#include "probes/sectors/level_light.h"
 #include "probes/transfer/fixed_point.h"
 #include "probes/transfer/trace_transfer.h"
 #include "rounding.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 constexpr std::size_t kTruthPaths = 65536;
 
-using Transfers = std::vector<ProbeTransfer>;
+using Transfers = std::vector<transfer::ProbeTransfer>;
 
 /// Numbers of a probe that share a scale.
 struct Sharing {
@@ -42,39 +44,39 @@ constexpr Sharing kSharing[] = {
 /// Whether the numbers that are never below 0 use the bit of the sign.
 enum class Sign { of_all, of_some };
 
-ProbeTransfer roundedSky(ProbeTransfer t, int bits, const Sharing& sharing, Sign sign) {
+transfer::ProbeTransfer roundedSky(transfer::ProbeTransfer t, int bits, const Sharing& sharing, Sign sign) {
   std::array<double, 8> largest{};
   const auto eachNumber = [&](auto&& what) {
-    for (std::size_t b = 0; b < kDirections; ++b)
+    for (std::size_t b = 0; b < transfer::kDirections; ++b)
       for (std::size_t k = 0; k < 4; ++k)
         for (int c = 0; c < 3; ++c) what(t.sky[b][k][c], largest[sharing.group(b, k)], k);
   };
   eachNumber([](double x, double& l, std::size_t) { l = std::max(l, std::abs(x)); });
   eachNumber([&](double& x, double l, std::size_t k) {
-    x = bench::rounded(x, scaleOf(scaleFor(l)), bits, sign == Sign::of_all || k > 1);
+    x = bench::rounded(x, transfer::scaleOf(transfer::scaleFor(l)), bits, sign == Sign::of_all || k > 1);
   });
   return t;
 }
 
-ProbeTransfer roundedVisibility(ProbeTransfer t, int bits) {
+transfer::ProbeTransfer roundedVisibility(transfer::ProbeTransfer t, int bits) {
   for (double& v : t.visibility) v = bench::rounded(v, 1.0, bits, false);
   return t;
 }
 
 /// The sky at a time.
 struct Instant {
-  Relight light;
+  transfer::Relight light;
   double open;  ///< horizontal irradiance, luminance
 };
 
 Instant instantOf(const std::array<Number3, 4>& sh) {
   const Number3 open = sh[0] * (det::cosineLobe(0) * det::kShConstant) + sh[1] * (det::cosineLobe(1) * det::kShLinear);
-  return {relightAt(12.0, sh, {}, {}, SunTransfer::none, {}), det::luminanceOf(open)};
+  return {transfer::relightAt(12.0, sh, {}, {}, transfer::SunTransfer::none, {}), det::luminanceOf(open)};
 }
 
-std::vector<Instant> instantsOf(const sky::Sky& sky) {
+std::vector<Instant> instantsOf(const model::Sky& sky) {
   std::vector<Instant> instants = {instantOf({Number3(std::sqrt(det::kPi)), Number3(std::sqrt(3.0 * det::kPi) / 2.0)})};
-  for (int hour = 0; hour < 24; ++hour) instants.push_back(instantOf(skyShAt(sky, hour)));
+  for (int hour = 0; hour < 24; ++hour) instants.push_back(instantOf(sectors::skyShAt(sky, hour)));
   return instants;
 }
 
@@ -85,9 +87,9 @@ std::string difference(const Transfers& a, const Transfers& b, const std::vector
   std::size_t count = 0;
   for (const Instant& instant : instants)
     for (std::size_t i = 0; i < a.size(); ++i) {
-      const auto x = relit(a[i], {}, instant.light).sky;
-      const auto y = relit(b[i], {}, instant.light).sky;
-      for (std::size_t d = 0; d < kDirections; ++d)
+      const auto x = transfer::relit(a[i], {}, instant.light).sky;
+      const auto y = transfer::relit(b[i], {}, instant.light).sky;
+      for (std::size_t d = 0; d < transfer::kDirections; ++d)
         for (int c = 0; c < 3; ++c, ++count) {
           const double e = 100.0 * std::abs(x[d][c] - y[d][c]) / instant.open;
           squares += e * e;
@@ -100,11 +102,12 @@ std::string difference(const Transfers& a, const Transfers& b, const std::vector
 /// Some probes of a level, spread over its sectors.
 class LevelProbes {
  public:
-  LevelProbes(const Surfaces& surfaces, const BakeSection& section, const Number3& ground_albedo, std::size_t most)
+  LevelProbes(const geometry::Surfaces& surfaces, const build::BakeSection& section, const Number3& ground_albedo,
+              std::size_t most)
       : tracer_(surfaces), section_(section), ground_albedo_(ground_albedo) {
-    PlacementReport report;
-    for (const SectorId id : sectorsOf(surfaces, section.probes)) {
-      const PlacedSector placed = placeSector(tracer_, id, section.probes, report);
+    placement::PlacementReport report;
+    for (const geometry::SectorId id : placement::sectorsOf(surfaces, section.probes)) {
+      const geometry::PlacedSector placed = placement::placeSector(tracer_, id, section.probes, report);
       for (std::size_t i = 0; i < placed.probe.size(); ++i) place_.push_back({placed.probe[i].position, id, i});
     }
     all_ = place_.size();
@@ -118,18 +121,18 @@ class LevelProbes {
 
   /// `error`: half the 95 % confidence interval of the worst probe.
   Transfers traced(std::size_t rays, double& error) const {
-    TransferSettings settings;
+    transfer::TransferSettings settings;
     settings.rays = rays;
     settings.bounces = section_.transfer.bounces;
     settings.ground_albedo = ground_albedo_;
-    const TransferTracer transfer(tracer_, settings);
-    std::vector<TracedProbe> probe(count());
+    const transfer::TransferTracer transfer(tracer_, settings);
+    std::vector<transfer::TracedProbe> probe(count());
     tbb::parallel_for(std::size_t{0}, count(), [&](std::size_t i) {
       probe[i] = transfer.trace(place_[i].position, place_[i].sector, place_[i].index);
     });
     Transfers transfers;
     error = 0.0;
-    for (TracedProbe& p : probe) {
+    for (transfer::TracedProbe& p : probe) {
       transfers.push_back(std::move(p.transfer));
       error = std::max(error, p.effort.error);
     }
@@ -139,21 +142,21 @@ class LevelProbes {
  private:
   struct Place {
     Number3 position;
-    SectorId sector;
+    geometry::SectorId sector;
     std::size_t index;
   };
-  Tracer tracer_;
-  BakeSection section_;
+  geometry::Tracer tracer_;
+  build::BakeSection section_;
   Number3 ground_albedo_;
   std::vector<Place> place_;
   std::size_t all_ = 0;
 };
 
 void run(const std::filesystem::path& file, std::size_t most) {
-  const LevelFile level = readLevelFile(file);
-  const sky::Sky sky = sky::readSkyFile(level.sky).sky;
-  const Surfaces surfaces = readSurfaces(level);
-  const LevelProbes probes(surfaces, readBakeSection(file), sky.ground_albedo, most);
+  const level::LevelFile level = level::readLevelFile(file);
+  const model::Sky sky = bake::readSkyFile(level.sky).sky;
+  const geometry::Surfaces surfaces = loader::readSurfaces(level);
+  const LevelProbes probes(surfaces, build::readBakeSection(file), sky.ground_albedo, most);
   const std::vector<Instant> instants = instantsOf(sky);
   double error = 0.0;
   const Transfers truth = probes.traced(kTruthPaths, error);
@@ -165,7 +168,7 @@ void run(const std::filesystem::path& file, std::size_t most) {
   }
   const auto row = [&](const std::string& name, double bytes, auto&& encoded) {
     Transfers other;
-    for (const ProbeTransfer& t : truth) other.push_back(encoded(t));
+    for (const transfer::ProbeTransfer& t : truth) other.push_back(encoded(t));
     fmt::print("{:<47} {:4.1f} bytes {}\n", name, bytes, difference(other, truth, instants));
   };
   for (const int bits : {16, 12, 10, 8, 7, 6})
@@ -173,14 +176,14 @@ void run(const std::filesystem::path& file, std::size_t most) {
       for (const Sign sign : {Sign::of_all, Sign::of_some})
         row(fmt::format("{} bits, a scale {}{}", bits, sharing.name, sign == Sign::of_all ? "" : ", unsigned"),
             6.0 * bits + 2.0 * static_cast<double>(sharing.scales),
-            [&](const ProbeTransfer& t) { return roundedSky(t, bits, sharing, sign); });
+            [&](const transfer::ProbeTransfer& t) { return roundedSky(t, bits, sharing, sign); });
   for (const int bits : {16, 12, 10, 8})
     row(fmt::format("visibility, {} bits", bits), 3.0 * bits / 8.0,
-        [&](const ProbeTransfer& t) { return roundedVisibility(t, bits); });
+        [&](const transfer::ProbeTransfer& t) { return roundedVisibility(t, bits); });
 }
 
 }  // namespace
-}  // namespace welkin::probes
+}  // namespace welkin::tests
 
 int main(int count, char** arguments) {
   if (count < 2 || count > 3) {
@@ -188,8 +191,8 @@ int main(int count, char** arguments) {
     return EXIT_FAILURE;
   }
   try {
-    welkin::probes::run(arguments[1], count > 2 ? static_cast<std::size_t>(std::max(1, std::atoi(arguments[2]))) : 150);
-  } catch (const welkin::Error& e) {
+    welkin::tests::run(arguments[1], count > 2 ? static_cast<std::size_t>(std::max(1, std::atoi(arguments[2]))) : 150);
+  } catch (const welkin::base::Error& e) {
     fmt::print(stderr, "{}\n", e.what());
     return EXIT_FAILURE;
   }

@@ -9,16 +9,15 @@
 
 #include "probes/build/level_bake.h"
 #include "probes/build/local_bake.h"
-#include "probes/level/surfaces_of.h"
+#include "probes/loader/surfaces_of.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/error.h"
 
 namespace {
 
 using namespace welkin;
-using namespace welkin::probes;
 
 enum Part : std::size_t { kWithin, kHash, kScene, kPlacement, kTransfer, kLocal, kAll, kParts };
 constexpr std::array<const char*, kParts> kName{"surfaces within reach", "their hash",
@@ -42,45 +41,51 @@ class Clock {
 };
 
 void run(const std::filesystem::path& file) {
-  const LevelFile level = readLevelFile(file);
-  const sky::SkyFile sky = sky::readSkyFile(level.sky);
-  BakeSection section = readBakeSection(file);
+  const level::LevelFile level = level::readLevelFile(file);
+  const bake::SkyFile sky = bake::readSkyFile(level.sky);
+  build::BakeSection section = build::readBakeSection(file);
   section.transfer.rays = section.transfer.rays.value_or(1024);
-  const LevelBake bake(readSurfaces(level), section, sky.sky, std::nullopt);
-  const std::vector<Hash128> textures = textureHashes(bake.surfaces());
+  const build::LevelBake bake(loader::readSurfaces(level), section, sky.sky, std::nullopt);
+  const std::vector<base::Hash128> textures = geometry::textureHashes(bake.surfaces());
   const double reach_m = section.transfer.reach_m;
   Clock clock;
   std::uint64_t rays = 0;
   std::size_t probes = 0;
-  for (const SectorId id : bake.sectors()) {
+  for (const geometry::SectorId id : bake.sectors()) {
     // The parts, as bakeSector puts them together.
-    NearSurfaces near = clock.time(kWithin, [&] { return surfacesWithin(bake.surfaces(), columnOf(id, reach_m)); });
-    const SectorSettings settings{sectionOf(id, section, columnOf(id, reach_m)), 0.0, sky.sky.ground_albedo, {}, {}};
-    clock.time(kHash, [&] { return bakedFrom(id, near, textures, settings); });
-    const Surfaces surfaces = clock.time(kWithin, [&] { return withTexels(std::move(near), bake.surfaces()); });
-    const Tracer tracer = clock.time(kScene, [&] { return Tracer(surfaces); });
-    PlacementReport report;
-    const PlacedSector placed =
-        clock.time(kPlacement, [&] { return placeSector(tracer, id, settings.section.probes, report); });
-    TransferSettings transfer;
+    geometry::NearSurfaces near =
+        clock.time(kWithin, [&] { return geometry::surfacesWithin(bake.surfaces(), geometry::columnOf(id, reach_m)); });
+    const build::SectorSettings settings{
+        build::sectionOf(id, section, geometry::columnOf(id, reach_m)), 0.0, sky.sky.ground_albedo, {}, {}};
+    clock.time(kHash, [&] { return build::bakedFrom(id, near, textures, settings); });
+    const geometry::Surfaces surfaces =
+        clock.time(kWithin, [&] { return geometry::withTexels(std::move(near), bake.surfaces()); });
+    const geometry::Tracer tracer = clock.time(kScene, [&] { return geometry::Tracer(surfaces); });
+    placement::PlacementReport report;
+    const geometry::PlacedSector placed =
+        clock.time(kPlacement, [&] { return placement::placeSector(tracer, id, settings.section.probes, report); });
+    transfer::TransferSettings transfer;
     transfer.rays = static_cast<std::size_t>(*section.transfer.rays);
     transfer.bounces = section.transfer.bounces;
     transfer.reach_m = reach_m;
     transfer.ground_albedo = sky.sky.ground_albedo;
-    if (section.transfer.sun == SunTransfer::directional)
+    if (section.transfer.sun == transfer::SunTransfer::directional)
       transfer.light_directions =
-          trackOf([&](double time_h) { return sky.sky.sun.path.directionAt(time_h); }, kKnotsADay).direction;
-    const auto traced = clock.time(kTransfer, [&] { return TransferTracer(tracer, transfer).trace(placed); });
-    for (const TracedProbe& probe : traced) rays += probe.effort.rays;
+          transfer::trackOf([&](double time_h) { return sky.sky.sun.path.directionAt(time_h); }, build::kKnotsADay)
+              .direction;
+    const auto traced = clock.time(kTransfer, [&] { return transfer::TransferTracer(tracer, transfer).trace(placed); });
+    for (const transfer::TracedProbe& probe : traced) rays += probe.effort.rays;
     if (!traced.empty() && hasLocalTransfer(id, section.transfer, bake.surfaces())) {
-      const Column column = columnOfBake(id, section.transfer, bake.surfaces());
-      const Surfaces wide = withTexels(surfacesWithin(bake.surfaces(), column), bake.surfaces());
+      const geometry::Column column = build::columnOfBake(id, section.transfer, bake.surfaces());
+      const geometry::Surfaces wide =
+          geometry::withTexels(geometry::surfacesWithin(bake.surfaces(), column), bake.surfaces());
       clock.time(kLocal, [&] {
-        const SectorSettings wanted{sectionOf(id, section, column), 0.0, {}, {}, {}};
-        return bakeLocal(tracer, wide, placed, wanted, [](std::uint64_t) {});
+        const build::SectorSettings wanted{build::sectionOf(id, section, column), 0.0, {}, {}, {}};
+        return build::bakeLocal(tracer, wide, placed, wanted, [](std::uint64_t) {});
       });
     }
-    const SectorFile baked = clock.time(kAll, [&] { return bake.bake(id, [](std::uint64_t) { return true; }); });
+    const sectors::SectorFile baked =
+        clock.time(kAll, [&] { return bake.bake(id, [](std::uint64_t) { return true; }); });
     probes += baked.probes.probes();
   }
   const double all = clock.seconds(kAll);
@@ -106,7 +111,7 @@ int main(int count, char** arguments) {
   try {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     run(arguments[1]);
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     fmt::print(stderr, "{}\n", e.what());
     return static_cast<int>(e.status());
   }

@@ -14,9 +14,9 @@
 #include <numeric>
 
 #include "probes/build/local_bake.h"
-#include "probes/level/surfaces_of.h"
+#include "probes/geometry/random.h"
+#include "probes/loader/surfaces_of.h"
 #include "probes/placement/placement.h"
-#include "probes/random.h"
 #include "probes/reference/reference.h"
 #include "probes/transfer/fixed_point.h"
 #include "probes/transfer/local_encoding.h"
@@ -28,23 +28,22 @@
 namespace {
 
 using namespace welkin;
-using namespace welkin::probes;
 
-Surfaces levelOf(int argc, char** argv) {
+geometry::Surfaces levelOf(int argc, char** argv) {
   if (argc < 8) return bench::town();
   const double scale = std::atof(argv[5]);
-  LevelFile level;
+  level::LevelFile level;
   level.geometry.emplace_back();
   level.geometry[0].path = argv[4];
   level.geometry[0].transform = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, {}};
-  return readSurfaces(level);
+  return loader::readSurfaces(level);
 }
 
-DistantLight darkness() {
-  static sky::Sky sky;
-  sky.luminance = *sky::findLuminance("cie-5");
+reference::DistantLight darkness() {
+  static model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-5");
   sky.normalise_to_sun = false;
-  sky.intensity = sky::Curve::constant(0.0);
+  sky.intensity = base::Curve::constant(0.0);
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.4};
   sky.sun.path.key_elevation_rad = {0.7};
@@ -58,24 +57,26 @@ struct LampError {
 
 /// Irradiance of lamps at `place` from the local transfer against the reference, over all directions of the probes
 /// within 12 m of them.
-LampError lampError(const Tracer& tracer, const PlacedSector& sector, const SectorLocal& local,
-                    const std::vector<Number3>& place) {
-  const DistantLight dark = darkness();
-  const auto see = [&](const Number3& a, const Number3& b) { return seesEachOther(tracer, a, b); };
+LampError lampError(const geometry::Tracer& tracer, const geometry::PlacedSector& sector,
+                    const transfer::SectorLocal& local, const std::vector<f64::Number3>& place) {
+  const reference::DistantLight dark = darkness();
+  const auto see = [&](const f64::Number3& a, const f64::Number3& b) { return transfer::seesEachOther(tracer, a, b); };
   double difference = 0.0;
   double light = 0.0;
   double magnitude = 0.0;
   double sum = 0.0;
-  for (const Number3& at : place) {
-    const auto shared = relightLocal(local.light, std::vector<PointLight>{{at, Number3(1.0)}}, see);
-    const LocalLight lamp[] = {{at, Number3(1.0)}};
+  for (const f64::Number3& at : place) {
+    const auto shared =
+        transfer::relightLocal(local.light, std::vector<geometry::PointLight>{{at, f64::Number3(1.0)}}, see);
+    const reference::LocalLight lamp[] = {{at, f64::Number3(1.0)}};
     for (std::size_t i = 0; i < sector.probe.size(); ++i) {
-      const Number3 away = sector.probe[i].position - at;
+      const f64::Number3 away = sector.probe[i].position - at;
       if (dot(away, away) > 144.0) continue;
-      const auto irradiance = relitLocal(local.probe[i], shared.colour);
-      for (std::size_t b = 0; b < kDirections; ++b) {
-        const Number3 truth =
-            traceReference(tracer, dark, lamp, sector.probe[i].position, transferBasis()[b], {1024, 2, 1}).local.value;
+      const auto irradiance = transfer::relitLocal(local.probe[i], shared.colour);
+      for (std::size_t b = 0; b < transfer::kDirections; ++b) {
+        const f64::Number3 truth = reference::traceReference(tracer, dark, lamp, sector.probe[i].position,
+                                                             transfer::transferBasis()[b], {1024, 2, 1})
+                                       .local.value;
         for (int c = 0; c < 3; ++c) {
           difference += (irradiance[b][c] - truth[c]) * (irradiance[b][c] - truth[c]);
           light += truth[c] * truth[c];
@@ -89,10 +90,11 @@ LampError lampError(const Tracer& tracer, const PlacedSector& sector, const Sect
 }
 
 /// Traces the sector on one thread and says what that took.
-std::vector<LocalProbe> traced(const Tracer& tracer, const PlacedSector& sector, const std::vector<Number3>& lights,
-                               const LocalSettings& settings) {
-  const LocalTransferTracer local(tracer, settings, lights);
-  std::vector<LocalProbe> probes;
+std::vector<transfer::LocalProbe> traced(const geometry::Tracer& tracer, const geometry::PlacedSector& sector,
+                                         const std::vector<f64::Number3>& lights,
+                                         const transfer::LocalSettings& settings) {
+  const transfer::LocalTransferTracer local(tracer, settings, lights);
+  std::vector<transfer::LocalProbe> probes;
   const auto start = std::chrono::steady_clock::now();
   tbb::task_arena(1).execute([&] { probes = local.trace(sector); });
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -102,7 +104,7 @@ std::vector<LocalProbe> traced(const Tracer& tracer, const PlacedSector& sector,
   double sum = 0.0;
   double worst = 0.0;
   std::size_t past = 0;
-  for (const LocalProbe& p : probes) {
+  for (const transfer::LocalProbe& p : probes) {
     paths += static_cast<double>(p.paths);
     rays += static_cast<double>(p.rays);
     kept += static_cast<double>(p.transfer.size());
@@ -121,17 +123,18 @@ std::vector<LocalProbe> traced(const Tracer& tracer, const PlacedSector& sector,
 /// Shares of the influence that find no room in a sector with so many bytes a transfer: of all probes', and of the
 /// worst one's.
 std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t lights,
-                                   const std::vector<LocalProbe>& probes) {
+                                   const std::vector<transfer::LocalProbe>& probes) {
   std::vector<std::pair<double, std::size_t>> influence;
   std::vector<double> whole(probes.size(), 0.0);
   std::vector<double> lost(probes.size(), 0.0);
   for (std::size_t i = 0; i < probes.size(); ++i)
-    for (const LocalTransfer& t : probes[i].transfer) {
+    for (const transfer::LocalTransfer& t : probes[i].transfer) {
       influence.emplace_back(t.influence(), i);
       whole[i] += t.influence();
     }
   std::sort(influence.rbegin(), influence.rend());
-  const std::size_t room = (kMostLocalBytes - probes.size() - kVirtualLightBytes * lights) / transfer_bytes;
+  const std::size_t room =
+      (transfer::kMostLocalBytes - probes.size() - transfer::kVirtualLightBytes * lights) / transfer_bytes;
   for (std::size_t i = room; i < influence.size(); ++i) lost[influence[i].second] += influence[i].first;
   double worst = 0.0;
   for (std::size_t i = 0; i < probes.size(); ++i) worst = std::max(worst, lost[i] > 0.0 ? lost[i] / whole[i] : 0.0);
@@ -139,7 +142,7 @@ std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t light
 }
 
 /// What bits of a coefficient cost: of a probe's irradiance by one virtual light, and by all of them alike.
-void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>& probes) {
+void printBits(const std::vector<f64::Number3>& lights, const std::vector<transfer::LocalProbe>& probes) {
   fmt::print(
       "bits  bytes a transfer  worst of the largest number  rms of one light, all lights  influence lost: all, worst "
       "probe\n");
@@ -147,23 +150,24 @@ void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>
     double worst = 0.0;
     std::array<double, 2> difference{};
     std::array<double, 2> light{};
-    const auto add = [&](std::size_t i, const std::vector<LocalTransfer>& a, const std::vector<LocalTransfer>& b) {
-      const std::vector<Number3> white(lights.size(), Number3(1.0));
-      const auto exact = relitLocal(a, white);
-      const auto coarse = relitLocal(b, white);
-      for (std::size_t d = 0; d < kDirections; ++d)
+    const auto add = [&](std::size_t i, const std::vector<transfer::LocalTransfer>& a,
+                         const std::vector<transfer::LocalTransfer>& b) {
+      const std::vector<f64::Number3> white(lights.size(), f64::Number3(1.0));
+      const auto exact = transfer::relitLocal(a, white);
+      const auto coarse = transfer::relitLocal(b, white);
+      for (std::size_t d = 0; d < transfer::kDirections; ++d)
         for (int c = 0; c < 3; ++c) {
           light[i] += exact[d][c] * exact[d][c];
           difference[i] += (coarse[d][c] - exact[d][c]) * (coarse[d][c] - exact[d][c]);
         }
     };
-    for (const LocalProbe& p : probes) {
-      std::vector<LocalTransfer> coarse = p.transfer;
+    for (const transfer::LocalProbe& p : probes) {
+      std::vector<transfer::LocalTransfer> coarse = p.transfer;
       for (std::size_t t = 0; t < coarse.size(); ++t) {
         double largest = 0.0;
-        for (const Number3& k : p.transfer[t].radiance)
+        for (const f64::Number3& k : p.transfer[t].radiance)
           largest = std::max({largest, std::abs(k.x), std::abs(k.y), std::abs(k.z)});
-        const double scale = scaleOf(scaleFor(largest));
+        const double scale = transfer::scaleOf(transfer::scaleFor(largest));
         for (std::size_t k = 0; k < 4; ++k)
           for (int c = 0; c < 3; ++c) {
             double& x = coarse[t].radiance[k][c];
@@ -186,49 +190,49 @@ void printBits(const std::vector<Number3>& lights, const std::vector<LocalProbe>
 
 int main(int argc, char** argv) {
   const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
-  const Surfaces surfaces = levelOf(argc, argv);
-  const Tracer tracer(surfaces);
-  const SectorId id{number(6, 0), number(7, 0)};
-  std::vector<Number3> lights;
-  PlacedSector sector;
+  const geometry::Surfaces surfaces = levelOf(argc, argv);
+  const geometry::Tracer tracer(surfaces);
+  const geometry::SectorId id{number(6, 0), number(7, 0)};
+  std::vector<f64::Number3> lights;
+  geometry::PlacedSector sector;
   for (int x = id.x - 1; x <= id.x + 1; ++x)
     for (int z = id.z - 1; z <= id.z + 1; ++z) {
-      PlacementReport report;
-      const PlacedSector placed = placeSector(tracer, {x, z}, {}, report);
-      for (const Probe& p : placed.probe) lights.push_back(p.position);
+      placement::PlacementReport report;
+      const geometry::PlacedSector placed = placement::placeSector(tracer, {x, z}, {}, report);
+      for (const geometry::Probe& p : placed.probe) lights.push_back(p.position);
       if (placed.id == id) sector = placed;
     }
-  LocalSettings settings;
+  transfer::LocalSettings settings;
   settings.rays = static_cast<std::size_t>(number(1, 1024));
   settings.light_rays = static_cast<std::size_t>(number(2, 8));
-  settings.nearest_m = argc > 3 ? std::atof(argv[3]) : kNearest_m;
+  settings.nearest_m = argc > 3 ? std::atof(argv[3]) : build::kNearest_m;
   fmt::print("{} probes, {} virtual lights, {} lights a vertex, {} m\n", sector.probe.size(), lights.size(),
              settings.light_rays, settings.nearest_m);
   fmt::print("budget  paths   rays  lights    ms  million rays/s  error: mean, worst probe  past the budget\n");
-  const std::vector<LocalProbe> probes = traced(tracer, sector, lights, settings);
+  const std::vector<transfer::LocalProbe> probes = traced(tracer, sector, lights, settings);
   for (const double budget : {0.5, 0.2, 0.1, 0.05}) {
-    LocalSettings under = settings;
-    under.rays = kMostPaths;
+    transfer::LocalSettings under = settings;
+    under.rays = build::kMostPaths;
     under.max_error = budget;
     traced(tracer, sector, lights, under);
   }
   printBits(lights, probes);
-  LocalThinning thinning;
-  const SectorLocal thinned = thinnedLocal(lights, probes, kMostLocalBytes, thinning);
-  const EncodedLocal encoded = encodeLocal(thinned);
-  const SectorLocal decoded = decodedLocal(encoded);
+  transfer::LocalThinning thinning;
+  const transfer::SectorLocal thinned = transfer::thinnedLocal(lights, probes, transfer::kMostLocalBytes, thinning);
+  const transfer::EncodedLocal encoded = transfer::encodeLocal(thinned);
+  const transfer::SectorLocal decoded = transfer::decodedLocal(encoded);
   fmt::print("{} bytes; {} transfers kept, {} dropped with {:.4f} % of the influence, at most {:.2f} % of a probe's\n",
              encoded.bytes(), thinning.kept, thinning.dropped, 100.0 * thinning.lost, 100.0 * thinning.worst_probe);
-  fmt::print("encoding: {:.1e} of a transfer's largest number\n", encodingError(thinned, decoded).radiance);
-  Random random(1);
-  std::vector<Number3> at;
-  std::vector<Number3> between;
+  fmt::print("encoding: {:.1e} of a transfer's largest number\n", transfer::encodingError(thinned, decoded).radiance);
+  geometry::Random random(1);
+  std::vector<f64::Number3> at;
+  std::vector<f64::Number3> between;
   for (int i = 0; i < 40; ++i) {
     const auto probe = static_cast<std::size_t>(random.unit() * static_cast<double>(sector.probe.size()));
     at.push_back(sector.probe[probe].position);
     const double x = random.unit() - 0.5;
-    between.push_back(at.back() + Number3(4.0 * x, random.unit(), 4.0 * (random.unit() - 0.5)));
-    if (!seesEachOther(tracer, at.back(), between.back())) between.pop_back();
+    between.push_back(at.back() + f64::Number3(4.0 * x, random.unit(), 4.0 * (random.unit() - 0.5)));
+    if (!transfer::seesEachOther(tracer, at.back(), between.back())) between.pop_back();
   }
   for (const auto& [place, name] : {std::pair(&at, "at virtual lights"), std::pair(&between, "between them")}) {
     const LampError error = lampError(tracer, sector, decoded, *place);

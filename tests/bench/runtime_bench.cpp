@@ -6,7 +6,7 @@
 #include <numeric>
 #include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 
 namespace {
 
@@ -15,20 +15,20 @@ const std::vector<std::byte>& bakedSky(int bands) {
   static std::vector<std::byte> baked[6];
   auto& bytes = baked[bands];
   if (!bytes.empty()) return bytes;
-  welkin::sky::SkyFile file;
+  welkin::bake::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;
   file.sky.moon = file.sky.sun;
   file.settings = "{}";
   for (int i = 0; i < 288; ++i) file.bake.key_time_h.push_back(i / 12.0);
   file.bake.cubemap_size = 128;
-  std::vector<welkin::sky::Cubemap> cubemaps;
+  std::vector<welkin::cubemap::Cubemap> cubemaps;
   for (int i = 0; i < 8; ++i) {
     file.bake.cubemap_time_h.push_back(3.0 * i);
-    cubemaps.push_back(welkin::sky::renderCubemap(welkin::sky::SkyInstant(file.sky, 3.0 * i), welkin::sky::Number3(0.0),
-                                                  128, file.bake.cubemap_format));
+    cubemaps.push_back(welkin::cubemap::renderCubemap(welkin::model::SkyInstant(file.sky, 3.0 * i),
+                                                      welkin::det::Number3(0.0), 128, file.bake.cubemap_format));
   }
-  bytes = welkin::sky::encodeSky(
-      file, welkin::sky::bakeDayTable(file.sky, bands, file.bake.key_time_h, [] { return true; }), cubemaps);
+  bytes = welkin::bake::encodeSky(
+      file, welkin::table::bakeDayTable(file.sky, bands, file.bake.key_time_h, [] { return true; }), cubemaps);
   return bytes;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "sky/atomic_file.h"
+#include "sky/base/atomic_file.h"
 #include "town.h"
 
 namespace {
@@ -15,7 +15,7 @@ using namespace welkin;
 
 constexpr double kEmpty = 0.68;  // of the town: with more houses there are more probes
 
-std::string objText(const probes::Surfaces& surfaces) {
+std::string objText(const geometry::Surfaces& surfaces) {
   std::string text = "mtllib town.mtl\n";
   for (const auto& p : surfaces.position) text += fmt::format("v {} {} {}\n", p[0], p[1], p[2]);
   std::optional<std::uint32_t> material;
@@ -27,7 +27,7 @@ std::string objText(const probes::Surfaces& surfaces) {
   return text;
 }
 
-std::string mtlText(const probes::Surfaces& surfaces) {
+std::string mtlText(const geometry::Surfaces& surfaces) {
   std::string text;
   for (std::size_t i = 0; i < surfaces.material.size(); ++i) {
     const auto& kd = surfaces.material[i].albedo;
@@ -37,16 +37,17 @@ std::string mtlText(const probes::Surfaces& surfaces) {
 }
 
 void write(const std::filesystem::path& folder) {
-  probes::Surfaces surfaces;
+  geometry::Surfaces surfaces;
   // Seven by seven sectors and two more, each to 1 m within their borders: what touches another is in it.
   bench::addTown(surfaces, {1, 447, 1, 447}, 2, kEmpty);
   bench::addTown(surfaces, {1, 127, 447, 511}, 2, kEmpty);
-  makeFolder(folder);
-  writeFile(folder / "town.obj", objText(surfaces));
-  writeFile(folder / "town.mtl", mtlText(surfaces));
-  writeFile(folder / "sky.toml",
-            "[sky]\nluminance = \"cie-12\"\n[sun]\nlatitude_deg = 40\nday_of_year = 172\n[bake]\ncubemap_size = 0\n");
-  writeFile(folder / "level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"town.obj\"\n");
+  base::makeFolder(folder);
+  base::writeFile(folder / "town.obj", objText(surfaces));
+  base::writeFile(folder / "town.mtl", mtlText(surfaces));
+  base::writeFile(
+      folder / "sky.toml",
+      "[sky]\nluminance = \"cie-12\"\n[sun]\nlatitude_deg = 40\nday_of_year = 172\n[bake]\ncubemap_size = 0\n");
+  base::writeFile(folder / "level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"town.obj\"\n");
   fmt::print("{} triangles\n", surfaces.triangle.size());
 }
 

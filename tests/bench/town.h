@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "probes/random.h"
-#include "probes/tracer.h"
+#include "probes/geometry/random.h"
+#include "probes/geometry/tracer.h"
 
 namespace welkin::bench {
 
 using f64::Number3;
 
-inline void addTriangles(probes::Surfaces& s, std::initializer_list<Number3> corner, std::uint32_t material) {
+inline void addTriangles(geometry::Surfaces& s, std::initializer_list<Number3> corner, std::uint32_t material) {
   const auto first = static_cast<std::uint32_t>(s.position.size());
   for (const Number3& p : corner)
     s.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
@@ -25,9 +25,9 @@ struct Ground {
 
 /// Adds hills of triangles as wide as `step_m`, which the ground is a multiple of, and a house in every square of 12 m
 /// but the share `empty`, each of its own colour. Grounds that touch fit.
-inline void addTown(probes::Surfaces& s, const Ground& ground, int step_m, double empty) {
-  using probes::Random;
-  if (s.object.empty()) s.object.push_back({"town", probes::Role::fixed});
+inline void addTown(geometry::Surfaces& s, const Ground& ground, int step_m, double empty) {
+  using geometry::Random;
+  if (s.object.empty()) s.object.push_back({"town", geometry::Role::fixed});
   const auto soil = static_cast<std::uint32_t>(s.material.size());
   s.material.emplace_back().albedo = {0.3, 0.35, 0.2};
   const auto height = [](double x, double z) { return 2.0 * std::sin(0.07 * x) * std::cos(0.05 * z + 1.0); };
@@ -55,16 +55,16 @@ inline void addTown(probes::Surfaces& s, const Ground& ground, int step_m, doubl
 }
 
 /// The town on 160 x 160 m.
-inline probes::Surfaces town() {
-  probes::Surfaces s;
+inline geometry::Surfaces town() {
+  geometry::Surfaces s;
   addTown(s, {-80, 80, -80, 80}, 1, 0.2);
   return s;
 }
 
 /// Positions 1 m above what rays from above meet in the middle 60 m.
-inline std::vector<Number3> probesIn(const probes::Tracer& tracer, int count) {
+inline std::vector<Number3> probesIn(const geometry::Tracer& tracer, int count) {
   std::vector<Number3> position;
-  probes::Random random(1);
+  geometry::Random random(1);
   while (position.size() < static_cast<std::size_t>(count)) {
     const Number3 above(2 + 60 * random.unit(), 50, 2 + 60 * random.unit());
     const auto hit = tracer.closest(above, {0, -1, 0}, 100);

@@ -8,15 +8,14 @@
 #include <cstdlib>
 #include <limits>
 
-#include "probes/directions.h"
-#include "probes/level/bake_section.h"
+#include "probes/build/bake_section.h"
+#include "probes/geometry/directions.h"
 #include "probes/transfer/probe_paths.h"
 #include "town.h"
 
 namespace {
 
 using namespace welkin;
-using namespace welkin::probes;
 
 struct Ray {
   std::array<float, 3> origin, direction;
@@ -27,33 +26,33 @@ struct Ray {
 /// A tracer that notes what it is asked.
 class Recorder {
  public:
-  explicit Recorder(const Tracer& tracer) : tracer_(tracer) {}
-  std::optional<Hit> closest(const Number3& o, const Number3& d, double far) const {
+  explicit Recorder(const geometry::Tracer& tracer) : tracer_(tracer) {}
+  std::optional<geometry::Hit> closest(const f64::Number3& o, const f64::Number3& d, double far) const {
     note(o, d, far, false);
     return tracer_.closest(o, d, far);
   }
-  bool occluded(const Number3& o, const Number3& d, double far) const {
+  bool occluded(const f64::Number3& o, const f64::Number3& d, double far) const {
     note(o, d, far, true);
     return tracer_.occluded(o, d, far);
   }
-  Number3 leaving(const Hit& hit) const { return tracer_.leaving(hit); }
-  Number3 albedo(const Hit& hit) const { return tracer_.albedo(hit); }
-  Number3 emission(const Hit& hit) const { return tracer_.emission(hit); }
+  f64::Number3 leaving(const geometry::Hit& hit) const { return tracer_.leaving(hit); }
+  f64::Number3 albedo(const geometry::Hit& hit) const { return tracer_.albedo(hit); }
+  f64::Number3 emission(const geometry::Hit& hit) const { return tracer_.emission(hit); }
   const std::vector<Ray>& ray() const { return ray_; }
 
  private:
-  void note(const Number3& o, const Number3& d, double far, bool occluded) const {
-    const auto narrow = [](const Number3& v) {
+  void note(const f64::Number3& o, const f64::Number3& d, double far, bool occluded) const {
+    const auto narrow = [](const f64::Number3& v) {
       return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
     far = std::min(std::min(far, tracer_.leavesAfter(o, d)), double{std::numeric_limits<float>::max()});
     ray_.push_back({narrow(o), narrow(d), static_cast<float>(far), occluded});
   }
-  const Tracer& tracer_;
+  const geometry::Tracer& tracer_;
   mutable std::vector<Ray> ray_;
 };
 
-RTCScene bareScene(RTCDevice device, const Surfaces& s) {
+RTCScene bareScene(RTCDevice device, const geometry::Surfaces& s) {
   RTCScene scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
@@ -104,21 +103,22 @@ double seconds(const Work& work) {
 int main(int argc, char** argv) {
   const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
   const int count = number(1, 100);
-  TransferSettings settings;
+  transfer::TransferSettings settings;
   settings.rays = static_cast<std::size_t>(number(2, 1024));
   settings.bounces = number(3, 2);
-  settings.reach_m = TransferSection{}.reach_m;
+  settings.reach_m = build::TransferSection{}.reach_m;
   constexpr int kLights = 24;
   for (int i = 0; i < kLights; ++i) {
     const double hour = det::kPi * (i + 0.5) / kLights;
-    settings.light_directions.push_back(unit(Number3(std::cos(hour), std::sin(hour), 0.3 * std::sin(hour))));
+    settings.light_directions.push_back(
+        geometry::unit(f64::Number3(std::cos(hour), std::sin(hour), 0.3 * std::sin(hour))));
   }
-  const Surfaces surfaces = bench::town();
-  const Tracer tracer(surfaces);
-  const std::vector<Number3> position = bench::probesIn(tracer, count);
-  const TransferTracer transfer(tracer, settings);
-  const CircleTable circle;
-  RTCDevice device = rtcNewDevice(fmt::format("isa={},hugepages=0", Tracer::kIsa).c_str());
+  const geometry::Surfaces surfaces = bench::town();
+  const geometry::Tracer tracer(surfaces);
+  const std::vector<f64::Number3> position = bench::probesIn(tracer, count);
+  const transfer::TransferTracer transfer(tracer, settings);
+  const transfer::CircleTable circle;
+  RTCDevice device = rtcNewDevice(fmt::format("isa={},hugepages=0", geometry::Tracer::kIsa).c_str());
   RTCScene scene = bareScene(device, surfaces);
 
   double traced = 0.0;
@@ -127,13 +127,13 @@ int main(int argc, char** argv) {
   std::size_t hits = 0;
   double error = 0.0;
   for (std::size_t i = 0; i < position.size(); ++i) {
-    const Tracer seen = tracer.within(position[i], settings.reach_m);
+    const geometry::Tracer seen = tracer.within(position[i], settings.reach_m);
     const Recorder recorder(seen);
-    traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
+    transfer::traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
     // Beside each other, so that what else the machine does falls on both.
     bare += seconds([&] { hits += bareLoop(scene, recorder.ray()); });
     traced += seconds([&] {
-      const TracedProbe probe = transfer.trace(position[i], {0, 0}, i);
+      const transfer::TracedProbe probe = transfer.trace(position[i], {0, 0}, i);
       rays += probe.effort.rays;
       error += probe.effort.error;
     });

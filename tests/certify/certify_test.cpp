@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certificate against direct integration, and on files that are wrong in a known way.
-#include "certify/certify.h"
+#include "sky/bake/certify.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,21 +9,21 @@
 #include "baked_day.h"
 #include "some_skies.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
-using sky::Certificate;
-using sky::Encoding;
-using sky::Number3;
-using tools::Certify;
+using bake::Certify;
+using det::Number3;
+using table::Certificate;
+using table::Encoding;
 
 /// By how much the certificate may be off: of an independent dense check of the same file.
 constexpr double kOff = 0.05;
 
 /// The file's error at an instant and normals, by definition.
 double errorAt(const BakedDay& baked, double time_h, const std::vector<Number3>& normals) {
-  const sky::SkyProjector direct(baked.day.sky.luminance, 1, 1e-5);
-  const sky::SkyInstant instant(baked.day.sky, time_h);
+  const model::SkyProjector direct(baked.day.sky.luminance, 1, 1e-5);
+  const model::SkyInstant instant(baked.day.sky, time_h);
   const Number3 ground = instant.groundRadiance(direct.irradiance(instant, {0.0, 1.0, 0.0}));
   const Number3 divisor = divisorOf(instant);
   const WelkinSkySample sample = baked.opened.at(time_h);
@@ -51,8 +51,8 @@ std::vector<Number3> around(const Number3& normal, double radius) {
 }
 
 /// Coefficients at every three hours of a day in colours, with a ground and less than full saturation.
-sky::Sky groundedSky(std::size_t which) {
-  sky::Sky sky = sky::someSkies()[which].sky;
+model::Sky groundedSky(std::size_t which) {
+  model::Sky sky = someSkies()[which].sky;
   sky.ground_albedo = {0.1, 0.2, 0.15};
   sky.ambient_saturation = {1, {3.0, 14.0}, {0.6, 0.9}};
   return sky;
@@ -63,7 +63,7 @@ sky::Sky groundedSky(std::size_t which) {
 TEST_CASE("Certificate, IsAnIndependentDenseCheck") {
   for (const std::size_t which : {0U, 2U}) {
     const SampledDay day(groundedSky(which), everyHours(2.0));
-    const BakedDay baked(day, sky::coefficientsOf(day.values, 5, true));
+    const BakedDay baked(day, table::coefficientsOf(day.values, 5, true));
     const Certificate got = baked.certificate(0.1);
     double dense = 0.0;
     for (const double minutes : {-7.0, -3.0, 0.0, 2.0, 5.0})
@@ -80,10 +80,10 @@ TEST_CASE("Certificate, IsAnIndependentDenseCheck") {
 }
 
 TEST_CASE("Certificate, FastIsFull") {
-  sky::Sky sky = stillSky(*sky::findLuminance("cie-12"), 25.0);
+  model::Sky sky = stillSky(*model::findLuminance("cie-12"), 25.0);
   sky.gradient_sun = {2, 2, {1.0F, 0.5F, 0.3F, 0.7F, 0.6F, 0.5F, 0.3F, 0.4F, 0.9F, 0.2F, 0.4F, 0.9F}};
   const SampledDay day(sky, {0.0, 12.0});
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 5, false));
+  const BakedDay baked(day, table::coefficientsOf(day.values, 5, false));
   const Certificate fast = baked.certificate(12.0);
   const Certificate full = baked.certificate(12.0, Certify::full);
   CHECK(fast.method == Certificate::Method::fast);
@@ -95,10 +95,10 @@ TEST_CASE("Certificate, FastIsFull") {
 }
 
 TEST_CASE("Certificate, FindsOneBrokenNumber") {
-  const SampledDay day(sky::someSkies()[0].sky, everyHours(1.0));
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 5, true));
+  const SampledDay day(someSkies()[0].sky, everyHours(1.0));
+  const BakedDay baked(day, table::coefficientsOf(day.values, 5, true));
   const Certificate good = baked.certificate(0.5);
-  sky::DayTable broken = baked.table;
+  table::DayTable broken = baked.table;
   constexpr std::size_t kKey = 14;
   broken.number[kKey * broken.numbersOfKey() + 1] *= 3.0;  // green of the mean
   const OpenedTable file(day.sky, broken);
@@ -111,13 +111,13 @@ TEST_CASE("Certificate, FindsOneBrokenNumber") {
 
 TEST_CASE("Certificate, LooksBetweenKeys") {
   // The sun climbs and sinks again, never below the horizon; three modes hold the keys, two of which are alike.
-  sky::Sky sky = stillSky(*sky::findLuminance("cie-12"), 5.0);
+  model::Sky sky = stillSky(*model::findLuminance("cie-12"), 5.0);
   sky.sun.path.key_time_h = {0.0, 12.0};
   sky.sun.path.key_azimuth_rad = {1.0, 1.0};
   sky.sun.path.key_elevation_rad = {0.1, 1.2};
   const SampledDay day(sky, everyHours(6.0));
-  const sky::ModeSet set = sky::DayModes(day.fields, day.grid).best(3);
-  const BakedDay baked(day, sky::modesOf(day.values, set, sky::weightsOf(day.values, set), 25, 25, 3));
+  const table::ModeSet set = table::DayModes(day.fields, day.grid).best(3);
+  const BakedDay baked(day, table::modesOf(day.values, set, table::weightsOf(day.values, set), 25, 25, 3));
   const Certificate c = baked.certificate(24.0);
   CHECK(std::fmod(c.time_h, 6.0) == 3.0);
   CHECK(c.max_error == Approx(errorAt(baked, c.time_h, {c.normal})).epsilon(0.01));
@@ -126,12 +126,12 @@ TEST_CASE("Certificate, LooksBetweenKeys") {
 
 TEST_CASE("Certificate, SeesTheGround") {
   // A file made for another ground: E differs by the albedo times E_h, at the nadir most.
-  sky::Sky sky = stillSky(*sky::findLuminance("cie-5"), 30.0);
-  sky.ground_albedo = sky::Number3(0.3);
+  model::Sky sky = stillSky(*model::findLuminance("cie-5"), 30.0);
+  sky.ground_albedo = det::Number3(0.3);
   const SampledDay day(sky, {0.0, 12.0});
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 5, false));
-  sky::Sky other = sky;
-  other.ground_albedo = sky::Number3(0.2);
+  const BakedDay baked(day, table::coefficientsOf(day.values, 5, false));
+  model::Sky other = sky;
+  other.ground_albedo = det::Number3(0.2);
   const OpenedTable file(other, baked.table);
   const Certificate right = baked.certificate(6.0);
   const Certificate wrong = baked.certificate(6.0, Certify::fast, &file);
@@ -142,10 +142,10 @@ TEST_CASE("Certificate, SeesTheGround") {
 }
 
 TEST_CASE("Certificate, ABlackDayHasNoError") {
-  sky::Sky sky = sky::someSkies()[0].sky;
-  sky.intensity = sky::Curve::constant(0.0);
+  model::Sky sky = someSkies()[0].sky;
+  sky.intensity = base::Curve::constant(0.0);
   const SampledDay day(sky, everyHours(6.0));
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 2, false));
+  const BakedDay baked(day, table::coefficientsOf(day.values, 2, false));
   const Certificate c = baked.certificate(1.0);
   CHECK(c.max_error == 0.0);
   CHECK(c.mean_error == 0.0);
@@ -153,4 +153,4 @@ TEST_CASE("Certificate, ABlackDayHasNoError") {
   CHECK(c.instants > 24);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

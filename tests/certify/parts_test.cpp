@@ -9,20 +9,20 @@
 #include "sh/basis.h"
 #include "some_skies.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
-using sky::Certificate;
-using sky::Encoding;
-using sky::Number3;
-using sky::SkyInstant;
+using det::Number3;
+using model::SkyInstant;
+using table::Certificate;
+using table::Encoding;
 
 /// Maxima over other normals.
 constexpr double kOff = 0.1;
 
 /// A day whose sun and colours change quickly enough for every cause to show; no ground.
 const SampledDay& clearDay() {
-  static const SampledDay day(sky::someSkies()[0].sky, everyHours(1.0));
+  static const SampledDay day(someSkies()[0].sky, everyHours(1.0));
   return day;
 }
 
@@ -34,9 +34,9 @@ Number3 irradianceOf(const std::vector<Number3>& polar, const Number3& n) {
   static const sh::LatitudeRecurrence kFiveBands(5);
   sh::evaluateBasis(kFiveBands, {n.z, n.x, n.y}, basis);  // polar axis to z, the sun's azimuth to x
   Number3 sum(0.0);
-  for (int l = 0; sky::polarIndex(l, 0) < polar.size(); ++l)
+  for (int l = 0; model::polarIndex(l, 0) < polar.size(); ++l)
     for (int m = 0; m <= l; ++m)
-      sum += polar[sky::polarIndex(l, m)] * (kLobe[l] * basis[static_cast<std::size_t>(sh::indexOf(l, m))]);
+      sum += polar[model::polarIndex(l, m)] * (kLobe[l] * basis[static_cast<std::size_t>(sh::indexOf(l, m))]);
   return sum;
 }
 
@@ -54,7 +54,7 @@ double largestOver(const std::vector<double>& time_h,
   return worst;
 }
 
-std::vector<Number3> polarAt(const sky::SkyProjector& projector, double time_h) {
+std::vector<Number3> polarAt(const model::SkyProjector& projector, double time_h) {
   return projector.projectPolar(SkyInstant(clearDay().sky, time_h)).radiance_sh;
 }
 
@@ -62,15 +62,15 @@ std::vector<Number3> polarAt(const sky::SkyProjector& projector, double time_h) 
 
 TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
   const auto& day = clearDay();
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 5, false));
+  const BakedDay baked(day, table::coefficientsOf(day.values, 5, false));
   const auto quadrature = [&](double tolerance) {
-    return tools::certify(
+    return bake::certify(
                baked.opened.sky.get(), {day.sky, baked.representation, baked.table, baked.encoding, {tolerance}},
-               tools::Certify::fast, [] { return true; }, 12.0)
+               bake::Certify::fast, [] { return true; }, 12.0)
         .parts.quadrature;
   };
-  const sky::SkyProjector coarse(day.sky.luminance, 5, 1e-4);
-  const sky::SkyProjector fine(day.sky.luminance, 5, 1e-12);
+  const model::SkyProjector coarse(day.sky.luminance, 5, 1e-4);
+  const model::SkyProjector fine(day.sky.luminance, 5, 1e-12);
   std::vector<double> half_hours;
   for (int i = 0; i < 24; ++i) half_hours.push_back(i + 0.5);
   double time = -1.0;
@@ -91,10 +91,10 @@ TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
 
 TEST_CASE("CertificateParts, TruncationIsWhatBandsLeaveOut") {
   const auto& day = clearDay();
-  const BakedDay baked(day, sky::coefficientsOf(day.values, 2, false));
+  const BakedDay baked(day, table::coefficientsOf(day.values, 2, false));
   const Certificate c = baked.certificate(1.0);
-  const sky::SkyProjector projector(day.sky.luminance, 2, 1e-9);
-  const sky::SkyProjector direct(day.sky.luminance, 1, 1e-5);
+  const model::SkyProjector projector(day.sky.luminance, 2, 1e-9);
+  const model::SkyProjector direct(day.sky.luminance, 1, 1e-5);
   // Near its worst instants only, which the certificate names for all causes together.
   double time = -1.0;
   std::vector<Number3> polar;
@@ -107,15 +107,15 @@ TEST_CASE("CertificateParts, TruncationIsWhatBandsLeaveOut") {
     return irradianceOf(polar, n) - direct.irradiance(instant, normalAt(instant, n.y, azimuth));
   });
   CHECK(c.parts.truncation == Approx(want).epsilon(kOff));
-  const BakedDay finer(day, sky::coefficientsOf(day.values, 5, false));
+  const BakedDay finer(day, table::coefficientsOf(day.values, 5, false));
   CHECK(finer.certificate(1.0).parts.truncation < 0.3 * c.parts.truncation);
 }
 
 TEST_CASE("CertificateParts, TimeIsWhatLiesBetweenKeys") {
-  const SampledDay sparse(sky::someSkies()[0].sky, everyHours(6.0));
-  const BakedDay baked(sparse, sky::coefficientsOf(sparse.values, 3, false));
+  const SampledDay sparse(someSkies()[0].sky, everyHours(6.0));
+  const BakedDay baked(sparse, table::coefficientsOf(sparse.values, 3, false));
   const Certificate c = baked.certificate(1.0);
-  const sky::SkyProjector projector(sparse.sky.luminance, 3, 1e-9);
+  const model::SkyProjector projector(sparse.sky.luminance, 3, 1e-9);
   double time = -1.0;
   std::vector<Number3> difference;
   const double want = largestOver(everyHours(1.0), [&](const SkyInstant& instant, const Number3& n) {
@@ -131,14 +131,14 @@ TEST_CASE("CertificateParts, TimeIsWhatLiesBetweenKeys") {
     return irradianceOf(difference, n);
   });
   CHECK(c.parts.time == Approx(want).epsilon(kOff));
-  const BakedDay denser(clearDay(), sky::coefficientsOf(clearDay().values, 3, false));
+  const BakedDay denser(clearDay(), table::coefficientsOf(clearDay().values, 3, false));
   CHECK(denser.certificate(1.0).parts.time < 0.5 * c.parts.time);
 }
 
 TEST_CASE("CertificateParts, EncodingIsTheDifferenceOfTwoFiles") {
   const auto& day = clearDay();
   for (const Encoding encoding : {Encoding::fixed8, Encoding::fixed16}) {
-    const BakedDay baked(day, sky::coefficientsOf(day.values, 5, false), encoding);
+    const BakedDay baked(day, table::coefficientsOf(day.values, 5, false), encoding);
     const OpenedTable exact(day.sky, baked.table);
     const Certificate c = baked.certificate(1.0);
     double want = 0.0;
@@ -157,17 +157,17 @@ TEST_CASE("CertificateParts, EncodingIsTheDifferenceOfTwoFiles") {
 }
 
 TEST_CASE("CertificateParts, TheReferencesOwnErrorIsSmallButForNarrowLobes") {
-  sky::Sky narrow = stillSky(*sky::findLuminance("cie-12"), 25.0);
+  model::Sky narrow = stillSky(*model::findLuminance("cie-12"), 25.0);
   narrow.luminance.c = 1e4;
   narrow.luminance.d = -120.0;
   for (const bool is_narrow : {false, true}) {
-    const SampledDay day(is_narrow ? narrow : sky::someSkies()[1].sky, everyHours(12.0));
-    const BakedDay baked(day, sky::coefficientsOf(day.values, 2, false));
+    const SampledDay day(is_narrow ? narrow : someSkies()[1].sky, everyHours(12.0));
+    const BakedDay baked(day, table::coefficientsOf(day.values, 2, false));
     const double error = baked.certificate(2.0).reference_error;
     CAPTURE(is_narrow, error);
-    CHECK(error > (is_narrow ? 5e-3 : sky::IrradianceProjector::kError / 2.0));
-    CHECK(error < (is_narrow ? 0.2 : 3.0 * sky::IrradianceProjector::kError));
+    CHECK(error > (is_narrow ? 5e-3 : model::IrradianceProjector::kError / 2.0));
+    CHECK(error < (is_narrow ? 0.2 : 3.0 * model::IrradianceProjector::kError));
   }
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -10,7 +10,7 @@
 #include "run_tool.h"
 #include "sky_text.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// A day with two dusks, a night, and hues of grey.
 inline const std::string kDay = "luminance = \"cie-12\"\nnormalise = \"sun\"";
@@ -40,4 +40,4 @@ inline nlohmann::json printedJson(const std::vector<std::string>& arguments) {
   return nlohmann::json::parse(run.out);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

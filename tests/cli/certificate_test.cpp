@@ -6,7 +6,7 @@
 
 #include "baked.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 namespace fs = std::filesystem;
 

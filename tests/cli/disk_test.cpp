@@ -11,7 +11,7 @@
 #include "sky_text.h"
 #include "two_bakes.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 namespace fs = std::filesystem;
 
 namespace {

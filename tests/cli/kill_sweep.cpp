@@ -9,7 +9,7 @@
 
 #include "two_bakes.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 void killAtEveryCall(const KillSweep& sweep, int least) {
   for (int call = 1;; ++call) {
@@ -44,4 +44,4 @@ void killAtAnyTime(const KillSweep& sweep, int kills) {
   REQUIRE(killed > 0);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

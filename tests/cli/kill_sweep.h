@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace welkin::test {
+namespace welkin::tests {
 
 struct KillSweep {
   std::vector<std::string> command;
@@ -20,4 +20,4 @@ void killAtEveryCall(const KillSweep& sweep, int least);
 /// Kills so many runs, evenly spread over a little more than the time of a whole one.
 void killAtAnyTime(const KillSweep& sweep, int kills);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -5,7 +5,7 @@
 #include "kill_sweep.h"
 #include "two_bakes.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 namespace fs = std::filesystem;
 
 namespace {

@@ -7,7 +7,7 @@
 #include "baked.h"
 #include "tests/gltf_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "level_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 namespace fs = std::filesystem;
 

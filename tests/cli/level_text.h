@@ -10,7 +10,7 @@
 #include "sky_text.h"
 #include "tests/gltf_text.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 class SmallLevel {
  public:
@@ -73,4 +73,4 @@ inline void requireSame(const std::filesystem::path& a, const std::filesystem::p
   REQUIRE(compared == kSectors + 2);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

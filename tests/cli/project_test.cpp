@@ -7,7 +7,7 @@
 #include "run_tool.h"
 #include "sky_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 
 namespace {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 double now() {
@@ -87,4 +87,4 @@ Run Tool::wait() {
   return run;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

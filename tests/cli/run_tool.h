@@ -10,7 +10,7 @@
 
 #include "tests/folder.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// How a run ended.
 struct Run {
@@ -56,4 +56,4 @@ inline Run runTool(const std::vector<std::string>& arguments, const Setting& set
   return Tool(arguments, setting).wait();
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -8,7 +8,7 @@
 #include "baked.h"
 #include "level_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// A sun that stands still, without light of its own.
 inline const std::string kStillSun = "path = [[0, 0, 60]]";
@@ -18,4 +18,4 @@ inline std::string skyText(const std::string& sky, const std::string& sun = kSti
 /// Radiance 1 everywhere above the horizon: CIE type 5 has no gradation and no indicatrix.
 inline const std::string kUniform = "luminance = \"cie-5\"\nnormalise = \"zenith\"";
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

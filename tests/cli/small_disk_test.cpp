@@ -12,7 +12,7 @@
 
 #include "two_bakes.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 namespace fs = std::filesystem;
 
 namespace {

@@ -6,7 +6,7 @@
 #include "run_tool.h"
 #include "sky_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 
 TEST_CASE("Study, WritesAFolderAndSaysWhatItFound") {
   const Folder folder;

@@ -10,7 +10,7 @@
 
 #include "sky_text.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ Setting on(const DiskFault& disk) {
   return setting;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

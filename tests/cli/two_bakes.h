@@ -4,7 +4,7 @@
 
 #include "run_tool.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// The folder `out` holds the bake of an old sky; a bake of a new sky shall replace it. No file of the two is the same,
 /// and each has a cubemap that the other has not.
@@ -43,4 +43,4 @@ struct DiskFault {
 };
 Setting on(const DiskFault& disk);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -8,7 +8,7 @@
 #include "run_tool.h"
 #include "sky_text.h"
 
-using namespace welkin::test;
+using namespace welkin::tests;
 using nlohmann::json;
 
 namespace {
@@ -72,7 +72,8 @@ TEST_CASE("Eval, LuminanceOfTypeTwelveIsTheStandards") {
 
 TEST_CASE("Eval, LuminanceIsOneTowardsTheSunWhenNormalisedToIt") {
   const std::string half_root_three = "0.86602540378443865";
-  requireAll(eval(skyText(""), "0," + half_root_three + ",-0.5", "luminance"), 1.0, 1e-9);  // the cusp: 24 per radian
+  requireAll(eval(skyText(""), "0," + half_root_three + ",-0.5", "luminance"), 1.0,
+             1e-9);  // the cusp: 24 per radian
 }
 
 TEST_CASE("Eval, GroundReflectsTheSkyAndTheSun") {

@@ -18,7 +18,7 @@
 #include "generate/geometry.h"
 #include "generate/layout.h"
 #include "generate/terrain.h"
-#include "sky/atomic_file.h"
+#include "sky/base/atomic_file.h"
 
 namespace welkin::island {
 namespace {
@@ -101,11 +101,11 @@ std::pair<Vec3, Vec3> bounds(const std::string& name) {
 
 TEST_CASE("Island, GeneratorWritesTheCommittedBytes") {
   const GltfFiles files = islandFiles();
-  const std::vector<std::byte> json = readFile(kFolder / "island.gltf");
+  const std::vector<std::byte> json = base::readFile(kFolder / "island.gltf");
   const bool isSameJson =
       json.size() == files.json.size() && std::memcmp(json.data(), files.json.data(), json.size()) == 0;
   CHECK(isSameJson);
-  const bool isSameBinary = readFile(kFolder / "island.bin") == files.binary;
+  const bool isSameBinary = base::readFile(kFolder / "island.bin") == files.binary;
   CHECK(isSameBinary);
   CHECK(files.json.size() + files.binary.size() < kLargest);
 }

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "fuzz.h"
-#include "sky/environment.h"
-#include "sky/image_module.h"
+#include "sky/cubemap/environment.h"
+#include "sky/image/image_module.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   constexpr int kBands = 3;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = sky::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
   const auto path = kFolder.write("environment", {bytes, size});
-  sky::Environment environment;
-  if (!fuzz::accepts([&] { environment = sky::projectImage(path, kBands); })) return 0;
+  cubemap::Environment environment;
+  if (!fuzz::accepts([&] { environment = cubemap::projectImage(path, kBands); })) return 0;
   fuzz::require(!environment.layout.empty() && environment.width >= 1 && environment.height >= 1, "a layout is named");
   fuzz::require(environment.radiance_sh.size() == kBands * kBands, "every coefficient is there");
   fuzz::require(std::all_of(environment.radiance_sh.begin(), environment.radiance_sh.end(),

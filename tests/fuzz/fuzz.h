@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
 /// The entry that libFuzzer and the replay call with every input.
@@ -52,7 +52,7 @@ class Folder {
                : std::filesystem::temp_directory_path();
   }
 
-  test::Folder folder_;
+  tests::Folder folder_;
 };
 
 /// Whether `read` takes the input. It may refuse by nothing but an Error about a file or its content, in words; any
@@ -62,9 +62,9 @@ bool accepts(Read&& read) {
   try {
     read();
     return true;
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     require(e.what()[0] != '\0', "an error has a message");
-    require(e.status() == ExitStatus::content || e.status() == ExitStatus::file, "an error is the input's");
+    require(e.status() == base::ExitStatus::content || e.status() == base::ExitStatus::file, "an error is the input's");
     return false;
   }
 }

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "fuzz.h"
-#include "sky/image.h"
-#include "sky/image_module.h"
+#include "sky/image/image.h"
+#include "sky/image/image_module.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = sky::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
   const auto path = kFolder.write("image", {bytes, size});
-  sky::Image image;
-  if (!fuzz::accepts([&] { image = sky::readImage(path); })) return 0;
-  const sky::ImageLimits limits;
+  image::Image image;
+  if (!fuzz::accepts([&] { image = image::readImage(path); })) return 0;
+  const image::ImageLimits limits;
   fuzz::require(image.width >= 1 && image.width <= limits.largest_side && image.height >= 1 &&
                     image.height <= limits.largest_side,
                 "the sides are within the limits");

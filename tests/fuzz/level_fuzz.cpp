@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fuzz.h"
-#include "probes/level/surfaces_of.h"
-#include "sky/image_module.h"
+#include "probes/loader/surfaces_of.h"
+#include "sky/image/image_module.h"
 
 namespace welkin::fuzz {
 namespace {
@@ -13,18 +13,18 @@ constexpr const char* kNames[] = {"a.gltf", "a.glb", "a.obj", "a.mtl"};
 constexpr std::string_view kObjOfTheMtl =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 0 1\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1 2 3\n";
 
-void requireWhole(const probes::Surfaces& s) {
+void requireWhole(const geometry::Surfaces& s) {
   const std::size_t vertices = s.position.size();
   require(s.uv.empty() || s.uv.size() == vertices, "every vertex has texture coordinates, or none has");
   require(s.colour.empty() || s.colour.size() == vertices, "every vertex has a colour, or none has");
   for (const auto& p : s.position)
     require(std::all_of(p.begin(), p.end(), [](float v) { return std::isfinite(v); }), "positions are finite");
-  for (const probes::Triangle& t : s.triangle) {
+  for (const geometry::Triangle& t : s.triangle) {
     require(std::all_of(t.vertex.begin(), t.vertex.end(), [&](std::uint32_t v) { return v < vertices; }),
             "vertices are there");
     require(t.material < s.material.size() && t.object < s.object.size(), "materials and objects are there");
   }
-  for (const probes::Material& m : s.material) {
+  for (const geometry::Material& m : s.material) {
     require(m.texture < static_cast<int>(s.texture.size()), "textures are there");
     require(isFinite(m.albedo) && isFinite(m.emission) && std::isfinite(m.alpha), "materials are finite");
     require(
@@ -33,10 +33,10 @@ void requireWhole(const probes::Surfaces& s) {
     for (const auto& row : m.uv_row)
       require(std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); }), "transforms are finite");
   }
-  for (const probes::Texture& t : s.texture)
+  for (const geometry::Texture& t : s.texture)
     require(t.rgba.size() == 4 * static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height),
             "every texel is there");
-  for (const probes::PointLight& light : s.light)
+  for (const geometry::PointLight& light : s.light)
     require(isFinite(light.position) && isFinite(light.intensity), "lights are finite");
 }
 
@@ -46,7 +46,7 @@ void requireWhole(const probes::Surfaces& s) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = sky::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
   if (size == 0) return 0;
   const std::size_t kind = bytes[0] % std::size(fuzz::kNames);
   auto path = kFolder.write(fuzz::kNames[kind], {bytes + 1, size - 1});
@@ -54,9 +54,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const auto* obj = reinterpret_cast<const std::uint8_t*>(fuzz::kObjOfTheMtl.data());
     path = kFolder.write("of_the_mtl.obj", {obj, fuzz::kObjOfTheMtl.size()});
   }
-  probes::LevelFile level;
-  level.geometry.push_back({path, {}, probes::Role::fixed, {}});
-  probes::Surfaces surfaces;
-  if (fuzz::accepts([&] { surfaces = probes::readSurfaces(level); })) fuzz::requireWhole(surfaces);
+  level::LevelFile level;
+  level.geometry.push_back({path, {}, geometry::Role::fixed, {}});
+  geometry::Surfaces surfaces;
+  if (fuzz::accepts([&] { surfaces = loader::readSurfaces(level); })) fuzz::requireWhole(surfaces);
   return 0;
 }

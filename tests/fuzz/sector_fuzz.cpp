@@ -6,36 +6,36 @@
 #include <vector>
 
 #include "fuzz.h"
-#include "probes/level_index.h"
-#include "probes/sector_file.h"
+#include "probes/sectors/level_index.h"
+#include "probes/sectors/sector_file.h"
 
 namespace welkin::fuzz {
 namespace {
 
-void checkLocal(const probes::BakedLocal& baked, std::size_t count) {
-  const probes::SectorLocal local = probes::decodedLocal(baked.encoded);
+void checkLocal(const sectors::BakedLocal& baked, std::size_t count) {
+  const transfer::SectorLocal local = transfer::decodedLocal(baked.encoded);
   require(local.probe.size() == count, "every probe has its local transfer");
   require(count == 0 || baked.sampling.probe < count, "the worst probe is there");
   for (const auto& light : local.light) require(isFinite(light), "a virtual light is somewhere");
   for (const auto& probe : local.probe)
-    for (const probes::LocalTransfer& transfer : probe) {
+    for (const transfer::LocalTransfer& transfer : probe) {
       require(transfer.light < local.light.size(), "a transfer names a light that is there");
       require(transfer.influence() >= 0.0, "an influence is not below 0");
       for (const auto& coefficient : transfer.radiance) require(isFinite(coefficient), "local transfer is finite");
     }
 }
 
-void checkSector(const probes::SectorFile& sector) {
-  const probes::SectorProbes decoded = probes::decodedProbes(sector.probes, sector.id);
+void checkSector(const sectors::SectorFile& sector) {
+  const transfer::SectorProbes decoded = transfer::decodedProbes(sector.probes, sector.id);
   const std::size_t count = sector.probes.probes();
-  require(count <= probes::kMostProbes && decoded.position.size() == count && decoded.transfer.size() == count &&
+  require(count <= geometry::kMostProbes && decoded.position.size() == count && decoded.transfer.size() == count &&
               decoded.sun.size() == count,
           "every probe is there");
   for (const std::uint8_t cell : sector.grid)
-    require(cell == probes::kNoProbe || cell < count, "a cell names a probe that is there");
+    require(cell == geometry::kNoProbe || cell < count, "a cell names a probe that is there");
   for (const auto& position : decoded.position) require(isFinite(position), "a position is finite");
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t b = 0; b < probes::kDirections; ++b) {
+    for (std::size_t b = 0; b < transfer::kDirections; ++b) {
       const double visibility = decoded.transfer[i].visibility[b];
       require(visibility >= 0.0 && visibility <= 1.0, "a visibility is 0 to 1");
       const auto& sky = decoded.transfer[i].sky[b];
@@ -47,8 +47,9 @@ void checkSector(const probes::SectorFile& sector) {
     }
   for (const auto& mode : decoded.modes.value) require(isFinite(mode), "a mode is finite");
   if (sector.local) checkLocal(*sector.local, count);
-  const auto written = probes::encodeSector(sector);
-  require(probes::encodeSector(probes::decodeSector(written, "what was written")) == written, "it is written as read");
+  const auto written = sectors::encodeSector(sector);
+  require(sectors::encodeSector(sectors::decodeSector(written, "what was written")) == written,
+          "it is written as read");
 }
 
 }  // namespace
@@ -58,10 +59,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace welkin;
   std::vector<std::byte> copy(size);  // exactly its size, so that a read past the end is seen
   if (size > 0) std::memcpy(copy.data(), bytes, size);
-  fuzz::accepts([&] { fuzz::checkSector(probes::decodeSector(copy, "the input")); });
+  fuzz::accepts([&] { fuzz::checkSector(sectors::decodeSector(copy, "the input")); });
   fuzz::accepts([&] {
-    const auto written = probes::encodeLevel(probes::decodeLevel(copy, "the input"));
-    fuzz::require(probes::encodeLevel(probes::decodeLevel(written, "what was written")) == written,
+    const auto written = sectors::encodeLevel(sectors::decodeLevel(copy, "the input"));
+    fuzz::require(sectors::encodeLevel(sectors::decodeLevel(written, "what was written")) == written,
                   "an index is written as read");
   });
   return 0;

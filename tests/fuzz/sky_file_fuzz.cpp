@@ -7,15 +7,15 @@
 
 #include "format/key_segment.h"
 #include "fuzz.h"
-#include "sky/day_table.h"
-#include "sky/encode.h"
-#include "sky/image_module.h"
-#include "sky/sky_file.h"
+#include "sky/bake/encode.h"
+#include "sky/bake/sky_file.h"
+#include "sky/image/image_module.h"
+#include "sky/table/day_table.h"
 
 namespace welkin::fuzz {
 namespace {
 
-using sky::Number3;
+using det::Number3;
 
 constexpr double kHours[] = {0.0, 5.9, 12.0, 18.3, 23.999};
 
@@ -29,13 +29,13 @@ const Folder& folder() {
         {"stars.ppm", "P3 2 1 255  0 0 0  255 255 255"}};
     for (const auto& [name, text] : kImages)
       kFolder.write(std::string(name), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    sky::imageModule();  // loaded here, not in an input's time
+    image::imageModule();  // loaded here, not in an input's time
     return true;
   }();
   return kFolder;
 }
 
-void checkBake(const sky::BakeSettings& bake) {
+void checkBake(const bake::BakeSettings& bake) {
   require(bake.bands >= 2 && bake.bands <= 5, "bands are 2 to 5");
   require(format::areKeyTimes(bake.key_time_h) && bake.key_time_h.size() <= 86400, "keys are at most 86400 key times");
   require(bake.cubemap_size == 0 || (bake.cubemap_size >= 2 && bake.cubemap_size <= 4096),
@@ -45,8 +45,8 @@ void checkBake(const sky::BakeSettings& bake) {
           "cubemap_times are at most 1440 key times, and none without a size");
 }
 
-void checkInstant(const sky::Sky& sky, double time_h) {
-  const sky::SkyInstant instant(sky, time_h);
+void checkInstant(const model::Sky& sky, double time_h) {
+  const model::SkyInstant instant(sky, time_h);
   const Number3 sun = instant.sunDirection();
   require(isFinite(sun) && std::abs(dot(sun, sun) - 1.0) < 1e-9, "the sun's direction is of length 1");
   require(std::isfinite(instant.luminanceNorm()) && instant.luminanceNorm() > 0.0,
@@ -60,12 +60,12 @@ void checkInstant(const sky::Sky& sky, double time_h) {
 }
 
 /// Bakes one key and opens the result as a game does.
-void checkBaked(const sky::SkyFile& file) {
+void checkBaked(const bake::SkyFile& file) {
   constexpr int kBands = 2;
-  const auto table = sky::bakeDayTable(file.sky, kBands, {kHours[2]}, [] { return true; });
+  const auto table = table::bakeDayTable(file.sky, kBands, {kHours[2]}, [] { return true; });
   const auto finite = [](auto v) { return std::isfinite(v); };
   require(std::all_of(table.number.begin(), table.number.end(), finite), "the table's numbers are finite");
-  const auto bytes = sky::encodeSky(file, table, {});
+  const auto bytes = bake::encodeSky(file, table, {});
   WelkinSky* opened = nullptr;
   WelkinMessage message{};
   const WelkinResult result = welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message);
@@ -85,8 +85,8 @@ void checkBaked(const sky::SkyFile& file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   const auto path = fuzz::folder().write("sky.toml", {bytes, size});
-  sky::SkyFile file;
-  if (!fuzz::accepts([&] { file = sky::readSkyFile(path); })) return 0;
+  bake::SkyFile file;
+  if (!fuzz::accepts([&] { file = bake::readSkyFile(path); })) return 0;
   fuzz::require(!file.inputs.empty() && !file.settings.empty(), "inputs and settings are recorded");
   fuzz::checkBake(file.bake);
   for (const double time_h : fuzz::kHours) fuzz::checkInstant(file.sky, time_h);

@@ -51,7 +51,7 @@ std::vector<Measured> measure(std::size_t count, bool gpu, std::string& device_n
     formula_of.push_back(static_cast<std::size_t>(known - formulas.begin()));
     if (known == formulas.end()) formulas.push_back({slot.formula, {}, {}, 0.0});
   }
-  std::optional<tools::VulkanDevice> device;
+  std::optional<render::VulkanDevice> device;
   if (gpu) {
     device.emplace(true);
     device_name = device->properties().deviceName;

@@ -62,7 +62,7 @@ int main(int count, char** arguments) {
   const auto formulas = measure(kEvaluations, true, device);
   if (option == "--check") return check(formulas);
   const std::string text = fmt::format("{} evaluations; GPU: {}.\n\n{}", kEvaluations, device, tableOf(formulas));
-  if (option == "--write" && count == 3) return welkin::test::bringUpToDate(arguments[2], "numerics", text, true);
+  if (option == "--write" && count == 3) return welkin::tests::bringUpToDate(arguments[2], "numerics", text, true);
   fmt::print("{}", text);
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bake's sections of level.toml: what they give, every number at the ends of its range, and what is said of what
 // is wrong with them.
-#include "probes/level/bake_section.h"
+#include "probes/build/bake_section.h"
 
 #include <fmt/format.h>
 
@@ -10,22 +10,20 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "probes/geometry/sector_name.h"
 #include "probes/level/level_domain.h"
-#include "probes/sector_name.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
-using sky::Kind;
+using base::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-BakeSection sectionOf(const std::string& text) {
-  const test::Folder folder;
-  return readBakeSection(folder.write("level.toml", text));
+build::BakeSection sectionOf(const std::string& text) {
+  const Folder folder;
+  return build::readBakeSection(folder.write("level.toml", text));
 }
 
 void checkRefused(const std::string& text, const std::string& says) {
@@ -33,18 +31,18 @@ void checkRefused(const std::string& text, const std::string& says) {
   try {
     sectionOf(text);
     FAIL("it was read");
-  } catch (const Error& e) {
-    CHECK(e.status() == ExitStatus::content);
+  } catch (const base::Error& e) {
+    CHECK(e.status() == base::ExitStatus::content);
     CHECK_THAT(e.what(), Catch::Contains("level.toml:") && Catch::Contains(says));
   }
 }
 
-bool isOfTheBake(const sky::Parameter& p) {
+bool isOfTheBake(const base::Parameter& p) {
   return p.section == "probes" || p.section == "transfer" || p.section == "scale";
 }
 
 /// A file in which only this key is set.
-std::string fileOf(const sky::Parameter& p, double value) {
+std::string fileOf(const base::Parameter& p, double value) {
   const std::string number = p.kind == Kind::whole_number && std::isfinite(value) ? fmt::format("{:.0f}", value)
                              : std::isnan(value)                                  ? "nan"
                              : std::isinf(value)                                  ? (value < 0.0 ? "-inf" : "inf")
@@ -58,27 +56,27 @@ std::string fileOf(const sky::Parameter& p, double value) {
 }  // namespace
 
 TEST_CASE("BakeSection, AbsentIsTheDesignsDefault") {
-  const BakeSection s = sectionOf("[level]\nsky = \"sky.toml\"\n");
+  const build::BakeSection s = sectionOf("[level]\nsky = \"sky.toml\"\n");
   CHECK(s.probes.spacing_m == 4.0);
   CHECK(s.probes.vegetation_spacing_m == 8.0);
   CHECK(s.probes.minimum_separation_m == 7.0);
   CHECK(s.probes.height_m == 1.0);
-  const PlacementSettings of_placement;
+  const placement::PlacementSettings of_placement;
   CHECK(s.probes.headroom_m == of_placement.headroom_m);
   CHECK(s.probes.clearance_m == of_placement.clearance_m);
   CHECK(s.probes.coverage_m == of_placement.coverage_m);
   CHECK((s.probes.add.empty() && s.probes.remove.empty() && s.probes.room.empty()));
   CHECK(s.transfer.rays == 1024);
   CHECK(s.transfer.bounces == 2);
-  CHECK(s.transfer.sun == SunTransfer::directional);
-  CHECK(s.transfer.local_lights.where == LocalLights::Where::near_lights);
+  CHECK(s.transfer.sun == transfer::SunTransfer::directional);
+  CHECK(s.transfer.local_lights.where == build::LocalLights::Where::near_lights);
   CHECK(s.transfer.reach_m == 128.0);
   CHECK(s.scale.sun_bounce == 1.0);
   CHECK(s.scale.sky == 1.0);
 }
 
 TEST_CASE("BakeSection, GivesWhatTheFileSays") {
-  const BakeSection s = sectionOf(R"(
+  const build::BakeSection s = sectionOf(R"(
 [probes]
 spacing_m = 2
 vegetation_spacing_m = 6.5
@@ -111,24 +109,26 @@ sky = 2.5
   CHECK(s.probes.clearance_m == 0.5);
   CHECK(s.probes.coverage_m == 10.0);
   REQUIRE(s.probes.add.size() == 2);
-  CHECK(s.probes.add[1] == Number3(-4.5, 5, 6));
+  CHECK(s.probes.add[1] == f64::Number3(-4.5, 5, 6));
   REQUIRE(s.probes.remove.size() == 1);
-  CHECK(s.probes.remove[0].low == Number3(-1, -2, -3));
-  CHECK(s.probes.remove[0].high == Number3(1, 2, 3));
+  CHECK(s.probes.remove[0].low == f64::Number3(-1, -2, -3));
+  CHECK(s.probes.remove[0].high == f64::Number3(1, 2, 3));
   REQUIRE(s.probes.room.size() == 2);
-  CHECK(s.probes.room[1].low == Number3(10, 11, 12));
-  CHECK(s.probes.room[1].high == Number3(13, 14, 15));
+  CHECK(s.probes.room[1].low == f64::Number3(10, 11, 12));
+  CHECK(s.probes.room[1].high == f64::Number3(13, 14, 15));
   CHECK_FALSE(s.transfer.rays);
   CHECK(s.transfer.bounces == 0);
-  CHECK(s.transfer.sun == SunTransfer::sh);
-  CHECK(s.transfer.local_lights.where == LocalLights::Where::listed);
-  CHECK(s.transfer.local_lights.sector == std::vector<SectorId>{{-1, 0}, {3, -4}});
+  CHECK(s.transfer.sun == transfer::SunTransfer::sh);
+  CHECK(s.transfer.local_lights.where == build::LocalLights::Where::listed);
+  CHECK(s.transfer.local_lights.sector == std::vector<geometry::SectorId>{{-1, 0}, {3, -4}});
   CHECK(s.transfer.reach_m == 1.0);
   CHECK(s.scale.sun_bounce == 0.0);
   CHECK(s.scale.sky == 2.5);
-  CHECK(sectionOf("[transfer]\nlocal_lights = true").transfer.local_lights.where == LocalLights::Where::everywhere);
-  CHECK(sectionOf("[transfer]\nlocal_lights = false").transfer.local_lights.where == LocalLights::Where::nowhere);
-  const auto json = nlohmann::json::parse(settingsText(s));
+  CHECK(sectionOf("[transfer]\nlocal_lights = true").transfer.local_lights.where ==
+        build::LocalLights::Where::everywhere);
+  CHECK(sectionOf("[transfer]\nlocal_lights = false").transfer.local_lights.where ==
+        build::LocalLights::Where::nowhere);
+  const auto json = nlohmann::json::parse(build::settingsText(s));
   CHECK(json["probes"]["add"][1] == std::vector<double>{-4.5, 5, 6});
   CHECK(json["room"][1] == std::vector<double>{10, 11, 12, 13, 14, 15});
   CHECK(json["transfer"]["local_lights"] == std::vector<std::string>{"-1_0", "3_-4"});
@@ -136,7 +136,7 @@ sky = 2.5
 }
 
 TEST_CASE("BakeSection, EveryNumberAtTheEndsOfItsRange") {
-  for (const sky::Parameter& p : levelDomain()) {
+  for (const base::Parameter& p : level::levelDomain()) {
     if (!isOfTheBake(p) || p.range.low == p.range.high) continue;
     const double step = p.kind == Kind::whole_number ? 8.0 : 0.0;
     const auto beyond = [&](double value, double towards) {
@@ -176,15 +176,16 @@ TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
   try {
     sectionOf("[[room]]\n");
     FAIL("it was read");
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     CHECK_THAT(e.what(), Catch::Contains("room[0].box: is missing"));
   }
 }
 
 TEST_CASE("SectorName, ReadsWhatItWrites") {
-  for (const SectorId sector : {SectorId{0, 0}, {-1, 12}, {kFarthestSector, -kFarthestSector}})
-    CHECK(sectorOf(nameOf(sector)) == sector);
-  CHECK(fileNameOf({-1, 12}) == "sector_-1_12.welkin");
+  for (const geometry::SectorId sector :
+       {geometry::SectorId{0, 0}, {-1, 12}, {geometry::kFarthestSector, -geometry::kFarthestSector}})
+    CHECK(geometry::sectorOf(nameOf(sector)) == sector);
+  CHECK(geometry::fileNameOf({-1, 12}) == "sector_-1_12.welkin");
 }
 
 }  // namespace welkin::tests

@@ -17,9 +17,9 @@ struct Compared {
 };
 
 struct ClosedFormColumns {
-  std::vector<Compared> path_tracer;                   ///< asked normals, then the basis
-  std::array<Compared, probes::kDirections> transfer;  ///< directions of the basis
-  std::vector<Compared> four_directions;               ///< asked normals
+  std::vector<Compared> path_tracer;                     ///< asked normals, then the basis
+  std::array<Compared, transfer::kDirections> transfer;  ///< directions of the basis
+  std::vector<Compared> four_directions;                 ///< asked normals
 };
 
 /// By `paths` of the path tracer for each normal and of the transfer in all, those of 64 independent probes: at least

@@ -51,7 +51,7 @@ TEST_CASE("SkyPolygon, AgreesWithTheFormsOfLevelGround") {
 TEST_CASE("SkyPolygon, IsCutAtTheHorizonOfATiltedSurface") {
   constexpr double kRounding = 1e-14;
   for (const Number3& n :
-       {Number3(0.6, 0.8, 0), probes::unit({0.3, 0.5, -0.7}), probes::unit({-0.8, -0.3, 0.4}), Number3(0, -1, 0)})
+       {Number3(0.6, 0.8, 0), geometry::unit({0.3, 0.5, -0.7}), geometry::unit({-0.8, -0.3, 0.4}), Number3(0, -1, 0)})
     CHECK(irradianceOverPi(openSky(), n) == Approx(0.5 * (1.0 + n.y)).margin(kRounding));
   // A wall that stands upright leaves what is south; leaning back by g it leaves a lune of pi - g.
   for (const double g : {0.4, 1.2})

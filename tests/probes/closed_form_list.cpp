@@ -12,14 +12,14 @@
 namespace welkin::tests {
 namespace {
 
-using probes::LocalLight;
-using probes::SkyBounce;
-using probes::SunTransfer;
+using reference::LocalLight;
+using transfer::SkyBounce;
+using transfer::SunTransfer;
 
 const Number3 kPlane(0.2, 0.5, 0.9);
 const AskedNormal kUp{"up", {0, 1, 0}};
 const AskedNormal kEast{"east", {1, 0, 0}};
-const AskedNormal kAslant{"aslant", probes::unit({0.3, -0.5, -0.7})};
+const AskedNormal kAslant{"aslant", geometry::unit({0.3, -0.5, -0.7})};
 
 /// Share of the sphere that a normal sees above and below the horizon, cosine-weighted.
 double above(const Number3& n) {
@@ -29,7 +29,7 @@ double below(const Number3& n) {
   return 0.5 * (1.0 - n.y);
 }
 
-sky::Sky withGround(sky::Sky sky, const Number3& albedo) {
+model::Sky withGround(model::Sky sky, const Number3& albedo) {
   sky.ground_albedo = albedo;
   return sky;
 }
@@ -76,7 +76,7 @@ ClosedForm planeUnderSun(double elevation_deg, SunTransfer sun, double half_m) {
 constexpr double kEye_m = 1e-3;  ///< of the points below above the ground
 
 /// Black walls: what `sky` leaves of radiance 1. `of_level`: the form for level ground.
-ClosedForm blackWalls(std::string name, probes::Surfaces surfaces, const SkyPolygon& sky, double of_level,
+ClosedForm blackWalls(std::string name, geometry::Surfaces surfaces, const SkyPolygon& sky, double of_level,
                       std::vector<std::size_t> shown) {
   ClosedForm form;
   form.name = std::move(name);
@@ -116,7 +116,7 @@ ClosedForm overcast(SkyBounce way) {
   form.name = std::string("plane of albedo 0.2, `cie-overcast`") + (way == SkyBounce::fitted ? ", fitted" : "");
   form.surfaces = groundOf(kPlane);
   form.sky = withGround(uniformSky(1.0), kPlane);
-  form.sky.luminance = *sky::findLuminance("cie-overcast");
+  form.sky.luminance = *model::findLuminance("cie-overcast");
   form.position = {0, 1, 0};
   form.sky_bounce = way;
   const double ground = 7.0 / 9.0;
@@ -168,7 +168,7 @@ ClosedForm lampInSphere(int bounced) {
 }
 
 /// Where no light comes, a bright sky with a sun above and a lamp behind a wall.
-ClosedForm dark(std::string name, probes::Surfaces surfaces, const Number3& position, SunTransfer sun) {
+ClosedForm dark(std::string name, geometry::Surfaces surfaces, const Number3& position, SunTransfer sun) {
   ClosedForm form;
   form.name = std::move(name) + ", `" + nameOf(sun) + "`";
   form.surfaces = std::move(surfaces);
@@ -187,7 +187,7 @@ void addDark(std::vector<ClosedForm>& forms) {
   constexpr double kTurned_rad = 0.37;
   const Number3 moved(211.3, 17.1, -93.7);
   for (const SunTransfer sun : {SunTransfer::directional, SunTransfer::sh}) {
-    probes::Surfaces box;
+    geometry::Surfaces box;
     addBoxInside(box, {-1, 0, -3}, {2, 2.5, 1}, addMaterial(box, albedo, true));
     forms.push_back(dark("closed box", box, {0.3, 1, -0.4}, sun));
     const LocalLight lamp{{-2, 1, 0.3}, Number3(10.0)};

@@ -24,14 +24,14 @@ struct AskedNormal {
 
 struct ClosedForm {
   std::string name;
-  probes::Surfaces surfaces;
-  sky::Sky sky;  ///< without change over the day
-  std::vector<probes::LocalLight> lamp = {};
+  geometry::Surfaces surfaces;
+  model::Sky sky;  ///< without change over the day
+  std::vector<reference::LocalLight> lamp = {};
   Number3 position;
   int bounces = 2;
-  probes::SunTransfer sun = probes::SunTransfer::directional;
+  transfer::SunTransfer sun = transfer::SunTransfer::directional;
   /// For `bounces`, of the bands' own sum or of their fit.
-  probes::SkyBounce sky_bounce = probes::SkyBounce::projected;
+  transfer::SkyBounce sky_bounce = transfer::SkyBounce::projected;
   IrradianceOf exact;
   /// What transfer gives a direction of the transfer basis: `exact` less what the talk's way of holding the light
   /// loses, in closed form as well. None: `exact` itself.

@@ -16,8 +16,8 @@ namespace welkin::tests {
 inline constexpr double kEndless_m = 4000.0;
 
 /// Level ground and, 10 m north of the origin, a wall to an elevation seen from the origin. (1 + cos g) / 2.
-inline probes::Surfaces wallTo(double elevation_rad, const Number3& ground, const Number3& wall) {
-  probes::Surfaces s = groundOf(ground, kEndless_m);
+inline geometry::Surfaces wallTo(double elevation_rad, const Number3& ground, const Number3& wall) {
+  geometry::Surfaces s = groundOf(ground, kEndless_m);
   addQuad(s, {-kEndless_m, 0, -10}, {2 * kEndless_m, 0, 0}, {0, 10 * std::tan(elevation_rad), 0}, addMaterial(s, wall));
   return s;
 }
@@ -26,8 +26,8 @@ inline double skyViewOfWall(double elevation_rad) {
 }
 
 /// Level ground along z and walls on both sides, the origin in the middle. cos(atan(2 H / W)).
-inline probes::Surfaces canyonOf(double width_m, double height_m, const Number3& ground, const Number3& wall) {
-  probes::Surfaces s = groundOf(ground, kEndless_m);
+inline geometry::Surfaces canyonOf(double width_m, double height_m, const Number3& ground, const Number3& wall) {
+  geometry::Surfaces s = groundOf(ground, kEndless_m);
   const std::uint32_t material = addMaterial(s, wall);
   const double x = 0.5 * width_m;
   addQuad(s, {-x, 0, -kEndless_m}, {0, height_m, 0}, {0, 0, 2 * kEndless_m}, material);
@@ -40,9 +40,9 @@ inline double skyViewOfCanyon(double width_m, double height_m) {
 
 /// Level ground within upright walls over a regular polygon about the origin, whose sides are `apothem_m` from it: four
 /// sides are a square courtyard of width 2 apothem_m, many a round well.
-inline probes::Surfaces wellOf(double apothem_m, double height_m, int sides, const Number3& ground,
-                               const Number3& wall) {
-  probes::Surfaces s = groundOf(ground, 2.0 * apothem_m);
+inline geometry::Surfaces wellOf(double apothem_m, double height_m, int sides, const Number3& ground,
+                                 const Number3& wall) {
+  geometry::Surfaces s = groundOf(ground, 2.0 * apothem_m);
   const std::uint32_t material = addMaterial(s, wall);
   const double radius = apothem_m / std::cos(det::kPi / sides);
   const auto corner = [&](int i) {
@@ -66,7 +66,7 @@ inline double skyViewOfRoundWell(double radius_m, double height_m) {
 
 /// A sphere about the origin as a subdivided icosahedron, seen from inside: 20 4^`levels` triangles with the area of
 /// the sphere, so that the mean irradiance of light from within is exact.
-inline probes::Surfaces sphereInside(double radius_m, int levels, const Number3& albedo) {
+inline geometry::Surfaces sphereInside(double radius_m, int levels, const Number3& albedo) {
   std::vector<Number3> vertex;
   const auto add = [&](const Number3& v) {
     vertex.push_back(v / std::sqrt(dot(v, v)));
@@ -106,8 +106,8 @@ inline probes::Surfaces sphereInside(double radius_m, int levels, const Number3&
     area += 0.5 * std::sqrt(dot(normal, normal));
   }
   const double scale = radius_m * std::sqrt(4.0 * det::kPi / area);
-  probes::Surfaces s;
-  s.object.push_back({"sphere", probes::Role::fixed});
+  geometry::Surfaces s;
+  s.object.push_back({"sphere", geometry::Role::fixed});
   const std::uint32_t material = addMaterial(s, albedo);
   for (const Number3& v : vertex)
     s.position.push_back(
@@ -116,13 +116,13 @@ inline probes::Surfaces sphereInside(double radius_m, int levels, const Number3&
   return s;
 }
 /// How far its surface is from the sphere at most, over the radius.
-inline double roughnessOf(const probes::Surfaces& sphere, double radius_m) {
+inline double roughnessOf(const geometry::Surfaces& sphere, double radius_m) {
   double worst = 0.0;
   const auto load = [&](std::uint32_t i) {
     const auto& p = sphere.position[i];
     return Number3(double{p[0]}, double{p[1]}, double{p[2]});
   };
-  for (const probes::Triangle& t : sphere.triangle) {
+  for (const geometry::Triangle& t : sphere.triangle) {
     const Number3 a = load(t.vertex[0]);
     const Number3 normal = cross(load(t.vertex[1]) - a, load(t.vertex[2]) - a);
     const double plane = std::abs(dot(normal, a)) / std::sqrt(dot(normal, normal));
@@ -133,8 +133,8 @@ inline double roughnessOf(const probes::Surfaces& sphere, double radius_m) {
 
 /// Two rooms of 4 x 3 x 4 m side by side along x, one wall without thickness between them at x = 0; the one with x < 0
 /// has no roof where `open` says so. No light passes between them.
-inline probes::Surfaces twoRooms(const Number3& albedo, bool open) {
-  probes::Surfaces s;
+inline geometry::Surfaces twoRooms(const Number3& albedo, bool open) {
+  geometry::Surfaces s;
   const std::uint32_t material = addMaterial(s, albedo, true);
   for (const double x : {-4.0, 0.0}) {
     addQuad(s, {x, 0, -2}, {0, 0, 4}, {4, 0, 0}, material);
@@ -154,7 +154,7 @@ inline Number3 turned(const Number3& v, double azimuth_rad) {
 }
 
 /// A level turned about the vertical through the origin, then moved.
-inline probes::Surfaces turned(probes::Surfaces surfaces, double azimuth_rad, const Number3& moved = Number3(0.0)) {
+inline geometry::Surfaces turned(geometry::Surfaces surfaces, double azimuth_rad, const Number3& moved = Number3(0.0)) {
   for (auto& p : surfaces.position) {
     const Number3 v = turned(Number3(double{p[0]}, double{p[1]}, double{p[2]}), azimuth_rad) + moved;
     p = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

@@ -83,7 +83,7 @@ int main(int count, char** arguments) {
       tables.agree ? "all within three standard errors and their stated bounds" : "NOT ALL AGREE", tables.forms,
       tables.dark);
   if (count == 3 && std::string_view(arguments[1]) == "--write") {
-    if (welkin::test::bringUpToDate(arguments[2], "forms", text, true) != 0) return 1;
+    if (bringUpToDate(arguments[2], "forms", text, true) != 0) return 1;
   } else {
     fmt::print("{}", text);
   }

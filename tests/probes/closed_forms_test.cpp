@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "probes/directions.h"
-#include "probes/random.h"
-#include "probes/tracer.h"
+#include "probes/geometry/directions.h"
+#include "probes/geometry/random.h"
+#include "probes/geometry/tracer.h"
 
 namespace welkin::tests {
 namespace {
@@ -14,14 +14,14 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Share of cosine-distributed rays from the ground that leave the level, and that no surface shows its back to.
-double openShare(const probes::Surfaces& s) {
-  const probes::Tracer tracer(s);
-  probes::Random random(1);
+double openShare(const geometry::Surfaces& s) {
+  const geometry::Tracer tracer(s);
+  geometry::Random random(1);
   constexpr int kRays = 40000;
   int open = 0;
   for (int i = 0; i < kRays; ++i) {
     const double u = random.unit();
-    const auto hit = tracer.closest({0, 1e-4, 0}, probes::cosineDirection({0, 1, 0}, u, random.unit()), kFar);
+    const auto hit = tracer.closest({0, 1e-4, 0}, geometry::cosineDirection({0, 1, 0}, u, random.unit()), kFar);
     if (!hit) ++open;
     REQUIRE((!hit || !hit->back));
   }
@@ -52,7 +52,7 @@ TEST_CASE("ClosedForms, AWellOfFourSidesIsTheCourtyardAndOneOfManyIsRound") {
 }
 
 TEST_CASE("ClosedForms, TheSphereIsClosedAndOfItsArea") {
-  const probes::Surfaces s = sphereInside(5.0, 3, Number3(0.5));
+  const geometry::Surfaces s = sphereInside(5.0, 3, Number3(0.5));
   CHECK(s.triangle.size() == 1280);
   CHECK(openShare(s) == 0.0);
   double area = 0.0;
@@ -73,13 +73,13 @@ TEST_CASE("ClosedForms, TheSphereIsClosedAndOfItsArea") {
 TEST_CASE("ClosedForms, NoRayPassesBetweenTheTwoRoomsTurnedOffTheAxesToo") {
   for (const double azimuth : {0.0, 0.37}) {
     const Number3 moved = azimuth == 0.0 ? Number3(0.0) : Number3(211.3, 17.1, -93.7);
-    const probes::Surfaces s = turned(twoRooms(Number3(0.5), true), azimuth, moved);
-    const probes::Tracer tracer(s);
-    probes::Random random(2);
+    const geometry::Surfaces s = turned(twoRooms(Number3(0.5), true), azimuth, moved);
+    const geometry::Tracer tracer(s);
+    geometry::Random random(2);
     int open = 0;
     for (int i = 0; i < 20000; ++i) {
       const double u = random.unit();
-      const Number3 w = probes::sphereDirection(u, random.unit());
+      const Number3 w = geometry::sphereDirection(u, random.unit());
       REQUIRE(tracer.occluded(turned(Number3(2, 1.3, 0.5), azimuth) + moved, w, kFar));
       open += tracer.occluded(turned(Number3(-2, 1.3, 0.5), azimuth) + moved, w, kFar) ? 0 : 1;
     }

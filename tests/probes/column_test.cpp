@@ -8,18 +8,18 @@
 #include "probes/placement/lattice.h"
 #include "rooms.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Blocks side by side as a level editor leaves them: tops at heights of 1/8 m, all edges shared, all on whole metres.
-Surfaces blocks(int across) {
-  Surfaces s;
-  const auto stone = tests::addMaterial(s, {0.5, 0.5, 0.5});
+geometry::Surfaces blocks(int across) {
+  geometry::Surfaces s;
+  const auto stone = addMaterial(s, {0.5, 0.5, 0.5});
   for (int k = 0; k < across; ++k)
     for (int i = 0; i < across; ++i)
-      tests::addQuad(s, {double(i), 0.125 * ((i * 7 + k * 3) % 5), double(k)}, {0, 0, 1}, {1, 0, 0}, stone);
+      addQuad(s, {double(i), 0.125 * ((i * 7 + k * 3) % 5), double(k)}, {0, 0, 1}, {1, 0, 0}, stone);
   return s;
 }
 
@@ -30,11 +30,11 @@ double blockHeight(double x, double z) {
 }  // namespace
 
 TEST_CASE("Column, StoreysAreSpansOfAir") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {-5, 3, -5}, {5, 3.5, 5}, 0);
-  tests::addBoxOutside(s, {-5, 6.5, -5}, {5, 7, 5}, 0);
-  const Tracer tracer(s);
-  const auto span = spansAt(tracer, 1.037, 0.021, 10);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {-5, 3, -5}, {5, 3.5, 5}, 0);
+  addBoxOutside(s, {-5, 6.5, -5}, {5, 7, 5}, 0);
+  const geometry::Tracer tracer(s);
+  const auto span = placement::spansAt(tracer, 1.037, 0.021, 10);
   REQUIRE(span.size() == 3);
   CHECK(span[0].low_y == 0.0);
   CHECK(span[0].high_y == Approx(3.0));
@@ -42,19 +42,19 @@ TEST_CASE("Column, StoreysAreSpansOfAir") {
   CHECK(span[1].high_y == Approx(6.5));
   CHECK(span[2].low_y == Approx(7.0));
   CHECK(span[2].high_y == kInfinity);
-  for (const Span& x : span) {
+  for (const placement::Span& x : span) {
     CHECK(x.floor_normal_y == Approx(1.0));
     CHECK_FALSE(x.inside);
   }
 }
 
 TEST_CASE("Column, TheInsideOfABodyOnTheGroundIsNoAir") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {-3, 0, -3}, {3, 4, 3}, 0);   // its bottom lies in the ground
-  tests::addBoxOutside(s, {7, -1, -3}, {13, 4, 3}, 0);  // stands in it
-  const Tracer tracer(s);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {-3, 0, -3}, {3, 4, 3}, 0);   // its bottom lies in the ground
+  addBoxOutside(s, {7, -1, -3}, {13, 4, 3}, 0);  // stands in it
+  const geometry::Tracer tracer(s);
   for (const double x : {1.037, 10.037}) {
-    const auto span = spansAt(tracer, x, 0.021, 10);
+    const auto span = placement::spansAt(tracer, x, 0.021, 10);
     REQUIRE_FALSE(span.empty());
     CHECK(span.back().low_y == Approx(4.0));
     for (std::size_t i = 0; i + 1 < span.size(); ++i) CHECK((span[i].inside || !span[i].hasFloor()));
@@ -62,34 +62,34 @@ TEST_CASE("Column, TheInsideOfABodyOnTheGroundIsNoAir") {
 }
 
 TEST_CASE("Column, ASheetIsOpenOnTheSidesThatItHas") {
-  Surfaces s;
-  const auto one = tests::addMaterial(s, {0.5, 0.5, 0.5});
-  const auto two = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
-  tests::addQuad(s, {-5, 2, -5}, {0, 0, 10}, {10, 0, 0}, one);
-  tests::addQuad(s, {15, 2, -5}, {0, 0, 10}, {10, 0, 0}, two);
-  tests::addQuad(s, {35, 2, -5}, {10, 0, 0}, {0, 0, 10}, one);  // looks down
-  const Tracer tracer(s);
-  REQUIRE(spansAt(tracer, 0.037, 0.021, 5).size() == 1);
-  CHECK(spansAt(tracer, 0.037, 0.021, 5)[0].low_y == 2.0);
-  CHECK(spansAt(tracer, 20.037, 0.021, 5).size() == 2);
-  REQUIRE(spansAt(tracer, 40.037, 0.021, 5).size() == 1);
-  CHECK(spansAt(tracer, 40.037, 0.021, 5)[0].high_y == 2.0);
-  CHECK_FALSE(spansAt(tracer, 40.037, 0.021, 5)[0].hasFloor());
-  const auto nothing = spansAt(tracer, 100, 0, 5);
+  geometry::Surfaces s;
+  const auto one = addMaterial(s, {0.5, 0.5, 0.5});
+  const auto two = addMaterial(s, {0.5, 0.5, 0.5}, true);
+  addQuad(s, {-5, 2, -5}, {0, 0, 10}, {10, 0, 0}, one);
+  addQuad(s, {15, 2, -5}, {0, 0, 10}, {10, 0, 0}, two);
+  addQuad(s, {35, 2, -5}, {10, 0, 0}, {0, 0, 10}, one);  // looks down
+  const geometry::Tracer tracer(s);
+  REQUIRE(placement::spansAt(tracer, 0.037, 0.021, 5).size() == 1);
+  CHECK(placement::spansAt(tracer, 0.037, 0.021, 5)[0].low_y == 2.0);
+  CHECK(placement::spansAt(tracer, 20.037, 0.021, 5).size() == 2);
+  REQUIRE(placement::spansAt(tracer, 40.037, 0.021, 5).size() == 1);
+  CHECK(placement::spansAt(tracer, 40.037, 0.021, 5)[0].high_y == 2.0);
+  CHECK_FALSE(placement::spansAt(tracer, 40.037, 0.021, 5)[0].hasFloor());
+  const auto nothing = placement::spansAt(tracer, 100, 0, 5);
   REQUIRE(nothing.size() == 1);
   CHECK(nothing[0].high_y == kInfinity);
 }
 
 TEST_CASE("Column, NoLineSlipsThroughSharedEdges") {
   constexpr int kAcross = 48;
-  const Surfaces s = blocks(kAcross);
-  const Tracer tracer(s);
+  const geometry::Surfaces s = blocks(kAcross);
+  const geometry::Tracer tracer(s);
   std::size_t slips = 0;
   std::size_t lines = 0;
-  for (const LatticeLine& line : latticeOf({0, 0}, 0.5)) {
+  for (const placement::LatticeLine& line : placement::latticeOf({0, 0}, 0.5)) {
     if (line.x > kAcross || line.z > kAcross) continue;
     ++lines;
-    const auto span = spansAt(tracer, line.x, line.z, 2.0);
+    const auto span = placement::spansAt(tracer, line.x, line.z, 2.0);
     const bool right = span.size() == 1 && span[0].low_y == blockHeight(line.x, line.z);
     slips += right ? 0 : 1;
   }
@@ -101,16 +101,16 @@ TEST_CASE("Lattice, EveryLineIsOfOneSectorAndThePhaseIsTheWorlds") {
   for (const double spacing : {4.0, 3.0, 8.0, 5.5}) {
     std::vector<double> x;
     for (const int sector : {-2, -1, 0, 1}) {
-      const auto lines = latticeOf({sector, -1}, spacing);
-      for (const LatticeLine& line : lines) {
-        CHECK(sectorAt({line.x, 0, line.z}) == SectorId{sector, -1});
+      const auto lines = placement::latticeOf({sector, -1}, spacing);
+      for (const placement::LatticeLine& line : lines) {
+        CHECK(geometry::sectorAt({line.x, 0, line.z}) == geometry::SectorId{sector, -1});
         if (line.k == lines.front().k) x.push_back(line.x);
       }
     }
     for (std::size_t i = 1; i < x.size(); ++i) CHECK(x[i] - x[i - 1] == Approx(spacing));
     CHECK(x.size() >= static_cast<std::size_t>(4 * 64 / spacing) - 1);
   }
-  CHECK(latticeOf({0, 0}, 4.0).size() == 256);
+  CHECK(placement::latticeOf({0, 0}, 4.0).size() == 256);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

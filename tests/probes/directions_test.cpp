@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 
 #include <catch2/catch.hpp>
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 constexpr int kCount = 200000;
@@ -13,12 +15,12 @@ constexpr int kCount = 200000;
 }  // namespace
 
 TEST_CASE("Directions, SphereIsUniform") {
-  Random random(1);
+  geometry::Random random(1);
   Number3 mean(0.0);
   Number3 square(0.0);
   for (int i = 0; i < kCount; ++i) {
     const double s = random.unit();
-    const Number3 d = sphereDirection(s, random.unit());
+    const Number3 d = geometry::sphereDirection(s, random.unit());
     CHECK(dot(d, d) == Approx(1.0).epsilon(1e-14));
     mean += d * (1.0 / kCount);
     square += d * d * (1.0 / kCount);
@@ -30,14 +32,14 @@ TEST_CASE("Directions, SphereIsUniform") {
 }
 
 TEST_CASE("Directions, CosineAboutAnyNormal") {
-  for (const Number3& n :
-       {Number3(0, 1, 0), Number3(0, 0, -1), Number3(0, 0, 1), unit(Number3(-3, 1, -1e-9)), unit(Number3(1, -2, 3))}) {
-    Random random(2);
+  for (const Number3& n : {Number3(0, 1, 0), Number3(0, 0, -1), Number3(0, 0, 1), geometry::unit(Number3(-3, 1, -1e-9)),
+                           geometry::unit(Number3(1, -2, 3))}) {
+    geometry::Random random(2);
     double cosine = 0.0;
     Number3 mean(0.0);
     for (int i = 0; i < kCount; ++i) {
       const double s = random.unit();
-      const Number3 d = cosineDirection(n, s, random.unit());
+      const Number3 d = geometry::cosineDirection(n, s, random.unit());
       CHECK(dot(d, d) == Approx(1.0).epsilon(1e-12));
       CHECK(dot(d, n) > 0.0);
       cosine += dot(d, n) / kCount;
@@ -48,4 +50,4 @@ TEST_CASE("Directions, CosineAboutAnyNormal") {
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

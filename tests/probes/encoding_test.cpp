@@ -4,11 +4,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 #include "probes/transfer/fixed_point.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 double scaleOfProbe(std::size_t probe) {
@@ -20,10 +22,10 @@ Number3 magnitudes(const Number3& v) {
 }
 
 /// Unlike numbers everywhere, probe 1 a thousand times as bright as probe 0; half of those below 0 that may be.
-SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
-  SectorProbes s;
+transfer::SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
+  transfer::SectorProbes s;
   s.id = {-2, 3};
-  Random random(count, modes);
+  geometry::Random random(count, modes);
   const auto colour = [&](double scale) {
     return Number3(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1) * scale;
   };
@@ -32,10 +34,10 @@ SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
   for (std::size_t i = 0; i < modes * s.modes.knots(); ++i) s.modes.value.push_back(colour(0.25));
   for (std::size_t p = 0; p < count; ++p) {
     s.position.emplace_back(-128 + 64 * random.unit(), -30 + 90 * random.unit(), 192 + 64 * random.unit());
-    ProbeTransfer& t = s.transfer.emplace_back();
-    SunCoefficients& sun = s.sun.emplace_back();
+    transfer::ProbeTransfer& t = s.transfer.emplace_back();
+    transfer::SunCoefficients& sun = s.sun.emplace_back();
     const double scale = scaleOfProbe(p);
-    for (std::size_t b = 0; b < kDirections; ++b) {
+    for (std::size_t b = 0; b < transfer::kDirections; ++b) {
       if (b < 3) t.visibility[b] = random.unit();
       for (Number3& k : t.sky[b]) k = colour(scale);
       for (std::size_t k = 0; k < 2; ++k) t.sky[b][k] = magnitudes(t.sky[b][k]);
@@ -46,7 +48,7 @@ SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
   return s;
 }
 
-double largestOf(const ProbeTransfer& t) {
+double largestOf(const transfer::ProbeTransfer& t) {
   double largest = 0.0;
   for (const auto& direction : t.sky)
     for (const Number3& k : direction) largest = std::max({largest, std::abs(k.x), std::abs(k.y), std::abs(k.z)});
@@ -57,40 +59,40 @@ double largestOf(const ProbeTransfer& t) {
 
 TEST_CASE("Encoding, FixedPointIsWithinHalfAStep") {
   for (const double largest : {1.0, 1.00390625, 1.0039063, 3.9e-5, 2.5e20, 1e-37}) {
-    const double scale = scaleOf(scaleFor(largest));
+    const double scale = transfer::scaleOf(transfer::scaleFor(largest));
     CHECK(scale >= largest);
     CHECK(scale <= largest * (1.0 + 0x1p-7));
     for (const double share : {-1.0, -0.37, 0.0, 0.61, 1.0}) {
-      CHECK(std::abs(fromFixed(toFixed<std::int16_t>(share * largest, scale), scale) - share * largest) <=
-            scale / 65533.0);
-      CHECK(std::abs(fromFixed(toFixed<std::int8_t>(share * largest, scale), scale) - share * largest) <=
-            scale / 253.0);
+      CHECK(std::abs(transfer::fromFixed(transfer::toFixed<std::int16_t>(share * largest, scale), scale) -
+                     share * largest) <= scale / 65533.0);
+      CHECK(std::abs(transfer::fromFixed(transfer::toFixed<std::int8_t>(share * largest, scale), scale) -
+                     share * largest) <= scale / 253.0);
       if (share >= 0.0)
-        CHECK(std::abs(fromFixed(toFixed<std::uint8_t>(share * largest, scale), scale) - share * largest) <=
-              scale / 509.0);
+        CHECK(std::abs(transfer::fromFixed(transfer::toFixed<std::uint8_t>(share * largest, scale), scale) -
+                       share * largest) <= scale / 509.0);
     }
   }
-  CHECK(scaleFor(0.0) == 0);
-  CHECK(toFixed<std::int16_t>(0.0, 0.0) == 0);
-  CHECK(fromFixed(toFixed<std::uint16_t>(1.0, 1.0), 1.0) == 1.0);
+  CHECK(transfer::scaleFor(0.0) == 0);
+  CHECK(transfer::toFixed<std::int16_t>(0.0, 0.0) == 0);
+  CHECK(transfer::fromFixed(transfer::toFixed<std::uint16_t>(1.0, 1.0), 1.0) == 1.0);
 }
 
 TEST_CASE("Encoding, EveryNumberComesBack") {
   for (const bool emissive : {false, true}) {
-    const SectorProbes probes = someProbes(5, 3, emissive);
-    const SectorProbes decoded = decodedProbes(encodeProbes(probes), probes.id);
+    const transfer::SectorProbes probes = someProbes(5, 3, emissive);
+    const transfer::SectorProbes decoded = transfer::decodedProbes(transfer::encodeProbes(probes), probes.id);
     REQUIRE(decoded.position.size() == 5);
     REQUIRE(decoded.modes.count() == 3);
     // Half a step; the scale is up to 1/128 above the largest.
     constexpr double kHalf = 0.5 * (1.0 + 1.0 / 128);
     for (std::size_t p = 0; p < 5; ++p) {
-      const ProbeTransfer& a = probes.transfer[p];
-      const ProbeTransfer& b = decoded.transfer[p];
+      const transfer::ProbeTransfer& a = probes.transfer[p];
+      const transfer::ProbeTransfer& b = decoded.transfer[p];
       CHECK(std::abs(decoded.position[p].x - probes.position[p].x) <= 0.5 * 64 / 65535 + 1e-12);
       CHECK(std::abs(decoded.position[p].y - probes.position[p].y) <= 0.5 * 90 / 65535);
       CHECK(std::abs(decoded.position[p].z - probes.position[p].z) <= 0.5 * 64 / 65535 + 1e-12);
       CHECK(b.visibility[3] == 0.0);
-      for (std::size_t d = 0; d < kDirections; ++d) {
+      for (std::size_t d = 0; d < transfer::kDirections; ++d) {
         CHECK(std::abs(a.visibility[d] - b.visibility[d]) <= 0.5 / 65535 + 1e-15);
         // A mode's numbers are within a step of the largest of the sector's, a probe's of its own.
         for (std::size_t m = 0; m < 3; ++m) {
@@ -110,19 +112,19 @@ TEST_CASE("Encoding, EveryNumberComesBack") {
     CHECK(decoded.modes.sun_time_h[7] == Approx(probes.modes.sun_time_h[7]).epsilon(1e-7));
     CHECK(decoded.modes.moon_time_h[1] == Approx(1.0 / 3).epsilon(1e-7));
     // What was decoded is encoded alike.
-    CHECK(encodeProbes(decoded).sky == encodeProbes(probes).sky);
-    CHECK(encodeProbes(decoded).sky_side == encodeProbes(probes).sky_side);
+    CHECK(transfer::encodeProbes(decoded).sky == transfer::encodeProbes(probes).sky);
+    CHECK(transfer::encodeProbes(decoded).sky_side == transfer::encodeProbes(probes).sky_side);
   }
 }
 
 TEST_CASE("Encoding, BytesAreWithinTheBudget") {
   // The talk has 152 bytes a probe, and 15 KB for a sector of 70 with its grid.
   constexpr std::size_t kGrid = 4096;
-  CHECK(encodeProbes(someProbes(70, 0, false)).bytesAProbe() == 62);
-  CHECK(encodeProbes(someProbes(70, 0, true)).bytesAProbe() == 76);
-  CHECK(encodeProbes(someProbes(70, kMostSunModes, true)).bytesAProbe() == 142);
-  const EncodedProbes ten = encodeProbes(someProbes(70, 10, true));
-  const ProbeBytes bytes = ten.bytes();
+  CHECK(transfer::encodeProbes(someProbes(70, 0, false)).bytesAProbe() == 62);
+  CHECK(transfer::encodeProbes(someProbes(70, 0, true)).bytesAProbe() == 76);
+  CHECK(transfer::encodeProbes(someProbes(70, transfer::kMostSunModes, true)).bytesAProbe() == 142);
+  const transfer::EncodedProbes ten = transfer::encodeProbes(someProbes(70, 10, true));
+  const transfer::ProbeBytes bytes = ten.bytes();
   CHECK(bytes.position == 70 * 6);
   CHECK(bytes.visibility == 70 * 6);
   CHECK(bytes.sky == 70 * 48);
@@ -137,41 +139,41 @@ TEST_CASE("Encoding, BytesAreWithinTheBudget") {
 }
 
 TEST_CASE("Encoding, EdgesOfTheSectorAndNoProbes") {
-  SectorProbes probes = someProbes(2, 0, false);
+  transfer::SectorProbes probes = someProbes(2, 0, false);
   probes.position = {{-128, 7, 256}, {-64, 7, 192}};  // its corners, all at one height
-  const SectorProbes decoded = decodedProbes(encodeProbes(probes), probes.id);
+  const transfer::SectorProbes decoded = transfer::decodedProbes(transfer::encodeProbes(probes), probes.id);
   for (std::size_t i = 0; i < 2; ++i) CHECK(decoded.position[i] == probes.position[i]);
-  SectorProbes none;
+  transfer::SectorProbes none;
   none.id = {1, 1};
-  const EncodedProbes encoded = encodeProbes(none);
+  const transfer::EncodedProbes encoded = transfer::encodeProbes(none);
   CHECK(encoded.bytesAProbe() == 0);
-  CHECK(decodedProbes(encoded, none.id).position.empty());
+  CHECK(transfer::decodedProbes(encoded, none.id).position.empty());
   // A dark probe is exactly dark.
-  probes.transfer[0] = ProbeTransfer{};
-  CHECK(decodedProbes(encodeProbes(probes), probes.id).transfer[0].sky[2][1] == Number3(0.0));
+  probes.transfer[0] = transfer::ProbeTransfer{};
+  CHECK(transfer::decodedProbes(transfer::encodeProbes(probes), probes.id).transfer[0].sky[2][1] == Number3(0.0));
 }
 
 TEST_CASE("Encoding, WhatItCannotHoldIsRefused") {
   const auto refused = [](auto&& change) {
-    SectorProbes probes = someProbes(2, 1, true);
+    transfer::SectorProbes probes = someProbes(2, 1, true);
     change(probes);
-    CHECK_THROWS_AS(encodeProbes(probes), Error);
+    CHECK_THROWS_AS(transfer::encodeProbes(probes), base::Error);
   };
-  refused([](SectorProbes& s) { s.position[1].x = -63.9; });
-  refused([](SectorProbes& s) { s.position[0].y = std::nan(""); });
-  refused([](SectorProbes& s) { s.transfer[1].visibility[0] = 1.001; });
-  refused([](SectorProbes& s) { s.transfer[1].visibility[3] = 0.001; });
-  refused([](SectorProbes& s) { s.transfer[0].sky[1][2].y = std::nan(""); });
-  refused([](SectorProbes& s) { s.transfer[0].sky[1][0].x = -1e-9; });
-  refused([](SectorProbes& s) { s.transfer[1].sky[3][1].z = -1e-9; });
-  refused([](SectorProbes& s) { s.sun[0][1][0] = INFINITY; });
-  refused([](SectorProbes& s) { s.transfer[0].emitted[1].x = -0.1; });
-  EncodedProbes cut = encodeProbes(someProbes(2, 1, true));
+  refused([](transfer::SectorProbes& s) { s.position[1].x = -63.9; });
+  refused([](transfer::SectorProbes& s) { s.position[0].y = std::nan(""); });
+  refused([](transfer::SectorProbes& s) { s.transfer[1].visibility[0] = 1.001; });
+  refused([](transfer::SectorProbes& s) { s.transfer[1].visibility[3] = 0.001; });
+  refused([](transfer::SectorProbes& s) { s.transfer[0].sky[1][2].y = std::nan(""); });
+  refused([](transfer::SectorProbes& s) { s.transfer[0].sky[1][0].x = -1e-9; });
+  refused([](transfer::SectorProbes& s) { s.transfer[1].sky[3][1].z = -1e-9; });
+  refused([](transfer::SectorProbes& s) { s.sun[0][1][0] = INFINITY; });
+  refused([](transfer::SectorProbes& s) { s.transfer[0].emitted[1].x = -0.1; });
+  transfer::EncodedProbes cut = transfer::encodeProbes(someProbes(2, 1, true));
   cut.sky.pop_back();
-  CHECK_THROWS_AS(decodedProbes(cut, {0, 0}), Error);
-  cut = encodeProbes(someProbes(2, 1, true));
+  CHECK_THROWS_AS(transfer::decodedProbes(cut, {0, 0}), base::Error);
+  cut = transfer::encodeProbes(someProbes(2, 1, true));
   cut.sky_side.pop_back();
-  CHECK_THROWS_AS(decodedProbes(cut, {0, 0}), Error);
+  CHECK_THROWS_AS(transfer::decodedProbes(cut, {0, 0}), base::Error);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -3,37 +3,32 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "probes/level/scene.h"
-#include "sky/error.h"
+#include "probes/loader/read_scene.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 #include "tests/gltf_text.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
 using f64::Number3;
 using nlohmann::json;
-using test::boxMesh;
-using test::Folder;
-using test::GltfText;
-using test::squareMesh;
 
-Scene sceneOf(const std::string& text, const std::function<void(GeometryEntry&)>& change = nullptr,
-              const char* name = "a.gltf") {
+level::Scene sceneOf(const std::string& text, const std::function<void(level::GeometryEntry&)>& change = nullptr,
+                     const char* name = "a.gltf") {
   const Folder folder;
-  LevelFile level;
-  level.geometry.push_back({folder.write(name, text), {}, Role::fixed, {}});
+  level::LevelFile level;
+  level.geometry.push_back({folder.write(name, text), {}, geometry::Role::fixed, {}});
   if (change) change(level.geometry[0]);
-  return readScene(level);
+  return loader::readScene(level);
 }
 
-void checkRefused(const std::string& text, ExitStatus status, const std::string& says, const char* name = "a.gltf") {
+void checkRefused(const std::string& text, base::ExitStatus status, const std::string& says,
+                  const char* name = "a.gltf") {
   INFO(says);
   try {
     sceneOf(text, nullptr, name);
     FAIL("it was read");
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     INFO(e.what());
     CHECK(e.status() == status);
     CHECK_THAT(e.what(), Catch::Contains(name) && Catch::Contains(says));
@@ -49,7 +44,7 @@ std::string squareText(const std::function<void(json&)>& change) {
 }
 
 void checkWrong(const std::function<void(json&)>& change, const std::string& says) {
-  checkRefused(squareText(change), ExitStatus::content, says);
+  checkRefused(squareText(change), base::ExitStatus::content, says);
 }
 
 }  // namespace
@@ -62,7 +57,9 @@ TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
   const double h = std::sqrt(0.5);
   gltf.addNode(square, {{"rotation", {0, 0, h, h}}, {"scale", {2, 1, 1}}, {"children", {3}}});  // +x turns to +y
   gltf.json["nodes"].push_back({{"mesh", square}, {"translation", {1, 0, 0}}});
-  const Scene scene = sceneOf(gltf.text(), [](GeometryEntry& e) { e.transform.translation = {0, 0, 10}; });
+  const level::Scene scene = sceneOf(gltf.text(), [](level::GeometryEntry& e) {
+    e.transform.translation = {0, 0, 10};
+  });
   CHECK(scene.vertices.size() == 4);
   CHECK(scene.indices.size() == 6);
   REQUIRE(scene.instances.size() == 4);
@@ -75,7 +72,7 @@ TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
   CHECK(scene.instances[0].row[1][3] == 2.0F);
   CHECK(scene.instances[0].row[2][3] == 13.0F);
   CHECK(scene.instances[0].albedo[1] == 0.2F);
-  const Instance& child = scene.instances[2];
+  const level::Instance& child = scene.instances[2];
   CHECK(child.row[1][3] == Approx(2.0));   // moved along its parent's x, which is twice up
   CHECK(child.row[1][0] == Approx(2.0));   // and its own x is up as well
   CHECK(child.row[0][1] == Approx(-1.0));  // its y west
@@ -86,7 +83,7 @@ TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
 TEST_CASE("Gltf, AMatrixIsReadByColumns") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()), {{"matrix", {1, 2, 3, 0, -4, 5, 6, 0, 7, -8, 9, 0, 10, 11, 12, 1}}});
-  const Scene scene = sceneOf(gltf.text());
+  const level::Scene scene = sceneOf(gltf.text());
   REQUIRE(scene.instances.size() == 1);
   const float expected[3][4] = {{1, -4, 7, 10}, {2, 5, -8, 11}, {3, 6, 9, 12}};
   for (int i = 0; i < 3; ++i)
@@ -101,12 +98,12 @@ TEST_CASE("Gltf, RolesComeFromExtrasThenNamesThenTheFile") {
   gltf.addNode(square, {{"name", "palm_2"}, {"extras", {{"role", "static"}}}});
   gltf.addNode(square, {{"name", "lagoon"}, {"extras", {{"role", "water"}}}, {"translation", {0, -1, 0}}});
   gltf.addNode(square, {{"name", "hull"}, {"extras", {{"role", "ignore"}}}});
-  const Scene scene = sceneOf(gltf.text(), [](GeometryEntry& e) { e.vegetation_nodes = {"palm*"}; });
+  const level::Scene scene = sceneOf(gltf.text(), [](level::GeometryEntry& e) { e.vegetation_nodes = {"palm*"}; });
   REQUIRE(scene.draws.size() == 3);
-  CHECK(scene.draws[0].role == Role::fixed);
+  CHECK(scene.draws[0].role == geometry::Role::fixed);
   CHECK(scene.draws[0].instance_count == 2);
-  CHECK(scene.draws[1].role == Role::vegetation);
-  CHECK(scene.draws[2].role == Role::water);
+  CHECK(scene.draws[1].role == geometry::Role::vegetation);
+  CHECK(scene.draws[2].role == geometry::Role::water);
   CHECK(scene.water.high.y == -1.0);
   CHECK(scene.bounds.low.y == 0.0);
   CHECK(scene.instances[0].albedo[0] == 0.5F);  // level.toml's, as there is no material
@@ -117,7 +114,7 @@ TEST_CASE("Gltf, ColoursAreFloatsOrNormalisedIntegers") {
   auto mesh = squareMesh();
   mesh.colours = {0.25F, 0.5F, 1.0F, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   gltf.addNode(gltf.addMesh(mesh));
-  const Scene scene = sceneOf(gltf.text());
+  const level::Scene scene = sceneOf(gltf.text());
   CHECK(scene.vertices[0].colour[1] == 0.5F);
   CHECK(scene.instances[0].albedo[0] == 1.0F);
   for (const auto& [type, expected] : {std::pair{5121, 205.0F / 255.0F}, {5123, 52429.0F / 65535.0F}}) {
@@ -129,7 +126,7 @@ TEST_CASE("Gltf, ColoursAreFloatsOrNormalisedIntegers") {
     accessor["componentType"] = type;
     accessor["normalized"] = true;
     accessor["type"] = "VEC4";
-    const Scene read = sceneOf(integers.text());
+    const level::Scene read = sceneOf(integers.text());
     CHECK(read.vertices[0].colour[0] == expected);
   }
 }
@@ -137,9 +134,9 @@ TEST_CASE("Gltf, ColoursAreFloatsOrNormalisedIntegers") {
 TEST_CASE("Gltf, WithoutNormalsTrianglesAreFlat") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(boxMesh()));
-  const Scene scene = sceneOf(gltf.text());
+  const level::Scene scene = sceneOf(gltf.text());
   REQUIRE(scene.vertices.size() == 36);
-  for (const Vertex& v : scene.vertices) {
+  for (const level::Vertex& v : scene.vertices) {
     float outward = 0.0F;
     for (int i = 0; i < 3; ++i) outward += v.normal[i] * v.position[i];
     CHECK(outward == Approx(1.0));
@@ -168,7 +165,7 @@ TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
   auto mesh = squareMesh();
   mesh.indices[4] = 4;
   beyond.addNode(beyond.addMesh(mesh));
-  checkRefused(beyond.text(), ExitStatus::content, "index 4 is 4, and there are 4 vertices");
+  checkRefused(beyond.text(), base::ExitStatus::content, "index 4 is 4, and there are 4 vertices");
 }
 
 TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
@@ -195,42 +192,43 @@ TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
   textured.addMaterial({1, 1, 1});
   textured.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   textured.addNode(textured.addMesh(squareMesh(), 0));
-  checkRefused(textured.text(), ExitStatus::content, "baseColorTexture");
+  checkRefused(textured.text(), base::ExitStatus::content, "baseColorTexture");
 }
 
 TEST_CASE("Gltf, CutForeignAndMissingFiles") {
   const std::string whole = squareText([](json&) {});
   for (std::size_t size = 0; size < whole.size(); size += 37)
-    checkRefused(whole.substr(0, size), ExitStatus::content, "not a whole glTF file");
-  checkRefused("\x89PNG\r\n\x1a\n", ExitStatus::content, "not a whole glTF file");
-  checkRefused("{}", ExitStatus::content, "not a whole glTF file");
-  checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), ExitStatus::content, "not a whole glTF file", "a.glb");
-  checkRefused("solid box\n", ExitStatus::content, "glTF 2.0", "a.stl");
+    checkRefused(whole.substr(0, size), base::ExitStatus::content, "not a whole glTF file");
+  checkRefused("\x89PNG\r\n\x1a\n", base::ExitStatus::content, "not a whole glTF file");
+  checkRefused("{}", base::ExitStatus::content, "not a whole glTF file");
+  checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
+               "a.glb");
+  checkRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
   // Buffers beside the file: missing is the system's refusal, cut is the file's fault.
   const Folder folder;
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()));
   json outside = json::parse(gltf.text());
   outside["buffers"][0]["uri"] = "a.bin";
-  LevelFile level;
-  level.geometry.push_back({folder.write("a.gltf", outside.dump()), {}, Role::fixed, {}});
+  level::LevelFile level;
+  level.geometry.push_back({folder.write("a.gltf", outside.dump()), {}, geometry::Role::fixed, {}});
   const auto statusNow = [&] {
     try {
-      readScene(level);
-      return ExitStatus::done;
-    } catch (const Error& e) {
+      loader::readScene(level);
+      return base::ExitStatus::done;
+    } catch (const base::Error& e) {
       CHECK_THAT(e.what(), Catch::Contains("a.bin") || Catch::Contains(".gltf"));
       return e.status();
     }
   };
-  CHECK(statusNow() == ExitStatus::file);
+  CHECK(statusNow() == base::ExitStatus::file);
   const std::string bytes(gltf.bytes().begin(), gltf.bytes().end());
   folder.write("a.bin", bytes.substr(0, bytes.size() - 1));
-  CHECK(statusNow() == ExitStatus::content);
+  CHECK(statusNow() == base::ExitStatus::content);
   folder.write("a.bin", bytes);
-  CHECK(statusNow() == ExitStatus::done);
+  CHECK(statusNow() == base::ExitStatus::done);
   level.geometry[0].path = folder.path() / "none.gltf";
-  CHECK(statusNow() == ExitStatus::file);
+  CHECK(statusNow() == base::ExitStatus::file);
 }
 
 }  // namespace welkin::tests

@@ -12,6 +12,6 @@ int main(int count, char** arguments) {
     return 1;
   }
   const bool write = count > 2 && std::string_view(arguments[2]) == "--write";
-  return welkin::test::bringUpToDate(arguments[1], "domain", welkin::sky::domainTable(welkin::probes::levelDomain()),
-                                     write);
+  return welkin::tests::bringUpToDate(arguments[1], "domain", welkin::base::domainTable(welkin::level::levelDomain()),
+                                      write);
 }

@@ -4,23 +4,21 @@
 
 #include <catch2/catch.hpp>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
 using f64::Number3;
 
-void checkRefused(const std::string& text, ExitStatus status, const std::string& says) {
-  const test::Folder folder;
+void checkRefused(const std::string& text, base::ExitStatus status, const std::string& says) {
+  const Folder folder;
   const std::string path = folder.write("level.toml", text);
   INFO(text);
   try {
-    readLevelFile(path);
+    level::readLevelFile(path);
     FAIL("it was read");
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     CHECK(e.status() == status);
     CHECK_THAT(e.what(), Catch::Contains("level.toml") && Catch::Contains(says));
   }
@@ -31,8 +29,8 @@ constexpr const char* kLevel = "[level]\nsky = \"sky.toml\"\n";
 }  // namespace
 
 TEST_CASE("LevelFile, GivesGeometryAndLeavesTheBakesTablesAlone") {
-  const test::Folder folder;
-  const LevelFile file = readLevelFile(folder.write("a/level.toml", std::string(kLevel) + R"(
+  const Folder folder;
+  const level::LevelFile file = level::readLevelFile(folder.write("a/level.toml", std::string(kLevel) + R"(
 [[geometry]]
 file = "terrain.gltf"
 translation = [1, 2, 3]
@@ -54,9 +52,9 @@ sky = 1.0
 )"));
   CHECK(file.sky == folder.path() / "a" / "sky.toml");
   REQUIRE(file.geometry.size() == 2);
-  const GeometryEntry& g = file.geometry[0];
+  const level::GeometryEntry& g = file.geometry[0];
   CHECK(g.path == folder.path() / "a" / "terrain.gltf");
-  CHECK(g.role == Role::vegetation);
+  CHECK(g.role == geometry::Role::vegetation);
   CHECK(g.vegetation_nodes == std::vector<std::string>{"palm*"});
   CHECK(g.albedo == Number3(0.1, 0.2, 0.3));
   // x first: +y turns to +z, +z to -y; then y: +z turns to +x, +x to -z. Scaled before, moved after.
@@ -68,37 +66,37 @@ sky = 1.0
   check(g.transform.linear({0, 1, 0}), {3, 0, 0});
   check(g.transform.linear({0, 0, 1}), {0, -4, 0});
   CHECK(file.geometry[1].transform.determinant() == Approx(8.0));
-  CHECK(file.geometry[1].role == Role::fixed);
+  CHECK(file.geometry[1].role == geometry::Role::fixed);
   CHECK(file.geometry[1].albedo == Number3(0.5));
 }
 
 TEST_CASE("LevelFile, MessagesNameTheKeyAndWhatIsAllowed") {
   const std::string geometry = "[[geometry]]\nfile = \"a.gltf\"\n";
   const std::string level = kLevel;
-  checkRefused(level + geometry + "rol = \"static\"\n", ExitStatus::content, "nearest known one is \"role\"");
-  checkRefused(level + geometry + "role = \"water\"\n", ExitStatus::content, "must be one of");
-  checkRefused(level + geometry + "scale = 0\n", ExitStatus::content, "scale");
-  checkRefused(level + geometry + "scale = [1, 2]\n", ExitStatus::content, "scale");
-  checkRefused(level + geometry + "albedo = [0.1, 0.2, 1.3]\n", ExitStatus::content, "albedo");
-  checkRefused(level + geometry + "translation = [1, 2, nan]\n", ExitStatus::content, "translation");
-  checkRefused(level + geometry + "vegetation_nodes = [1]\n", ExitStatus::content, "vegetation_nodes");
-  checkRefused(level + geometry + "[probs]\n", ExitStatus::content, "nearest known one is \"probes\"");
-  checkRefused(level + "[[geometry]]\n", ExitStatus::content, "geometry[0].file");
-  checkRefused(level, ExitStatus::content, "geometry");
-  checkRefused(level + "geometry = 1\n", ExitStatus::content, "geometry");
-  checkRefused("[level]\n" + geometry, ExitStatus::content, "level.sky");
-  checkRefused(level + "probes = 1\n" + geometry, ExitStatus::content, "level.probes");
-  checkRefused("probes = 1\n" + level + geometry, ExitStatus::content, "must be a table");
-  checkRefused("[level", ExitStatus::content, "not TOML");
+  checkRefused(level + geometry + "rol = \"static\"\n", base::ExitStatus::content, "nearest known one is \"role\"");
+  checkRefused(level + geometry + "role = \"water\"\n", base::ExitStatus::content, "must be one of");
+  checkRefused(level + geometry + "scale = 0\n", base::ExitStatus::content, "scale");
+  checkRefused(level + geometry + "scale = [1, 2]\n", base::ExitStatus::content, "scale");
+  checkRefused(level + geometry + "albedo = [0.1, 0.2, 1.3]\n", base::ExitStatus::content, "albedo");
+  checkRefused(level + geometry + "translation = [1, 2, nan]\n", base::ExitStatus::content, "translation");
+  checkRefused(level + geometry + "vegetation_nodes = [1]\n", base::ExitStatus::content, "vegetation_nodes");
+  checkRefused(level + geometry + "[probs]\n", base::ExitStatus::content, "nearest known one is \"probes\"");
+  checkRefused(level + "[[geometry]]\n", base::ExitStatus::content, "geometry[0].file");
+  checkRefused(level, base::ExitStatus::content, "geometry");
+  checkRefused(level + "geometry = 1\n", base::ExitStatus::content, "geometry");
+  checkRefused("[level]\n" + geometry, base::ExitStatus::content, "level.sky");
+  checkRefused(level + "probes = 1\n" + geometry, base::ExitStatus::content, "level.probes");
+  checkRefused("probes = 1\n" + level + geometry, base::ExitStatus::content, "must be a table");
+  checkRefused("[level", base::ExitStatus::content, "not TOML");
 }
 
 TEST_CASE("LevelFile, MissingIsARefusalOfTheSystem") {
-  const test::Folder folder;
+  const Folder folder;
   try {
-    readLevelFile(folder / "level.toml");
+    level::readLevelFile(folder / "level.toml");
     FAIL("it was read");
-  } catch (const Error& e) {
-    CHECK(e.status() == ExitStatus::file);
+  } catch (const base::Error& e) {
+    CHECK(e.status() == base::ExitStatus::file);
   }
 }
 

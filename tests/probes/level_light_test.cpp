@@ -1,54 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 // A baked level's light between its cells.
-#include "probes/level_light.h"
+#include "probes/sectors/level_light.h"
 
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "skies.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 constexpr double kEncoding = 1e-4;  // of 16 bits, and of the sky's projection
 const Number3 kUp(0, 1, 0);
 
 /// Two probes under a sky of radiance 1, 0.25 and 0.75 of it open, in the cells that `which` says.
-SectorFile sectorOf(const SectorId& id, const std::function<std::uint8_t(int x, int y, int z)>& which) {
-  SectorProbes probes;
+sectors::SectorFile sectorOf(const geometry::SectorId& id,
+                             const std::function<std::uint8_t(int x, int y, int z)>& which) {
+  transfer::SectorProbes probes;
   probes.id = id;
   for (const double open : {0.25, 0.75}) {
-    probes.position.push_back({kSector_m * (id.x + 0.5), 10.0, kSector_m * (id.z + 0.5)});
-    ProbeTransfer transfer;
+    probes.position.push_back({geometry::kSector_m * (id.x + 0.5), 10.0, geometry::kSector_m * (id.z + 0.5)});
+    transfer::ProbeTransfer transfer;
     transfer.visibility = {open, open, open, 0.0};
     probes.transfer.push_back(transfer);
     probes.sun.emplace_back();
   }
-  SectorFile file;
+  sectors::SectorFile file;
   file.id = id;
   file.low_y = -8.0;
-  file.probes = encodeProbes(probes);
-  for (int z = 0; z < kCells; ++z)
-    for (int y = 0; y < kCells; ++y)
-      for (int x = 0; x < kCells; ++x)
-        file.grid[static_cast<std::size_t>(x + kCells * (y + kCells * z))] = which(x, y, z);
+  file.probes = transfer::encodeProbes(probes);
+  for (int z = 0; z < geometry::kCells; ++z)
+    for (int y = 0; y < geometry::kCells; ++y)
+      for (int x = 0; x < geometry::kCells; ++x)
+        file.grid[static_cast<std::size_t>(x + geometry::kCells * (y + geometry::kCells * z))] = which(x, y, z);
   return file;
 }
 
 /// Its light on a level surface, as a share of what an open one gets of the same formula.
-double shareAt(const LevelLight& light, const Number3& position) {
+double shareAt(const sectors::LevelLight& light, const Number3& position) {
   const auto found = light.at(position, kUp);
   REQUIRE(found);
-  const auto weight = shadingWeights(kUp);
+  const auto weight = transfer::shadingWeights(kUp);
   double open = 0.0;
-  for (std::size_t b = 0; b < 3; ++b) open += weight[b] * det::kPi * (1.0 + transferBasis()[b].y) / 2.0;
+  for (std::size_t b = 0; b < 3; ++b) open += weight[b] * det::kPi * (1.0 + transfer::transferBasis()[b].y) / 2.0;
   return found->sky.y / open;
 }
 
-LevelLight lightOf(const std::vector<SectorFile>& sectors) {  // which outlive it
-  static const sky::Sky sky = tests::uniformSky(1.0);
-  return LevelLight(sectors, sky, 12.0);
+sectors::LevelLight lightOf(const std::vector<sectors::SectorFile>& sectors) {  // which outlive it
+  static const model::Sky sky = uniformSky(1.0);
+  return sectors::LevelLight(sectors, sky, 12.0);
 }
 
 }  // namespace
@@ -57,10 +60,10 @@ TEST_CASE("LevelLight, IsLinearBetweenTheMiddlesOfCells") {
   // Along each axis probe 0 up to the eighth cell, probe 1 from the ninth: middles at 30 and 34 m of the sector.
   const int axes = 3;
   for (int axis = 0; axis < axes; ++axis) {
-    const std::vector<SectorFile> sectors = {sectorOf({-2, 1}, [&](int x, int y, int z) {
+    const std::vector<sectors::SectorFile> sectors = {sectorOf({-2, 1}, [&](int x, int y, int z) {
       return static_cast<std::uint8_t>((axis == 0 ? x : axis == 1 ? y : z) < 8 ? 0 : 1);
     })};
-    const LevelLight light = lightOf(sectors);
+    const sectors::LevelLight light = lightOf(sectors);
     for (const double along : {10.0, 30.0, 31.0, 32.0, 33.5, 34.0, 50.0}) {
       CAPTURE(axis, along);
       // The surface lies 1 m below the point that is looked up; the grid starts at y = -8.
@@ -73,9 +76,9 @@ TEST_CASE("LevelLight, IsLinearBetweenTheMiddlesOfCells") {
 }
 
 TEST_CASE("LevelLight, CellsWithoutAProbeLeaveTheirWeightToTheOthers") {
-  const std::vector<SectorFile> sectors = {
-      sectorOf({0, 0}, [](int x, int, int) { return x < 8 ? std::uint8_t{1} : kNoProbe; })};
-  const LevelLight light = lightOf(sectors);
+  const std::vector<sectors::SectorFile> sectors = {
+      sectorOf({0, 0}, [](int x, int, int) { return x < 8 ? std::uint8_t{1} : geometry::kNoProbe; })};
+  const sectors::LevelLight light = lightOf(sectors);
   CHECK(shareAt(light, {33.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
   CHECK_FALSE(light.at({34.5, 10.0, 20.0}, kUp));
   CHECK_FALSE(light.at({100.0, 10.0, 20.0}, kUp));
@@ -83,9 +86,9 @@ TEST_CASE("LevelLight, CellsWithoutAProbeLeaveTheirWeightToTheOthers") {
 }
 
 TEST_CASE("LevelLight, SectorsMeetWithoutASeam") {
-  const std::vector<SectorFile> sectors = {sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; }),
-                                           sectorOf({0, 0}, [](int, int, int) { return std::uint8_t{1}; })};
-  const LevelLight light = lightOf(sectors);
+  const std::vector<sectors::SectorFile> sectors = {sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; }),
+                                                    sectorOf({0, 0}, [](int, int, int) { return std::uint8_t{1}; })};
+  const sectors::LevelLight light = lightOf(sectors);
   CHECK(shareAt(light, {-1.0, 10.0, 20.0}) == Approx(0.375).margin(kEncoding));
   CHECK(shareAt(light, {-1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
   CHECK(shareAt(light, {1e-9, 10.0, 20.0}) == Approx(0.5).margin(kEncoding));
@@ -94,32 +97,32 @@ TEST_CASE("LevelLight, SectorsMeetWithoutASeam") {
 
 TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
   // Cells up to the eighth name probe 0, the others probe 1; the room ends within the eighth cell.
-  SectorFile file = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); });
+  sectors::SectorFile file = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); });
   file.room = {{{{0, -10, 0}, {31, 60, 64}}, 0}, {{{56, -10, 0}, {58, 60, 64}}, 0}};
   file.in_room = {1, 0};
-  std::vector<SectorFile> sectors = {file};
-  const LevelLight light = lightOf(sectors);
+  std::vector<sectors::SectorFile> sectors = {file};
+  const sectors::LevelLight light = lightOf(sectors);
   CHECK(shareAt(light, {30.9, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
   CHECK(shareAt(light, {31.1, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
   CHECK(shareAt(light, {40.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
   // The second room has no cell: its own probe serves, or nothing.
   CHECK(shareAt(light, {57.0, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
-  sectors[0].room[1].probe = kNoProbe;
-  const LevelLight bare = lightOf(sectors);
+  sectors[0].room[1].probe = geometry::kNoProbe;
+  const sectors::LevelLight bare = lightOf(sectors);
   CHECK_FALSE(bare.at({57.0, 10.0, 20.0}, kUp));
 }
 
 TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
   // The same box has another number on either side of the border.
-  SectorFile west = sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; });
-  SectorFile east = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 1 ? 1 : 0); });
-  const Box hall = {{-20, -10, 0}, {3, 60, 64}};
-  west.room = {{{{-60, -10, 0}, {-50, 60, 64}}, kNoProbe}, {hall, 0}};
+  sectors::SectorFile west = sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; });
+  sectors::SectorFile east = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 1 ? 1 : 0); });
+  const geometry::Box hall = {{-20, -10, 0}, {3, 60, 64}};
+  west.room = {{{{-60, -10, 0}, {-50, 60, 64}}, geometry::kNoProbe}, {hall, 0}};
   west.in_room = {2, 0};
   east.room = {{hall, 1}};
   east.in_room = {0, 1};
-  const std::vector<SectorFile> sectors = {west, east};
-  const LevelLight light = lightOf(sectors);
+  const std::vector<sectors::SectorFile> sectors = {west, east};
+  const sectors::LevelLight light = lightOf(sectors);
   CHECK(shareAt(light, {-1.0, 10.0, 20.0}) == Approx(0.375).margin(kEncoding));
   CHECK(shareAt(light, {1.0, 10.0, 20.0}) == Approx(0.625).margin(kEncoding));
   CHECK(shareAt(light, {2.9, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
@@ -128,9 +131,9 @@ TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
 
 TEST_CASE("LevelLight, TheSurfaceIsLeftAlongItsNormal") {
   // From a wall at x = 32 the cell before it counts.
-  const std::vector<SectorFile> sectors = {
+  const std::vector<sectors::SectorFile> sectors = {
       sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); })};
-  const LevelLight light = lightOf(sectors);
+  const sectors::LevelLight light = lightOf(sectors);
   const auto west = light.at({32.0, 10.0, 20.0}, {-1, 0, 0}, 2.0);
   const auto east = light.at({32.0, 10.0, 20.0}, {1, 0, 0}, 2.0);
   REQUIRE((west && east));
@@ -141,4 +144,4 @@ TEST_CASE("LevelLight, TheSurfaceIsLeftAlongItsNormal") {
   CHECK(east->sky.y > 2.0 * west->sky.y);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

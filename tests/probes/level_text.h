@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "probes/level/surfaces_of.h"
-#include "probes/tracer.h"
-#include "sky/error.h"
+#include "probes/geometry/tracer.h"
+#include "probes/loader/surfaces_of.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 #include "tests/gltf_text.h"
 
@@ -33,24 +33,24 @@ inline std::string targa(int width, int height, const std::vector<unsigned char>
 }
 
 /// A level of the first of `files`, which all lie in one folder.
-inline probes::LevelFile levelOf(const test::Folder& folder, const Files& files) {
+inline level::LevelFile levelOf(const Folder& folder, const Files& files) {
   for (const auto& [name, bytes] : files) folder.write(name, bytes);
-  probes::LevelFile level;
-  level.geometry.push_back({folder / files.front().first, {}, probes::Role::fixed, {}});
+  level::LevelFile level;
+  level.geometry.push_back({folder / files.front().first, {}, geometry::Role::fixed, {}});
   return level;
 }
 
-inline probes::Surfaces surfacesOf(const Files& files) {
-  const test::Folder folder;
-  return probes::readSurfaces(levelOf(folder, files));
+inline geometry::Surfaces surfacesOf(const Files& files) {
+  const Folder folder;
+  return loader::readSurfaces(levelOf(folder, files));
 }
 
 inline void checkSurfacesRefused(const Files& files, const std::vector<std::string>& says,
-                                 ExitStatus status = ExitStatus::content) {
+                                 base::ExitStatus status = base::ExitStatus::content) {
   try {
     surfacesOf(files);
     FAIL("it was read");
-  } catch (const Error& e) {
+  } catch (const base::Error& e) {
     INFO(e.what());
     CHECK(e.status() == status);
     for (const std::string& part : says) CHECK_THAT(e.what(), Catch::Contains(part));
@@ -58,7 +58,7 @@ inline void checkSurfacesRefused(const Files& files, const std::vector<std::stri
 }
 
 /// What a ray straight down at (x, z) meets.
-inline std::optional<probes::Hit> below(const probes::Tracer& tracer, double x, double z) {
+inline std::optional<geometry::Hit> below(const geometry::Tracer& tracer, double x, double z) {
   return tracer.closest({x, 10.0, z}, {0.0, -1.0, 0.0}, 100.0);
 }
 

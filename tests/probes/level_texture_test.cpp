@@ -4,16 +4,11 @@
 
 #include "level_text.h"
 #include "sh/deterministic.h"
-#include "sky/image.h"
+#include "sky/image/image.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
 using nlohmann::json;
-using test::GltfText;
-using test::squareMesh;
-using test::texturedSquareMesh;
 
 constexpr double kTolerance = 1e-5;  // floats of the hit, times the texels' steps
 
@@ -27,7 +22,7 @@ Number3 texel(int column, int row) {
 }
 
 std::string png() {
-  return textOf(sky::encodePng(4, 2, std::span<const std::uint8_t>(&kTexels[0][0][0], sizeof(kTexels))));
+  return textOf(image::encodePng(4, 2, std::span<const std::uint8_t>(&kTexels[0][0][0], sizeof(kTexels))));
 }
 
 /// A textured square; `change` is for its JSON.
@@ -40,14 +35,14 @@ GltfText squareWith(const std::function<void(json&)>& change = nullptr) {
 }
 
 /// Albedo where the square's own coordinates are (u, v).
-Number3 albedoAt(const Tracer& tracer, double u, double v) {
+Number3 albedoAt(const geometry::Tracer& tracer, double u, double v) {
   const auto hit = below(tracer, 2 * u - 1, 2 * v - 1);
   REQUIRE(hit);
   return tracer.albedo(*hit);
 }
 
-void checkTexels(const Surfaces& s) {
-  const Tracer tracer(s);
+void checkTexels(const geometry::Surfaces& s) {
+  const geometry::Tracer tracer(s);
   for (const int row : {0, 1})
     for (const int column : {0, 1, 2, 3})
       checkNear(albedoAt(tracer, (column + 0.5) / 4, (row + 0.5) / 2), texel(column, row), kTolerance);
@@ -56,9 +51,9 @@ void checkTexels(const Surfaces& s) {
 }  // namespace
 
 TEST_CASE("LevelTexture, EveryTexelLiesWhereGltfPutsIt") {
-  const Surfaces s = surfacesOf({{"a.gltf", squareWith().text()}, {"a.png", png()}});
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", squareWith().text()}, {"a.png", png()}});
   checkTexels(s);
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   checkNear(albedoAt(tracer, 0.25, 0.25), (texel(0, 0) + texel(1, 0)) * 0.5, kTolerance);
   checkNear(albedoAt(tracer, 0.625, 0.5), (texel(2, 0) + texel(2, 1)) * 0.5, kTolerance);
   REQUIRE(s.file.size() == 2);
@@ -72,12 +67,12 @@ TEST_CASE("LevelTexture, SamplersRepeatMirrorAndClamp") {
     j["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
         {"offset", {1, 1}}};
   });
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
-  const Tracer tracer(s);
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
+  const geometry::Tracer tracer(s);
   checkNear(albedoAt(tracer, 0.375, 0.125), texel(2, 1), kTolerance);  // u = 1.375 mirrors to 0.625
   gltf.json["samplers"][0] = {{"wrapT", 33648}};
-  const Surfaces other = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
-  const Tracer other_tracer(other);
+  const geometry::Surfaces other = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
+  const geometry::Tracer other_tracer(other);
   checkNear(albedoAt(other_tracer, 0.375, 0.25), texel(1, 1), kTolerance);  // v = 1.25 mirrors to 0.75
   gltf.json["samplers"][0]["wrapS"] = 1;
   checkSurfacesRefused({{"a.gltf", gltf.text()}, {"a.png", png()}}, {"sampler 0", "wrapS = 1"});
@@ -90,8 +85,8 @@ TEST_CASE("LevelTexture, TheTransformScalesTurnsAndMoves") {
         {"offset", {0, 1}}, {"rotation", f64::kPi / 2}, {"scale", {0.5, 0.25}}};
     j["extensionsRequired"] = {"KHR_texture_transform"};
   });
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
-  const Tracer tracer(s);
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
+  const geometry::Tracer tracer(s);
   checkNear(albedoAt(tracer, 0.5, 0.5), texel(0, 1), kTolerance);  // (0.125, 0.75)
   checkNear(albedoAt(tracer, 0.5, 1.0 - 1e-7), (texel(0, 1) + texel(1, 1)) * 0.5, kTolerance);
   checkNear(albedoAt(tracer, 0.75, 0.5), texel(0, 1) * 0.75 + texel(0, 0) * 0.25, kTolerance);
@@ -114,7 +109,7 @@ TEST_CASE("LevelTexture, ImagesComeFromFilesDataBuffersAndBinaryFiles") {
   const std::string image = png();
   const std::vector<unsigned char> bytes(image.begin(), image.end());
   checkTexels(surfacesOf({{"a.gltf", squareWith([&](json& j) {
-                                       j["images"][0]["uri"] = "data:image/png;base64," + test::base64(bytes);
+                                       j["images"][0]["uri"] = "data:image/png;base64," + base64(bytes);
                                      }).text()}}));
   checkTexels(surfacesOf(
       {{"a.gltf", squareWith([](json& j) { j["images"][0]["uri"] = "a%20b.png"; }).text()}, {"a b.png", image}}));
@@ -140,7 +135,7 @@ TEST_CASE("LevelTexture, WebpIsPreferredAndKeepsItsColoursUnderAlpha") {
     j["textures"][0]["extensions"]["EXT_texture_webp"] = {{"source", 1}};
     j["extensionsRequired"] = {"EXT_texture_webp"};
   });
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.webp", image}});
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.webp", image}});
   REQUIRE(s.texture.size() == 1);
   CHECK(s.texture[0].rgba == rgba);
   checkTexels(s);
@@ -159,8 +154,8 @@ TEST_CASE("LevelTexture, MasksLetRaysThrough") {
   });
   gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {0, -1, 0}}});
   const auto heightAt = [&](double u) {
-    const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"leaf.tga", image}});
-    const Tracer tracer(s);
+    const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"leaf.tga", image}});
+    const geometry::Tracer tracer(s);
     return below(tracer, 2 * u - 1, 0.1)->position.y;
   };
   CHECK(heightAt(0.1) == 0.0);
@@ -179,7 +174,7 @@ TEST_CASE("LevelTexture, EmissionTakesTheMeanOfItsTexture") {
     j["materials"][0]["emissiveFactor"] = {1, 0.5, 0};
     j["materials"][0]["emissiveTexture"] = {{"index", 0}};
   });
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
   Number3 mean(0.0);
   for (const int row : {0, 1})
     for (const int column : {0, 1, 2, 3}) mean += texel(column, row) * 0.125;
@@ -190,11 +185,11 @@ TEST_CASE("LevelTexture, EmissionTakesTheMeanOfItsTexture") {
 
 TEST_CASE("LevelTexture, MessagesNameTheFileAndThePart") {
   const auto refuse = [](const std::function<void(json&)>& change, const std::vector<std::string>& says,
-                         ExitStatus status = ExitStatus::content, const std::string& image = png()) {
+                         base::ExitStatus status = base::ExitStatus::content, const std::string& image = png()) {
     checkSurfacesRefused({{"a.gltf", squareWith(change).text()}, {"a.png", image}}, says, status);
   };
   refuse([](json& j) { j["images"][0]["uri"] = "none.png"; }, {"a.gltf", "material 0", "none.png", "missing"},
-         ExitStatus::file);
+         base::ExitStatus::file);
   refuse([](json& j) { j["textures"][0]["source"] = 4; }, {"a.gltf", "texture 0", "source 4"});
   refuse([](json& j) { j["textures"][0].erase("source"); }, {"a.gltf", "texture 0", "source -1"});
   refuse([](json& j) { j["textures"][0]["sampler"] = 2; }, {"a.gltf", "sampler 2"});
@@ -214,9 +209,9 @@ TEST_CASE("LevelTexture, MessagesNameTheFileAndThePart") {
   refuse(transform({{"scale", {1}}}), {"material 0", "scale must have 2 numbers"});
   refuse(transform({{"rotation", "left"}}), {"material 0", "rotation"});
   refuse(transform({{"texCoord", 0.5}}), {"material 0", "texCoord 0.5"});
-  refuse([](json&) {}, {"a.png", "not a texture"}, ExitStatus::content, "P6 1 1 255 abc");
+  refuse([](json&) {}, {"a.png", "not a texture"}, base::ExitStatus::content, "P6 1 1 255 abc");
   for (const std::size_t size : {20U, 40U, 60U})
-    refuse([](json&) {}, {"a.png", "damaged or cut"}, ExitStatus::content, png().substr(0, size));
+    refuse([](json&) {}, {"a.png", "damaged or cut"}, base::ExitStatus::content, png().substr(0, size));
 }
 
 }  // namespace welkin::tests

@@ -6,22 +6,19 @@
 
 #include "closed_forms.h"
 #include "local_helpers.h"
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "probes/transfer/sums.h"
 
-namespace welkin::probes {
-namespace {
+namespace welkin::tests {
 
-using tests::furnishedRoom;
-using tests::measured;
-using tests::Measured;
-using tests::of;
+using f64::Number3;
+namespace {
 
 const Number3 kProbe(-1.5, 1.5, 0.5);
 const std::vector<Number3> kLights = {{-3, 3, 1}, {-1, 1, -3}, {-4, 3, 3}, {-2, 2, 2}};
 
-LocalSettings within(double max_error, std::size_t most) {
-  LocalSettings settings{most, 2, 2};
+transfer::LocalSettings within(double max_error, std::size_t most) {
+  transfer::LocalSettings settings{most, 2, 2};
   settings.max_error = max_error;
   return settings;
 }
@@ -29,25 +26,25 @@ LocalSettings within(double max_error, std::size_t most) {
 }  // namespace
 
 TEST_CASE("LocalEffort, IntervalsAreThoseOfTheSpread") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  const LocalTransferTracer local(tracer, {128, 2, 2}, kLights);
+  const geometry::Surfaces room = furnishedRoom();
+  const geometry::Tracer tracer(room);
+  const transfer::LocalTransferTracer local(tracer, {128, 2, 2}, kLights);
   constexpr std::size_t kCount = 4000;
-  std::vector<LocalProbe> probes;
+  std::vector<transfer::LocalProbe> probes;
   for (std::size_t i = 0; i < kCount; ++i) probes.push_back(local.trace(kProbe, {0, 0}, i));
   for (std::uint32_t l = 0; l < kLights.size(); ++l) {
     double mean = 0.0;
-    for (const LocalProbe& p : probes) mean += of(p, l).radiance[0].y / double{kCount};
+    for (const transfer::LocalProbe& p : probes) mean += of(p, l).radiance[0].y / double{kCount};
     double spread = 0.0;
     double stated = 0.0;
     double held = 0.0;
-    for (const LocalProbe& p : probes) {
+    for (const transfer::LocalProbe& p : probes) {
       REQUIRE(p.transfer.size() == kLights.size());
       const double off = p.transfer[l].radiance[0].y - mean;
       const double error = p.standard_error[l].y;
       spread += off * off / double{kCount};
       stated += error * error / double{kCount};
-      if (std::abs(off) <= kStudent * error) held += 1.0 / double{kCount};
+      if (std::abs(off) <= transfer::kStudent * error) held += 1.0 / double{kCount};
     }
     // The variance of 4000 probes is known to 2.2 %, each one's own, of 8 replicates, to 53 %, their mean to 0.8 %:
     // three standard errors. Eight replicates for seven degrees of freedom would be 14 % off.
@@ -58,9 +55,9 @@ TEST_CASE("LocalEffort, IntervalsAreThoseOfTheSpread") {
 }
 
 TEST_CASE("LocalEffort, TheErrorIsThatOfTheInfluence") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
-  const LocalProbe p = LocalTransferTracer(tracer, {512, 2, 2}, kLights).trace(kProbe, {0, 0}, 0);
+  const geometry::Surfaces room = furnishedRoom();
+  const geometry::Tracer tracer(room);
+  const transfer::LocalProbe p = transfer::LocalTransferTracer(tracer, {512, 2, 2}, kLights).trace(kProbe, {0, 0}, 0);
   double interval = 0.0;
   double influence = 0.0;
   for (std::size_t l = 0; l < p.transfer.size(); ++l) {
@@ -73,31 +70,36 @@ TEST_CASE("LocalEffort, TheErrorIsThatOfTheInfluence") {
 }
 
 TEST_CASE("LocalEffort, TracesUntilTheErrorIsMet") {
-  const Surfaces room = furnishedRoom();
-  const Tracer tracer(room);
+  const geometry::Surfaces room = furnishedRoom();
+  const geometry::Tracer tracer(room);
   std::size_t paths = 0;
   for (const double budget : {0.2, 0.05, 0.02}) {
-    const LocalProbe p = LocalTransferTracer(tracer, within(budget, 1U << 18), kLights).trace(kProbe, {0, 0}, 0);
+    const transfer::LocalProbe p =
+        transfer::LocalTransferTracer(tracer, within(budget, 1U << 18), kLights).trace(kProbe, {0, 0}, 0);
     CHECK(p.error <= budget);
     CHECK(p.paths > paths);
     CHECK(p.paths < 1U << 18);
     paths = p.paths;
     // The same bits as of so many paths at once; half as many would not do.
-    const LocalProbe once = LocalTransferTracer(tracer, {p.paths, 2, 2}, kLights).trace(kProbe, {0, 0}, 0);
+    const transfer::LocalProbe once =
+        transfer::LocalTransferTracer(tracer, {p.paths, 2, 2}, kLights).trace(kProbe, {0, 0}, 0);
     REQUIRE(once.transfer.size() == p.transfer.size());
     CHECK(once.error == p.error);
     CHECK(once.rays == p.rays);
     for (std::size_t i = 0; i < p.transfer.size(); ++i)
       CHECK(std::memcmp(&once.transfer[i].radiance, &p.transfer[i].radiance, sizeof p.transfer[i].radiance) == 0);
     if (p.paths > 256)
-      CHECK(LocalTransferTracer(tracer, {p.paths / 2, 2, 2}, kLights).trace(kProbe, {0, 0}, 0).error > budget);
+      CHECK(transfer::LocalTransferTracer(tracer, {p.paths / 2, 2, 2}, kLights).trace(kProbe, {0, 0}, 0).error >
+            budget);
   }
   // Too few for it: all are spent, and the error says so.
-  const LocalProbe cut = LocalTransferTracer(tracer, within(0.001, 1000), kLights).trace(kProbe, {0, 0}, 0);
+  const transfer::LocalProbe cut =
+      transfer::LocalTransferTracer(tracer, within(0.001, 1000), kLights).trace(kProbe, {0, 0}, 0);
   CHECK(cut.paths == 1000);
   CHECK(cut.error > 0.001);
   // Nothing arrives: no error, and no more than the first round.
-  const LocalProbe dark = LocalTransferTracer(tracer, within(0.01, 1U << 18), {{90, 1, 0}}).trace(kProbe, {0, 0}, 0);
+  const transfer::LocalProbe dark =
+      transfer::LocalTransferTracer(tracer, within(0.01, 1U << 18), {{90, 1, 0}}).trace(kProbe, {0, 0}, 0);
   CHECK(dark.transfer.empty());
   CHECK(dark.error == 0.0);
   CHECK(dark.paths == 256);
@@ -105,18 +107,18 @@ TEST_CASE("LocalEffort, TracesUntilTheErrorIsMet") {
 
 TEST_CASE("LocalEffort, TheClosedFormIsWithinTheBudget") {
   // A light at the centre of a sphere: radiance wall / pi (albedo + albedo^2) from everywhere.
-  const Surfaces sphere = tests::sphereInside(3.0, 4, Number3(0.5));
-  const Tracer tracer(sphere);
-  const double roughness = tests::roughnessOf(sphere, 3.0);
+  const geometry::Surfaces sphere = sphereInside(3.0, 4, Number3(0.5));
+  const geometry::Tracer tracer(sphere);
+  const double roughness = roughnessOf(sphere, 3.0);
   std::vector<Number3> lights = {{0, 0, 0}, {1.5, 0.2, 0.3}, {-0.4, -1.9, 0.1}, {0.3, 0.3, 2}};
   const double expected = 4.0 * det::kShConstant * 0.75 / 9.0;
-  const LocalTransferTracer local(tracer, within(0.05, 1U << 18), lights);
+  const transfer::LocalTransferTracer local(tracer, within(0.05, 1U << 18), lights);
   std::size_t held = 0;
   for (std::size_t i = 0; i < 40; ++i) {
-    const LocalProbe p = local.trace({0.7, 1.2, -0.9}, {0, 0}, i);
+    const transfer::LocalProbe p = local.trace({0.7, 1.2, -0.9}, {0, 0}, i);
     CHECK(p.error <= 0.05);
     const double off = std::abs(of(p, 0).radiance[0].y - expected);
-    if (off <= kStudent * p.standard_error[0].y + 3.0 * roughness * expected) ++held;
+    if (off <= transfer::kStudent * p.standard_error[0].y + 3.0 * roughness * expected) ++held;
   }
   // 38 of 40 are expected; fewer than 33 has a chance of 1 in 300.
   CHECK(held >= 33);
@@ -124,11 +126,13 @@ TEST_CASE("LocalEffort, TheClosedFormIsWithinTheBudget") {
 
 TEST_CASE("LocalEffort, EveryRayIsCounted") {
   // In a sphere every surface point faces every light, and no path ends early: a segment a bounce, then the tests.
-  const Surfaces sphere = tests::sphereInside(3.0, 3, Number3(0.5));
-  const Tracer tracer(sphere);
+  const geometry::Surfaces sphere = sphereInside(3.0, 3, Number3(0.5));
+  const geometry::Tracer tracer(sphere);
   const std::vector<Number3> lights = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}, {0.2, 0.1, -1}};
-  LocalSettings settings{1024, 3, 8};
-  const auto raysOf = [&] { return LocalTransferTracer(tracer, settings, lights).trace({0, 1, 1}, {0, 0}, 0); };
+  transfer::LocalSettings settings{1024, 3, 8};
+  const auto raysOf = [&] {
+    return transfer::LocalTransferTracer(tracer, settings, lights).trace({0, 1, 1}, {0, 0}, 0);
+  };
   CHECK(raysOf().rays == 1024 * 3 * (1 + 5));
   settings.light_rays = 1;
   CHECK(raysOf().rays == 1024 * 3 * (1 + 1));
@@ -145,7 +149,7 @@ TEST_CASE("LocalEffort, EveryRayIsCounted") {
   settings.max_error = 0.3;
   for (const double budget : {0.3, 0.003}) {
     settings.max_error = budget;
-    const LocalProbe p = raysOf();
+    const transfer::LocalProbe p = raysOf();
     CHECK(p.rays == 128 * 3 * (1 + 5) + 5 + p.paths * 3 * (1 + 3));
     CHECK((p.paths > 1024) == (budget < 0.1));
   }
@@ -154,26 +158,27 @@ TEST_CASE("LocalEffort, EveryRayIsCounted") {
 TEST_CASE("LocalEffort, TheChoiceIsOfPathsOfItsOwn") {
   // The lights of which most arrived by some paths are those that these paths favour: measured with them they would be
   // too bright.
-  const Surfaces sphere = tests::sphereInside(3.0, 3, Number3(0.5));
-  const Tracer tracer(sphere);
+  const geometry::Surfaces sphere = sphereInside(3.0, 3, Number3(0.5));
+  const geometry::Tracer tracer(sphere);
   std::vector<Number3> lights;
-  for (int i = 0; i < 60; ++i) lights.push_back(sphereDirection((i + 0.5) / 60.0, std::fmod(0.618 * i, 1.0)) * 2.6);
+  for (int i = 0; i < 60; ++i)
+    lights.push_back(geometry::sphereDirection((i + 0.5) / 60.0, std::fmod(0.618 * i, 1.0)) * 2.6);
   const Number3 probe(0.0);
-  const LocalTransferTracer all(tracer, {1U << 16, 1, 8}, lights);
-  const LocalProbe truth = all.trace(probe, {0, 0}, 0);
-  LocalSettings settings{64, 1, 8};
+  const transfer::LocalTransferTracer all(tracer, {1U << 16, 1, 8}, lights);
+  const transfer::LocalProbe truth = all.trace(probe, {0, 0}, 0);
+  transfer::LocalSettings settings{64, 1, 8};
   settings.lights = 5;
-  const LocalTransferTracer few(tracer, settings, lights);
-  const Measured ratio = measured(few, probe, 3000, [&](const LocalProbe& p) {
+  const transfer::LocalTransferTracer few(tracer, settings, lights);
+  const Measured ratio = measured(few, probe, 3000, [&](const transfer::LocalProbe& p) {
     double sum = 0.0;
     double expected = 0.0;
-    for (const LocalTransfer& t : p.transfer) {
+    for (const transfer::LocalTransfer& t : p.transfer) {
       sum += t.influence();
       expected += of(truth, t.light).influence();
     }
     return sum / expected;
   });
-  tests::checkMeasured(ratio, 1.0, 0.01);
+  checkMeasured(ratio, 1.0, 0.01);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -2,27 +2,24 @@
 // OBJ and MTL: polygons, objects, colours and images; what is missing, and what is wrong where.
 #include "level_text.h"
 #include "sh/deterministic.h"
-#include "sky/image.h"
+#include "sky/image/image.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
-using test::Folder;
 
 /// A square in the plane y = 0 that faces up, with texture coordinates from the bottom: (0, 0) at x = -1, z = 1.
 constexpr const char* kSquare =
     "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "usemtl paint\nf 1/1 2/2 3/3 4/4\n";
 
-bool warns(const Surfaces& s, const std::string& of) {
+bool warns(const geometry::Surfaces& s, const std::string& of) {
   return std::any_of(s.warning.begin(), s.warning.end(),
                      [&](const std::string& w) { return w.find(of) != std::string::npos; });
 }
 
-double area(const Surfaces& s) {
+double area(const geometry::Surfaces& s) {
   double sum = 0.0;
-  for (const Triangle& t : s.triangle) {
+  for (const geometry::Triangle& t : s.triangle) {
     const auto at = [&](std::size_t c) {
       const auto& p = s.position[t.vertex[c]];
       return Number3(double{p[0]}, double{p[1]}, double{p[2]});
@@ -41,25 +38,25 @@ TEST_CASE("Obj, ObjectsAndMaterialsDivideTheFaces") {
       "# a comment\nmtllib a.mtl\no ground\n" + std::string(kSquare) +
       "o palm 1\nusemtl leaf\nf -4//  -3 \\\n -2\nusemtl paint\nf 1 2 4\no ground\nf 2 3 4\ng hull\nf 1 2 3\n";
   const Folder folder;
-  LevelFile level = levelOf(
+  level::LevelFile level = levelOf(
       folder, {{"a.obj", text}, {"a.mtl", "newmtl paint\nKd 0.1 0.2 0.3\nKe 4 0 0\nillum 2\nnewmtl leaf\nKd 0.25\n"}});
   level.geometry[0].vegetation_nodes = {"palm*"};
-  level.geometry[0].transform = fromEuler({10, 0, 0}, Number3(0.0), Number3(0.125));
-  const Surfaces s = readSurfaces(level);
+  level.geometry[0].transform = geometry::fromEuler({10, 0, 0}, Number3(0.0), Number3(0.125));
+  const geometry::Surfaces s = loader::readSurfaces(level);
   CHECK(s.triangle.size() == 6);
   REQUIRE(s.object.size() == 3);
   CHECK(s.object[0].name == "ground");
   CHECK(s.object[1].name == "palm 1");
-  CHECK(s.object[1].role == Role::vegetation);
-  CHECK(s.object[2].role == Role::fixed);
+  CHECK(s.object[1].role == geometry::Role::vegetation);
+  CHECK(s.object[2].role == geometry::Role::fixed);
   CHECK(s.file.size() == 2);
   CHECK(s.warning.empty());
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   const auto hit = below(tracer, 10.1, 0.05);  // the square is 0.25 m wide at x = 10
   REQUIRE(hit);
   CHECK_FALSE(hit->back);
-  for (const Triangle& t : s.triangle) {
-    const Material& m = s.material[t.material];
+  for (const geometry::Triangle& t : s.triangle) {
+    const geometry::Material& m = s.material[t.material];
     const bool leaf = m.emission.x == 0.0;
     checkNear(m.albedo, leaf ? Number3(0.25) : Number3(0.1, 0.2, 0.3), 0);
     if (leaf) CHECK(s.object[t.object].name == "palm 1");
@@ -68,35 +65,36 @@ TEST_CASE("Obj, ObjectsAndMaterialsDivideTheFaces") {
 
 TEST_CASE("Obj, PolygonsOfAnyShapeAreCoveredOnce") {
   // A comb with three teeth, counter-clockwise from above: no fan covers it. Its first corner is a notch.
-  const Surfaces s = surfacesOf({{"a.obj",
-                                  "v 1 0 -1\nv 1 0 -3\nv 0 0 -3\nv 0 0 0\nv 5 0 0\nv 5 0 -3\nv 4 0 -3\nv 4 0 -1\n"
-                                  "v 3 0 -1\nv 3 0 -3\nv 2 0 -3\nv 2 0 -1\nf 1 2 3 4 5 6 7 8 9 10 11 12\n"}});
+  const geometry::Surfaces s =
+      surfacesOf({{"a.obj",
+                   "v 1 0 -1\nv 1 0 -3\nv 0 0 -3\nv 0 0 0\nv 5 0 0\nv 5 0 -3\nv 4 0 -3\nv 4 0 -1\n"
+                   "v 3 0 -1\nv 3 0 -3\nv 2 0 -3\nv 2 0 -1\nf 1 2 3 4 5 6 7 8 9 10 11 12\n"}});
   CHECK(s.triangle.size() == 10);
   CHECK(area(s) == Approx(11.0));
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   CHECK(below(tracer, 0.6, -2.1));
   CHECK_FALSE(below(tracer, 1.6, -2.1));
   CHECK(below(tracer, 2.6, -2.1));
   CHECK_FALSE(below(tracer, 3.6, -2.1));
   CHECK(below(tracer, 3.6, -0.6));
   // An arrow-head: one diagonal of the two lies outside.
-  const Surfaces arrow = surfacesOf({{"a.obj", "v 0 0 0\nv 2 0 2\nv 0 0 -2\nv -2 0 2\nf 1 2 3 4\n"}});
+  const geometry::Surfaces arrow = surfacesOf({{"a.obj", "v 0 0 0\nv 2 0 2\nv 0 0 -2\nv -2 0 2\nf 1 2 3 4\n"}});
   CHECK(area(arrow) == Approx(4.0));
 }
 
 TEST_CASE("Obj, ImagesLieWithVFromTheBottom") {
   const std::uint8_t texels[2][2][3] = {{{250, 10, 40}, {200, 20, 80}}, {{90, 60, 10}, {70, 120, 30}}};
   const std::string image =
-      textOf(sky::encodePng(2, 2, std::span<const std::uint8_t>(&texels[0][0][0], sizeof(texels))));
+      textOf(image::encodePng(2, 2, std::span<const std::uint8_t>(&texels[0][0][0], sizeof(texels))));
   const auto linear = [&](int column, int row) {
     const auto& t = texels[row][column];
     return Number3(det::srgbDecode(t[0] / 255.0), det::srgbDecode(t[1] / 255.0), det::srgbDecode(t[2] / 255.0));
   };
   const auto albedoOf = [&](const std::string& mtl, double x, double z) {
-    const Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
-                                   {"a.mtl", "newmtl paint\n" + mtl},
-                                   {"maps/a b.png", image}});
-    const Tracer tracer(s);
+    const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                                             {"a.mtl", "newmtl paint\n" + mtl},
+                                             {"maps/a b.png", image}});
+    const geometry::Tracer tracer(s);
     return tracer.albedo(*below(tracer, x, z));
   };
   const double kFloats = 1e-5;
@@ -112,10 +110,10 @@ TEST_CASE("Obj, ImagesLieWithVFromTheBottom") {
 
 TEST_CASE("Obj, TransparencyIsAMaskAtOneHalf") {
   const auto hits = [](const std::string& mtl) {
-    const Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
-                                   {"a.mtl", "newmtl paint\nKd 1 1 1\n" + mtl},
-                                   {"leaf.tga", targa(2, 1, {9, 9, 9, 255, 9, 9, 9, 0})}});
-    const Tracer tracer(s);
+    const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                                             {"a.mtl", "newmtl paint\nKd 1 1 1\n" + mtl},
+                                             {"leaf.tga", targa(2, 1, {9, 9, 9, 255, 9, 9, 9, 0})}});
+    const geometry::Tracer tracer(s);
     const bool reported = warns(s, "paint: transparent") || warns(s, "map_d");
     CHECK(reported == (mtl.find('d') == 0 || mtl.find("Tr") == 0 || mtl.find("map_d") != std::string::npos));
     return std::pair(below(tracer, -0.5, 0.1).has_value(), below(tracer, 0.5, 0.1).has_value());
@@ -131,12 +129,12 @@ TEST_CASE("Obj, TransparencyIsAMaskAtOneHalf") {
 TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
   const auto read = [](const Files& files, const std::string& warning) {
     const Folder folder;
-    LevelFile level = levelOf(folder, files);
+    level::LevelFile level = levelOf(folder, files);
     level.geometry[0].albedo = {0.1, 0.2, 0.3};
-    const Surfaces s = readSurfaces(level);
+    const geometry::Surfaces s = loader::readSurfaces(level);
     INFO(warning);
     CHECK(warns(s, warning));
-    const Tracer tracer(s);
+    const geometry::Tracer tracer(s);
     checkNear(tracer.albedo(*below(tracer, 0.2, 0.3)), {0.1, 0.2, 0.3}, 1e-12);
   };
   const std::string obj = std::string("mtllib a.mtl\n") + kSquare;
@@ -148,13 +146,13 @@ TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
 }
 
 TEST_CASE("Obj, VertexColoursAndNumbersThatAreNotFinite") {
-  const Surfaces s =
+  const geometry::Surfaces s =
       surfacesOf({{"a.obj",
                    "v -1 0 1 0.5 0.25 1\nv 1 0 1 0.5 0.25 1\nv 1 0 -1 0.5 0.25 1\nv nan 0 -1\nv 1e999 0 0\n"
                    "f 1 2 3\nf 1 3 4\nf 1 2 5\nf 1 1 2\n"}});
   CHECK(s.triangle.size() == 1);
   CHECK(s.dropped_triangles == 3);
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   checkNear(tracer.albedo(*below(tracer, 0.5, 0.5)), {0.5, 0.25, 1}, 1e-6);
 }
 

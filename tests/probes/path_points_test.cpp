@@ -5,9 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 /// Mean over many replicates, with what three standard errors allow at most: values are within [-1, 1] and the points
@@ -18,10 +20,10 @@ const double kNoise = 3.0 / std::sqrt(double{kPoints} * kReplicateKeys);
 
 template <typename Value>
 double meanOf(const Value& value) {
-  const CircleTable circle;
+  const transfer::CircleTable circle;
   double sum = 0.0;
   for (std::uint64_t key = 0; key < kReplicateKeys; ++key) {
-    const PathPoints points(circle, mixed(key), 3);
+    const transfer::PathPoints points(circle, geometry::mixed(key), 3);
     for (std::uint32_t i = 0; i < kPoints; ++i) sum += value(points, i);
   }
   return sum / (double{kPoints} * kReplicateKeys);
@@ -32,7 +34,7 @@ double meanOf(const Value& value) {
 TEST_CASE("PathPoints, SequenceIsANet") {
   // Each of the elementary intervals of area 2^-18 holds one of the first 2^18 points, whatever the key; so do blocks.
   constexpr int kBits = 18;
-  const Sequence sequence(0x1234);
+  const transfer::Sequence sequence(0x1234);
   for (const std::uint32_t block : {0U, 5U})
     for (const int columns : {0, 5, 9, 18}) {
       std::vector<char> taken(1U << kBits);
@@ -50,14 +52,16 @@ TEST_CASE("PathPoints, SequenceIsANet") {
 }
 
 TEST_CASE("PathPoints, SphereIsUniform") {
-  CHECK(std::abs(meanOf([](const PathPoints& p, std::uint32_t i) {
+  CHECK(std::abs(meanOf([](const transfer::PathPoints& p, std::uint32_t i) {
           const Number3 w = p.onSphere(i);
           return std::abs(dot(w, w) - 1.0);
         })) < 1e-12);
   // Moments of every axis and of mixed ones.
-  for (const Number3& axis : {Number3(1, 0, 0), Number3(0, 1, 0), Number3(0, 0, 1), unit(Number3(1, -2, 3))}) {
+  for (const Number3& axis :
+       {Number3(1, 0, 0), Number3(0, 1, 0), Number3(0, 0, 1), geometry::unit(Number3(1, -2, 3))}) {
     const auto moment = [&](int power) {
-      return meanOf([&](const PathPoints& p, std::uint32_t i) { return std::pow(dot(p.onSphere(i), axis), power); });
+      return meanOf(
+          [&](const transfer::PathPoints& p, std::uint32_t i) { return std::pow(dot(p.onSphere(i), axis), power); });
     };
     CHECK(std::abs(moment(1)) < kNoise);
     CHECK(moment(2) == Approx(1.0 / 3).margin(kNoise));
@@ -67,11 +71,12 @@ TEST_CASE("PathPoints, SphereIsUniform") {
 }
 
 TEST_CASE("PathPoints, BouncesFollowTheCosine") {
-  const Number3 normal = unit(Number3(0.4, -0.7, -0.5));
-  const Number3 across = unit(cross(normal, Number3(0, 1, 0)));
+  const Number3 normal = geometry::unit(Number3(0.4, -0.7, -0.5));
+  const Number3 across = geometry::unit(cross(normal, Number3(0, 1, 0)));
   for (const int bounce : {0, 2}) {
     const auto mean = [&](auto&& value) {
-      return meanOf([&](const PathPoints& p, std::uint32_t i) { return value(p.aboutNormal(bounce, i, normal)); });
+      return meanOf(
+          [&](const transfer::PathPoints& p, std::uint32_t i) { return value(p.aboutNormal(bounce, i, normal)); });
     };
     CHECK(mean([](const Number3& w) { return std::abs(dot(w, w) - 1.0); }) < 1e-12);
     CHECK(mean([&](const Number3& w) { return dot(w, normal); }) == Approx(2.0 / 3).margin(kNoise));
@@ -79,16 +84,16 @@ TEST_CASE("PathPoints, BouncesFollowTheCosine") {
     CHECK(std::abs(mean([&](const Number3& w) { return dot(w, across); })) < kNoise);
     CHECK(mean([&](const Number3& w) { return dot(w, across) * dot(w, across); }) == Approx(0.25).margin(kNoise));
     // Bounces do not know of the first direction, nor of each other.
-    CHECK(std::abs(meanOf([&](const PathPoints& p, std::uint32_t i) {
+    CHECK(std::abs(meanOf([&](const transfer::PathPoints& p, std::uint32_t i) {
             return dot(p.aboutNormal(bounce, i, normal), across) * p.onSphere(i).y;
           })) < kNoise);
-    CHECK(std::abs(meanOf([&](const PathPoints& p, std::uint32_t i) {
+    CHECK(std::abs(meanOf([&](const transfer::PathPoints& p, std::uint32_t i) {
             return (p.lightOffset(bounce, i) - 0.5) * p.onSphere(i).y;
           })) < kNoise);
-    CHECK(std::abs(meanOf([&](const PathPoints& p, std::uint32_t i) {
+    CHECK(std::abs(meanOf([&](const transfer::PathPoints& p, std::uint32_t i) {
             return dot(p.aboutNormal(bounce, i, normal), across) * dot(p.aboutNormal(1, i, normal), across);
           })) < kNoise);
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

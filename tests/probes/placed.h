@@ -9,16 +9,16 @@
 
 namespace welkin::tests {
 
-using probes::PlacedSector;
-using probes::PlacementReport;
-using probes::PlacementSettings;
-using probes::Probe;
-using probes::SectorId;
-using probes::Surfaces;
+using geometry::PlacedSector;
+using geometry::Probe;
+using geometry::SectorId;
+using geometry::Surfaces;
+using placement::PlacementReport;
+using placement::PlacementSettings;
 
 inline PlacedSector place(const Surfaces& s, const SectorId& id, const PlacementSettings& settings = {},
                           PlacementReport* report = nullptr) {
-  const probes::Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   PlacementReport unused;
   return placeSector(tracer, id, settings, report != nullptr ? *report : unused);
 }

@@ -7,30 +7,29 @@
 #include "placed.h"
 #include "probes/placement/validity.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
-using tests::countBetween;
-using tests::place;
-
-double leastSeparation(const PlacedSector& sector) {
+double leastSeparation(const geometry::PlacedSector& sector) {
   double least = 1e9;
   for (std::size_t i = 0; i < sector.probe.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      least = std::min(least, distanceOf(sector.probe[i].position, sector.probe[j].position));
+      least = std::min(least, placement::distanceOf(sector.probe[i].position, sector.probe[j].position));
   return least;
 }
 
 }  // namespace
 
 TEST_CASE("Placement, OpenGroundHasAProbeEveryEightMetres") {
-  PlacementReport report;
-  const PlacedSector sector = place(tests::groundOf({0.5, 0.5, 0.5}), {0, 0}, {}, &report);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(groundOf({0.5, 0.5, 0.5}), {0, 0}, {}, &report);
   CHECK(sector.probe.size() == 64);
   CHECK(leastSeparation(sector) == Approx(8.0));
-  for (const Probe& p : sector.probe) {
+  for (const geometry::Probe& p : sector.probe) {
     CHECK(p.position.y == 1.0);
-    CHECK(sectorAt(p.position) == SectorId{0, 0});
+    CHECK(geometry::sectorAt(p.position) == geometry::SectorId{0, 0});
   }
   CHECK(report.columns == 256);
   CHECK(report.walkable == 256 + 1024);
@@ -44,32 +43,32 @@ TEST_CASE("Placement, OpenGroundHasAProbeEveryEightMetres") {
 }
 
 TEST_CASE("Placement, NeighboursContinueTheLattice") {
-  const Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  const PlacedSector west = place(s, {-1, -3});
-  const PlacedSector east = place(s, {0, -3});
+  const geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  const geometry::PlacedSector west = place(s, {-1, -3});
+  const geometry::PlacedSector east = place(s, {0, -3});
   REQUIRE(west.probe.size() == east.probe.size());
   for (std::size_t i = 0; i < west.probe.size(); ++i)
-    CHECK(distanceOf(west.probe[i].position + Number3(64, 0, 0), east.probe[i].position) < 1e-12);
+    CHECK(placement::distanceOf(west.probe[i].position + Number3(64, 0, 0), east.probe[i].position) < 1e-12);
   CHECK((west.grid == east.grid));
 }
 
 TEST_CASE("Placement, FollowsASlope") {
-  Surfaces s;
-  tests::addQuad(s, {-100, -50, -100}, {0, 0, 200}, {200, 100, 0}, tests::addMaterial(s, {0.5, 0.5, 0.5}));
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s;
+  addQuad(s, {-100, -50, -100}, {0, 0, 200}, {200, 100, 0}, addMaterial(s, {0.5, 0.5, 0.5}));
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(sector.probe.size() >= 64);
-  for (const Probe& p : sector.probe) CHECK(p.position.y == Approx(0.5 * p.position.x + 1.0).margin(1e-4));
+  for (const geometry::Probe& p : sector.probe) CHECK(p.position.y == Approx(0.5 * p.position.x + 1.0).margin(1e-4));
   CHECK(leastSeparation(sector) >= 7.0);
   CHECK(report.uncovered.empty());
 }
 
 TEST_CASE("Placement, FloorsUnderRoofsHaveTheirOwn") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {8, 3, 8}, {56, 3.3, 56}, 0);
-  tests::addBoxOutside(s, {8, 6.3, 8}, {56, 6.6, 56}, 0);
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {8, 3, 8}, {56, 3.3, 56}, 0);
+  addBoxOutside(s, {8, 6.3, 8}, {56, 6.6, 56}, 0);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(countBetween(sector, 0, 2) == 64);
   CHECK(countBetween(sector, 4.2, 4.4) >= 36);
   CHECK(countBetween(sector, 7.5, 7.7) >= 36);
@@ -77,11 +76,11 @@ TEST_CASE("Placement, FloorsUnderRoofsHaveTheirOwn") {
 }
 
 TEST_CASE("Placement, ACrawlSpaceIsNoGroundAndALowRoomGetsItsMiddle") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {-200, 1.5, -200}, {32, 2, 200}, 0);
-  tests::addBoxOutside(s, {32, 1.1, -200}, {200, 2, 200}, 0);
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {-200, 1.5, -200}, {32, 2, 200}, 0);
+  addBoxOutside(s, {32, 1.1, -200}, {200, 2, 200}, 0);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.low == 128);
   CHECK(report.ground == 128 + 256);
   CHECK(countBetween(sector, 0.0, 2.0) == countBetween(sector, 0.749, 0.751));
@@ -91,34 +90,35 @@ TEST_CASE("Placement, ACrawlSpaceIsNoGroundAndALowRoomGetsItsMiddle") {
 TEST_CASE("Placement, GroundUnderWaterIsNone") {
   // The western half lies 2 m under water, leaves between; a roof over the east, and water on that, change nothing
   // there.
-  Surfaces s = tests::groundOf(Number3(0.3), 100.0);
-  const auto both = tests::addMaterial(s, Number3(0.5), true);
-  s.object.push_back({"lake", Role::water});
-  s.object.push_back({"palm", Role::vegetation});
+  geometry::Surfaces s = groundOf(Number3(0.3), 100.0);
+  const auto both = addMaterial(s, Number3(0.5), true);
+  s.object.push_back({"lake", geometry::Role::water});
+  s.object.push_back({"palm", geometry::Role::vegetation});
   const auto addAs = [&](std::uint32_t object, const Number3& corner, const Number3& a, const Number3& b) {
     const std::size_t first = s.triangle.size();
-    tests::addQuad(s, corner, a, b, both);
+    addQuad(s, corner, a, b, both);
     for (std::size_t i = first; i < s.triangle.size(); ++i) s.triangle[i].object = object;
   };
   addAs(1, {-100, 2, -100}, {0, 0, 200}, {132, 0, 0});
   addAs(2, {0, 1.5, 0}, {0, 0, 64}, {64, 0, 0});
   addAs(0, {40, 9, 0}, {0, 0, 64}, {20, 0, 0});
   addAs(1, {40, 10, 0}, {0, 0, 64}, {20, 0, 0});
-  PlacementReport report;
-  const PlacedSector placed = tests::place(s, {0, 0}, {}, &report);
+  placement::PlacementReport report;
+  const geometry::PlacedSector placed = place(s, {0, 0}, {}, &report);
   CHECK(report.under_water == 8 * 16 + 5 * 16);  // of 16 x 16 lines: the lake's half, and the top of the roof
   CHECK(report.uncovered.empty());
-  REQUIRE(tests::countBetween(placed, 0.9, 1.1) >= 24);
-  for (const Probe& p : placed.probe) CHECK((p.position.x > 32.0 || p.position.y > 2.0));  // above the leaves' box
+  REQUIRE(countBetween(placed, 0.9, 1.1) >= 24);
+  for (const geometry::Probe& p : placed.probe)
+    CHECK((p.position.x > 32.0 || p.position.y > 2.0));  // above the leaves' box
 }
 
 TEST_CASE("Placement, NothingInsideBodies") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {8, -1, 8}, {40, 5, 40}, 0);
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {8, -1, 8}, {40, 5, 40}, 0);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.buried == 64);
-  for (const Probe& p : sector.probe) {
+  for (const geometry::Probe& p : sector.probe) {
     const bool inside =
         p.position.x > 8 && p.position.x < 40 && p.position.z > 8 && p.position.z < 40 && p.position.y < 5;
     CHECK_FALSE(inside);
@@ -128,43 +128,45 @@ TEST_CASE("Placement, NothingInsideBodies") {
 }
 
 TEST_CASE("Placement, AProbeTooCloseToAWallIsMovedAndReported") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {2.4, 0, 0}, {3, 4, 64}, 0);  // the first lines of the lattice are at 2.287
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {2.4, 0, 0}, {3, 4, 64}, 0);  // the first lines of the lattice are at 2.287
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.moved.size() == 16);
-  const Tracer tracer(s);
-  for (const Probe& p : sector.probe) CHECK(placeAt(tracer, p.position, 0.2) == Place::free);
-  for (const MovedProbe& m : report.moved) CHECK(m.to.x < 2.21);
+  const geometry::Tracer tracer(s);
+  for (const geometry::Probe& p : sector.probe)
+    CHECK(placement::placeAt(tracer, p.position, 0.2) == placement::Place::free);
+  for (const placement::MovedProbe& m : report.moved) CHECK(m.to.x < 2.21);
   CHECK(report.uncovered.empty());
 }
 
 TEST_CASE("Placement, EveryWalkablePointSeesAProbe") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
   const double wall = 4.0;
   for (int i = 0; i <= 16; ++i)  // closets of 4 m, without doors
     for (int axis = 0; axis < 2; ++axis)
-      tests::addBoxOutside(s, axis == 0 ? Number3(wall * i - 0.05, -1, 0) : Number3(0, -1, wall * i - 0.05),
-                           axis == 0 ? Number3(wall * i + 0.05, 4, 64) : Number3(64, 4, wall * i + 0.05), 0);
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+      addBoxOutside(s, axis == 0 ? Number3(wall * i - 0.05, -1, 0) : Number3(0, -1, wall * i - 0.05),
+                    axis == 0 ? Number3(wall * i + 0.05, 4, 64) : Number3(64, 4, wall * i + 0.05), 0);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(sector.probe.size() == 255);
-  CHECK(std::count_if(report.dropped.begin(), report.dropped.end(),
-                      [](const DroppedProbe& d) { return d.reason == DroppedProbe::Reason::thinned; }) == 1);
+  CHECK(std::count_if(report.dropped.begin(), report.dropped.end(), [](const placement::DroppedProbe& d) {
+          return d.reason == placement::DroppedProbe::Reason::thinned;
+        }) == 1);
   CHECK(report.uncovered.size() == 5);  // one of the lattice, four between its lines
 }
 
 TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {
-  Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
-  tests::addBoxOutside(s, {3, -1, 3}, {5.6, 3, 5.6}, 0);  // the lines are at 2.287 and 6.287
-  tests::addBoxInside(s, {3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}, 0);
-  PlacementReport report;
-  const PlacedSector sector = place(s, {0, 0}, {}, &report);
+  geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
+  addBoxOutside(s, {3, -1, 3}, {5.6, 3, 5.6}, 0);  // the lines are at 2.287 and 6.287
+  addBoxInside(s, {3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}, 0);
+  placement::PlacementReport report;
+  const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.added_for_sight >= 1);
   CHECK(report.uncovered.empty());
-  CHECK(std::count_if(sector.probe.begin(), sector.probe.end(), [](const Probe& p) {
-          return contains({{3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}}, p.position);
+  CHECK(std::count_if(sector.probe.begin(), sector.probe.end(), [](const geometry::Probe& p) {
+          return geometry::contains({{3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}}, p.position);
         }) == 1);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -19,13 +19,13 @@ std::uint32_t bigEndianAt(const std::string& bytes, std::size_t at) {
 }  // namespace
 
 TEST_CASE("ProbePicture, FromAboveAndInSection") {
-  probes::Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
+  geometry::Surfaces s = tests::groundOf({0.5, 0.5, 0.5});
   tests::addBoxOutside(s, {10, 0, 10}, {30, 6, 50}, 0);
-  const probes::Tracer tracer(s);
-  std::vector<probes::PlacedSector> sectors;
-  for (const probes::SectorId id : {probes::SectorId{-1, 0}, probes::SectorId{0, 0}}) {
-    probes::PlacementReport report;
-    sectors.push_back(probes::placeSector(tracer, id, {}, report));
+  const geometry::Tracer tracer(s);
+  std::vector<geometry::PlacedSector> sectors;
+  for (const geometry::SectorId id : {geometry::SectorId{-1, 0}, geometry::SectorId{0, 0}}) {
+    placement::PlacementReport report;
+    sectors.push_back(placement::placeSector(tracer, id, {}, report));
   }
   const std::string above = drawFromAbove(tracer, sectors);
   const std::string section = drawSection(tracer, sectors, 20.3);
@@ -40,8 +40,8 @@ TEST_CASE("ProbePicture, FromAboveAndInSection") {
 }
 
 TEST_CASE("ProbePicture, NothingIsASmallPicture") {
-  const probes::Surfaces s;
-  const probes::Tracer tracer(s);
+  const geometry::Surfaces s;
+  const geometry::Tracer tracer(s);
   CHECK(drawFromAbove(tracer, {}).substr(1, 3) == "PNG");
   CHECK(drawSection(tracer, {}, 0.0).substr(1, 3) == "PNG");
 }

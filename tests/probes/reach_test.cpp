@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a sector's bake reads of a level says the same whatever lies beyond its reach.
-#include "probes/reach.h"
+#include "probes/geometry/reach.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "probes/canonical_order.h"
-#include "probes/random.h"
+#include "probes/geometry/canonical_order.h"
+#include "probes/geometry/random.h"
 #include "rooms.h"
 
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
-Hash128 hashOfSector(const Surfaces& level, SectorId sector, double reach_m) {
-  Hasher hasher;
-  probes::addTo(hasher, surfacesWithin(level, columnOf(sector, reach_m)), textureHashes(level));
+base::Hash128 hashOfSector(const geometry::Surfaces& level, geometry::SectorId sector, double reach_m) {
+  base::Hasher hasher;
+  geometry::addTo(hasher, geometry::surfacesWithin(level, geometry::columnOf(sector, reach_m)),
+                  geometry::textureHashes(level));
   return hasher.digest();
 }
 
 /// A textured floor in sector 0_0.
-Surfaces floorLevel() {
-  Surfaces s;
-  s.texture.push_back({1, 1, {10, 20, 30, 255}, Texture::Wrap::repeat, Texture::Wrap::clamped});
+geometry::Surfaces floorLevel() {
+  geometry::Surfaces s;
+  s.texture.push_back({1, 1, {10, 20, 30, 255}, geometry::Texture::Wrap::repeat, geometry::Texture::Wrap::clamped});
   const auto material = addMaterial(s, Number3(0.5));
   s.material[material].texture = 0;
   addQuad(s, {1, 0, 1}, {0, 0, 60}, {60, 0, 0}, material);
@@ -33,9 +32,9 @@ Surfaces floorLevel() {
 }
 
 /// Things in pairs, and equal triangles of other materials and of other trees.
-Surfaces gardenLevel() {
-  Surfaces s = floorLevel();
-  s.texture.push_back({1, 1, {200, 20, 30, 255}, Texture::Wrap::repeat, Texture::Wrap::repeat});
+geometry::Surfaces gardenLevel() {
+  geometry::Surfaces s = floorLevel();
+  s.texture.push_back({1, 1, {200, 20, 30, 255}, geometry::Texture::Wrap::repeat, geometry::Texture::Wrap::repeat});
   const auto plain = addMaterial(s, Number3(0.2));
   const auto painted = addMaterial(s, Number3(0.5));
   s.material[painted].texture = 1;
@@ -44,7 +43,7 @@ Surfaces gardenLevel() {
     addQuad(s, {300, 2, 5}, {0, 0, 4}, {4, 0, 0}, material);
   }
   for (int tree = 0; tree < 4; ++tree) {
-    s.object.push_back({"tree " + std::to_string(tree), Role::vegetation});
+    s.object.push_back({"tree " + std::to_string(tree), geometry::Role::vegetation});
     const std::size_t first = s.triangle.size();
     addQuad(s, {20, 0, 20}, {4, 0, 0}, {0, 5, 0}, plain);  // all of them
     addQuad(s, {20.0 + tree / 2, 0, 20}, {0, 0, 2}, {0, 5, 0}, plain);
@@ -58,7 +57,7 @@ Surfaces gardenLevel() {
 }
 
 /// 0 to count - 1 in some order.
-std::vector<std::uint32_t> shuffled(std::size_t count, Random& random) {
+std::vector<std::uint32_t> shuffled(std::size_t count, geometry::Random& random) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
   for (std::size_t i = count; i > 1; --i)
@@ -67,9 +66,9 @@ std::vector<std::uint32_t> shuffled(std::size_t count, Random& random) {
 }
 
 /// The same level as files in another order give it, some of whose materials and textures are there twice.
-Surfaces inAnotherOrder(const Surfaces& level, std::uint64_t seed) {
-  Random random(seed);
-  Surfaces s;
+geometry::Surfaces inAnotherOrder(const geometry::Surfaces& level, std::uint64_t seed) {
+  geometry::Random random(seed);
+  geometry::Surfaces s;
   const auto texture = shuffled(2 * level.texture.size(), random);
   const auto material = shuffled(2 * level.material.size(), random);
   const auto object = shuffled(level.object.size(), random);
@@ -77,15 +76,15 @@ Surfaces inAnotherOrder(const Surfaces& level, std::uint64_t seed) {
   for (std::size_t i = 0; i < texture.size(); ++i) s.texture[texture[i]] = level.texture[i / 2];
   s.material.resize(material.size());
   for (std::size_t i = 0; i < material.size(); ++i) {
-    Material m = level.material[i / 2];
+    geometry::Material m = level.material[i / 2];
     if (m.texture >= 0) m.texture = static_cast<int>(texture[2 * static_cast<std::size_t>(m.texture) + i % 2]);
     s.material[material[i]] = m;
   }
   s.object.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) s.object[object[i]] = level.object[i];
   for (const std::uint32_t i : shuffled(level.triangle.size(), random)) {
-    const Triangle& old = level.triangle[i];
-    Triangle t{{}, material[2 * old.material + (random.unit() < 0.5 ? 0 : 1)], object[old.object]};
+    const geometry::Triangle& old = level.triangle[i];
+    geometry::Triangle t{{}, material[2 * old.material + (random.unit() < 0.5 ? 0 : 1)], object[old.object]};
     for (std::size_t c = 0; c < 3; ++c) {
       t.vertex[c] = static_cast<std::uint32_t>(s.position.size());
       s.position.push_back(level.position[old.vertex[c]]);
@@ -102,9 +101,9 @@ Surfaces inAnotherOrder(const Surfaces& level, std::uint64_t seed) {
 
 TEST_CASE("Reach, EndsAtItsDistance") {
   const auto trianglesAt = [](double x, double reach_m) {
-    Surfaces s;
+    geometry::Surfaces s;
     addQuad(s, {x, 0, 10}, {0, 0, 1}, {1, 0, 0}, addMaterial(s, Number3(0.5)));
-    return surfacesWithin(s, columnOf({1, 0}, reach_m)).surfaces.triangle.size();  // x 64 to 128
+    return geometry::surfacesWithin(s, geometry::columnOf({1, 0}, reach_m)).surfaces.triangle.size();  // x 64 to 128
   };
   CHECK(trianglesAt(127.5, 0.0) == 2);
   CHECK(trianglesAt(128.5, 0.0) == 0);
@@ -115,16 +114,16 @@ TEST_CASE("Reach, EndsAtItsDistance") {
 }
 
 TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
-  const Surfaces level = floorLevel();
-  const Hash128 hash = hashOfSector(level, {0, 0}, 16.0);
-  Surfaces more;  // other things first, so that every index differs
-  more.texture.push_back({1, 1, {1, 2, 3, 255}, Texture::Wrap::repeat, Texture::Wrap::repeat});
-  more.object.push_back({"far away", Role::vegetation});
+  const geometry::Surfaces level = floorLevel();
+  const base::Hash128 hash = hashOfSector(level, {0, 0}, 16.0);
+  geometry::Surfaces more;  // other things first, so that every index differs
+  more.texture.push_back({1, 1, {1, 2, 3, 255}, geometry::Texture::Wrap::repeat, geometry::Texture::Wrap::repeat});
+  more.object.push_back({"far away", geometry::Role::vegetation});
   addQuad(more, {500, 0, 1}, {0, 0, 60}, {60, 0, 0}, addMaterial(more, Number3(0.1)));
   const auto vertices = static_cast<std::uint32_t>(more.position.size());
   more.uv.assign(vertices, {0.5F, 0.5F});
   more.colour.assign(vertices, {0.1F, 0.2F, 0.3F});
-  for (Material m : level.material) {
+  for (geometry::Material m : level.material) {
     m.texture += 1;
     more.material.push_back(m);
   }
@@ -135,7 +134,7 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
     more.uv.push_back(level.uv[i]);
     more.colour.push_back({1.0F, 1.0F, 1.0F});
   }
-  for (Triangle t : level.triangle) {
+  for (geometry::Triangle t : level.triangle) {
     for (auto& v : t.vertex) v += vertices;
     t.material += 1;
     t.object += 1;
@@ -145,7 +144,8 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
   more.spot.push_back({1, 1, 500});
   CHECK(hashOfSector(more, {0, 0}, 16.0) == hash);
   CHECK_FALSE(hashOfSector(more, {0, 0}, 1000.0) == hash);
-  const Surfaces near = withTexels(surfacesWithin(more, columnOf({0, 0}, 16.0)), more);
+  const geometry::Surfaces near =
+      geometry::withTexels(geometry::surfacesWithin(more, geometry::columnOf({0, 0}, 16.0)), more);
   CHECK(near.texture.size() == 1);
   CHECK(near.texture[0].rgba == level.texture[0].rgba);
   REQUIRE(near.uv.size() == 6);
@@ -154,26 +154,27 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
 }
 
 TEST_CASE("Reach, TheOrderOfThingsInALevelLeavesNoTrace") {
-  const Surfaces level = gardenLevel();
-  const Surfaces ordered = inCanonicalOrder(level);
+  const geometry::Surfaces level = gardenLevel();
+  const geometry::Surfaces ordered = geometry::inCanonicalOrder(level);
   REQUIRE(ordered.triangle.size() == level.triangle.size());
-  const Hash128 hash = hashOfSector(ordered, {0, 0}, 16.0);
+  const base::Hash128 hash = hashOfSector(ordered, {0, 0}, 16.0);
   CHECK_FALSE(hashOfSector(level, {0, 0}, 16.0) == hash);
   for (std::uint64_t seed = 1; seed < 40; ++seed) {
-    const Surfaces other = inAnotherOrder(level, seed);
-    CHECK(hashOfSector(inCanonicalOrder(other), {0, 0}, 16.0) == hash);
-    Surfaces edited = other;  // out of reach
+    const geometry::Surfaces other = inAnotherOrder(level, seed);
+    CHECK(hashOfSector(geometry::inCanonicalOrder(other), {0, 0}, 16.0) == hash);
+    geometry::Surfaces edited = other;  // out of reach
     for (auto& p : edited.position)
       if (p[0] > 200.0F) p[1] += static_cast<float>(seed);
-    CHECK(hashOfSector(inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
-    std::erase_if(edited.triangle, [&](const Triangle& t) { return edited.position[t.vertex[0]][0] > 200.0F; });
-    CHECK(hashOfSector(inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
+    CHECK(hashOfSector(geometry::inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
+    std::erase_if(edited.triangle,
+                  [&](const geometry::Triangle& t) { return edited.position[t.vertex[0]][0] > 200.0F; });
+    CHECK(hashOfSector(geometry::inCanonicalOrder(edited), {0, 0}, 16.0) == hash);
   }
 }
 
 TEST_CASE("Reach, TreesAreToldApartAndWallsAreNot") {
-  const auto hashOfTwo = [](Role role, bool apart) {
-    Surfaces s = floorLevel();
+  const auto hashOfTwo = [](geometry::Role role, bool apart) {
+    geometry::Surfaces s = floorLevel();
     for (int i = 0; i < 2; ++i) {
       if (i == 0 || apart) s.object.push_back({"", role});
       addQuad(s, {10.0 + i, 0, 10}, {0, 0, 1}, {0, 2, 0}, 0);
@@ -181,17 +182,17 @@ TEST_CASE("Reach, TreesAreToldApartAndWallsAreNot") {
         s.triangle[t].object = static_cast<std::uint32_t>(s.object.size() - 1);
     }
     s.uv.resize(s.position.size(), {0.5F, 0.5F});
-    return hashOfSector(inCanonicalOrder(s), {0, 0}, 16.0);
+    return hashOfSector(geometry::inCanonicalOrder(s), {0, 0}, 16.0);
   };
-  CHECK(hashOfTwo(Role::fixed, true) == hashOfTwo(Role::fixed, false));
-  CHECK_FALSE(hashOfTwo(Role::vegetation, true) == hashOfTwo(Role::vegetation, false));
+  CHECK(hashOfTwo(geometry::Role::fixed, true) == hashOfTwo(geometry::Role::fixed, false));
+  CHECK_FALSE(hashOfTwo(geometry::Role::vegetation, true) == hashOfTwo(geometry::Role::vegetation, false));
 }
 
 TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
-  const Hash128 hash = hashOfSector(floorLevel(), {0, 0}, 0.0);
+  const base::Hash128 hash = hashOfSector(floorLevel(), {0, 0}, 0.0);
   const auto differs = [&](const char* what, auto change) {
     INFO(what);
-    Surfaces s = floorLevel();
+    geometry::Surfaces s = floorLevel();
     change(s);
     CHECK_FALSE(hashOfSector(s, {0, 0}, 0.0) == hash);
   };
@@ -205,9 +206,9 @@ TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
   differs("an alpha", [](auto& s) { s.material[0].alpha = 0.5; });
   differs("a texture's transform", [](auto& s) { s.material[0].uv_row[1][2] = 0.5; });
   differs("a texel", [](auto& s) { s.texture[0].rgba[2] = 31; });
-  differs("a wrap across", [](auto& s) { s.texture[0].wrap_u = Texture::Wrap::mirrored; });
-  differs("a wrap up", [](auto& s) { s.texture[0].wrap_v = Texture::Wrap::mirrored; });
-  differs("a role", [](auto& s) { s.object[0].role = Role::vegetation; });
+  differs("a wrap across", [](auto& s) { s.texture[0].wrap_u = geometry::Texture::Wrap::mirrored; });
+  differs("a wrap up", [](auto& s) { s.texture[0].wrap_v = geometry::Texture::Wrap::mirrored; });
+  differs("a role", [](auto& s) { s.object[0].role = geometry::Role::vegetation; });
   differs("a spot light", [](auto& s) { s.spot.push_back({5, 5, 5}); });
   differs("a light", [](auto& s) { s.light.push_back({{5, 5, 5}, Number3(1.0)}); });
   differs("a triangle the other way round",

@@ -7,26 +7,24 @@
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 /// The surfaces of a file of the folder; nothing, with a warning, where there is no such folder.
-std::optional<Surfaces> read(const std::string& file, double scale = 1.0) {
+std::optional<geometry::Surfaces> read(const std::string& file, double scale = 1.0) {
   const char* folder = std::getenv("WELKIN_DATA");
   if (folder == nullptr) {
     WARN("skipped: WELKIN_DATA names no folder with levels/" << file);
     return std::nullopt;
   }
-  LevelFile level;
+  level::LevelFile level;
   level.geometry.push_back({std::filesystem::path(folder) / "levels" / file,
-                            fromEuler(Number3(0.0), Number3(0.0), Number3(scale)),
-                            Role::fixed,
+                            geometry::fromEuler(Number3(0.0), Number3(0.0), Number3(scale)),
+                            geometry::Role::fixed,
                             {}});
-  return readSurfaces(level);
+  return loader::readSurfaces(level);
 }
 
-void checkBounds(const Surfaces& s, const Number3& low, const Number3& high) {
-  Bounds bounds;
-  for (const Triangle& t : s.triangle)
+void checkBounds(const geometry::Surfaces& s, const Number3& low, const Number3& high) {
+  level::Bounds bounds;
+  for (const geometry::Triangle& t : s.triangle)
     for (const uint32_t v : t.vertex)
       bounds.add({double{s.position[v][0]}, double{s.position[v][1]}, double{s.position[v][2]}});
   constexpr double kHalfOfTheLastDigit = 0.005;
@@ -35,8 +33,8 @@ void checkBounds(const Surfaces& s, const Number3& low, const Number3& high) {
 }
 
 /// Of rays straight down on a lattice over everything, those that first meet a back.
-double shareOfBacks(const Surfaces& s, double half, double step) {
-  const Tracer tracer(s);
+double shareOfBacks(const geometry::Surfaces& s, double half, double step) {
+  const geometry::Tracer tracer(s);
   int backs = 0;
   int all = 0;
   for (double x = -half; x < half; x += step)
@@ -53,7 +51,7 @@ struct Counts {
   std::size_t triangles, dropped, objects, textures;
 };
 
-void checkCounts(const Surfaces& s, const Counts& must) {
+void checkCounts(const geometry::Surfaces& s, const Counts& must) {
   CHECK(s.triangle.size() == must.triangles);
   CHECK(s.dropped_triangles == must.dropped);
   CHECK(s.object.size() == must.objects);
@@ -79,10 +77,10 @@ TEST_CASE("RealLevels, TreesHaveLeavesWithHoles") {
   checkBounds(*s, {-8.42152, 0, -9.44366}, {9.1026, 24.7055, 8.51508});
   REQUIRE(s->warning.size() == 1);
   CHECK_THAT(s->warning[0], Catch::Contains("Leav_material") && Catch::Contains("BLEND"));
-  Surfaces opaque = *s;
-  for (Material& m : opaque.material) m.alpha_cutoff = 0.0;
-  const Tracer holes(*s);
-  const Tracer whole(opaque);
+  geometry::Surfaces opaque = *s;
+  for (geometry::Material& m : opaque.material) m.alpha_cutoff = 0.0;
+  const geometry::Tracer holes(*s);
+  const geometry::Tracer whole(opaque);
   int through = 0;
   for (double x = -8.0; x < 8.0; x += 0.25) {
     const bool is = holes.closest({x, 17.0, 50.0}, {0.0, 0.0, -1.0}, 100.0).has_value();
@@ -110,7 +108,7 @@ TEST_CASE("RealLevels, ObjMapsWithoutTheirImagesHaveTheLevelsAlbedo") {
     checkBounds(*s, map.low, map.high);
     REQUIRE_FALSE(s->warning.empty());
     CHECK_THAT(s->warning[0], Catch::Contains(map.missing));
-    for (const Material& m : s->material) checkNear(m.albedo, Number3(0.5), 0);
+    for (const geometry::Material& m : s->material) checkNear(m.albedo, Number3(0.5), 0);
   }
   CHECK(shareOfBacks(*read("test_ctf/test_ctf.obj", 0.125), 60.0, 1.0) == 0.0);
 }
@@ -120,7 +118,7 @@ TEST_CASE("RealLevels, BinaryFilesOfACityKit") {
   if (!s) return;
   checkCounts(*s, {440, 12, 1, 1});
   checkBounds(*s, {-0.5, 0, -0.5}, {0.5, 0.95, 0.5});
-  const Tracer tracer(*s);
+  const geometry::Tracer tracer(*s);
   const auto roof = below(tracer, 0.11, 0.13);
   REQUIRE(roof);
   const Number3 albedo = tracer.albedo(*roof);

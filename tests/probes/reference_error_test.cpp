@@ -6,24 +6,27 @@
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "skies.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 struct Place {
-  Surfaces level = tests::wellOf(4.0, 5.0, 4, {0.6, 0.5, 0.3}, {0.4, 0.6, 0.8});
-  sky::Sky sky = tests::clearSky(2.0, 0.9);
-  Tracer tracer{level};
-  DistantLight distant{sky, 0.0};
-  std::vector<LocalLight> lights = {{{1, 1, -2}, {4, 2, 1}}};
+  geometry::Surfaces level = wellOf(4.0, 5.0, 4, {0.6, 0.5, 0.3}, {0.4, 0.6, 0.8});
+  model::Sky sky = clearSky(2.0, 0.9);
+  geometry::Tracer tracer{level};
+  reference::DistantLight distant{sky, 0.0};
+  std::vector<reference::LocalLight> lights = {{{1, 1, -2}, {4, 2, 1}}};
   Number3 position{-2.1, 0.8, 1.7};
-  Number3 normal = unit({0.3, 0.5, -0.7});
+  Number3 normal = geometry::unit({0.3, 0.5, -0.7});
 
-  ReferenceIrradiance at(const ReferenceSettings& settings, const ReferenceProgress& progress = {}) const {
-    return traceReference(tracer, distant, lights, position, normal, settings, progress);
+  reference::ReferenceIrradiance at(const reference::ReferenceSettings& settings,
+                                    const reference::ReferenceProgress& progress = {}) const {
+    return reference::traceReference(tracer, distant, lights, position, normal, settings, progress);
   }
 };
 
@@ -32,14 +35,14 @@ struct Place {
 TEST_CASE("Reference, ItsStandardErrorIsThatOfIndependentSeeds") {
   const Place place;
   constexpr int kSeeds = 400;
-  for (const auto of : {&ReferenceIrradiance::sky, &ReferenceIrradiance::sun_bounce, &ReferenceIrradiance::local,
-                        &ReferenceIrradiance::total})
+  for (const auto of : {&reference::ReferenceIrradiance::sky, &reference::ReferenceIrradiance::sun_bounce,
+                        &reference::ReferenceIrradiance::local, &reference::ReferenceIrradiance::total})
     for (const int c : {0, 1, 2}) {
       double sum = 0.0;
       double squares = 0.0;
       double stated = 0.0;
       for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-        const Estimate e = place.at({256, 2, seed}).*of;
+        const reference::Estimate e = place.at({256, 2, seed}).*of;
         sum += e.value[c];
         squares += e.value[c] * e.value[c];
         stated += e.standard_error[c] * e.standard_error[c];
@@ -58,7 +61,7 @@ TEST_CASE("Reference, MoreSamplesAgreeWithFewer") {
   CHECK(many.samples >= 400000);
   CHECK(many.samples < 405000);
   CHECK(many.total.standard_error.y < 0.2 * few.total.standard_error.y);
-  tests::checkEstimate(few.total, many.total.value, 3.0 * many.total.standard_error.y);
+  checkEstimate(few.total, many.total.value, 3.0 * many.total.standard_error.y);
   CHECK(place.at({1, 2, 1}).samples == 64);
 }
 
@@ -67,8 +70,8 @@ TEST_CASE("Reference, ItsBitsDoNotDependOnTheThreads") {
   const auto all = place.at({20000, 3, 5});
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const auto alone = place.at({20000, 3, 5});
-  for (const auto of : {&ReferenceIrradiance::sky, &ReferenceIrradiance::sun_bounce, &ReferenceIrradiance::local,
-                        &ReferenceIrradiance::total}) {
+  for (const auto of : {&reference::ReferenceIrradiance::sky, &reference::ReferenceIrradiance::sun_bounce,
+                        &reference::ReferenceIrradiance::local, &reference::ReferenceIrradiance::total}) {
     CHECK((all.*of).value == (alone.*of).value);
     CHECK((all.*of).standard_error == (alone.*of).standard_error);
   }
@@ -77,17 +80,17 @@ TEST_CASE("Reference, ItsBitsDoNotDependOnTheThreads") {
 
 TEST_CASE("Reference, TellsOfEveryBatchAndStopsWhenAsked") {
   const Place place;
-  const ReferenceSettings settings{300000, 1, 1};
+  const reference::ReferenceSettings settings{300000, 1, 1};
   std::atomic<std::size_t> told = 0;
   place.at(settings, [&] { return ++told > 0; });
-  CHECK(told == referenceBatches(settings));
+  CHECK(told == reference::referenceBatches(settings));
   CHECK(told == 74);
   try {
     place.at(settings, [] { return false; });
     FAIL("went on");
-  } catch (const Error& e) {
-    CHECK(e.status() == ExitStatus::interrupted);
+  } catch (const base::Error& e) {
+    CHECK(e.status() == base::ExitStatus::interrupted);
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

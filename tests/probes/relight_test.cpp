@@ -6,17 +6,19 @@
 #include "closed_forms.h"
 #include "transfer_helpers.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 const double kUniformConstant = std::sqrt(det::kPi);
 const double kUniformLinear = std::sqrt(3.0 * det::kPi) / 2.0;
 
 /// The transfer of a probe over an infinite plane, in closed form.
-ProbeTransfer planeTransfer(const Number3& albedo) {
-  ProbeTransfer t;
-  const auto basis = transferBasis();
-  for (std::size_t b = 0; b < kDirections; ++b) {
+transfer::ProbeTransfer planeTransfer(const Number3& albedo) {
+  transfer::ProbeTransfer t;
+  const auto basis = transfer::transferBasis();
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     const double below = (1.0 - basis[b].y) / 2.0;
     t.visibility[b] = b < 3 ? 1.0 : 0.0;
     t.sky[b][0] = albedo * (below * det::kPi * det::kShConstant);
@@ -26,17 +28,17 @@ ProbeTransfer planeTransfer(const Number3& albedo) {
 }
 
 /// Of a grey plane: modes below are grey, too.
-SunCoefficients planeSun(double albedo, const std::vector<Number3>& lights) {
-  SunCoefficients sun;
-  const auto basis = transferBasis();
-  for (std::size_t b = 0; b < kDirections; ++b)
+transfer::SunCoefficients planeSun(double albedo, const std::vector<Number3>& lights) {
+  transfer::SunCoefficients sun;
+  const auto basis = transfer::transferBasis();
+  for (std::size_t b = 0; b < transfer::kDirections; ++b)
     for (const Number3& light : lights) sun[b].push_back(albedo * (1.0 - basis[b].y) / 2.0 * light.y);
   return sun;
 }
 
 /// Grey modes that are the knots themselves: coefficients are transfers.
-SunModes knotsAsModes(const std::vector<double>& sun_time_h, const std::vector<double>& moon_time_h = {}) {
-  SunModes modes;
+transfer::SunModes knotsAsModes(const std::vector<double>& sun_time_h, const std::vector<double>& moon_time_h = {}) {
+  transfer::SunModes modes;
   modes.sun_time_h = sun_time_h;
   modes.moon_time_h = moon_time_h;
   const std::size_t n = modes.knots();
@@ -49,15 +51,16 @@ SunModes knotsAsModes(const std::vector<double>& sun_time_h, const std::vector<d
 TEST_CASE("Relight, PlaneUnderAUniformSky") {
   const Number3 rho(0.2, 0.5, 0.0);
   const std::array<Number3, 4> sky{Number3(1, 2, 3) * kUniformConstant, Number3(1, 2, 3) * kUniformLinear};
-  const ProbeIrradiance e =
-      relit(planeTransfer(rho), {}, relightAt(12, sky, {}, {}, SunTransfer::directional, SunModes{}));
+  const transfer::ProbeIrradiance e =
+      transfer::relit(planeTransfer(rho), {},
+                      transfer::relightAt(12, sky, {}, {}, transfer::SunTransfer::directional, transfer::SunModes{}));
   const auto total = e.total();
   for (std::size_t b = 0; b < 3; ++b) CHECK(total[b].x / det::kPi == Approx(0.83094).margin(5e-6));
   CHECK(total[3].x / det::kPi == Approx(0.2));
-  std::array<double, kDirections> green{};
-  for (std::size_t b = 0; b < kDirections; ++b) green[b] = total[b].y;
-  for (const Number3& n : {Number3(0, 1, 0), Number3(0, 0, -1), unit(Number3(1, -2, 0.3))})
-    CHECK(tests::reconstructed(n, green) == Approx(2 * det::kPi * (0.75 + 0.25 * n.y)));
+  std::array<double, transfer::kDirections> green{};
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) green[b] = total[b].y;
+  for (const Number3& n : {Number3(0, 1, 0), Number3(0, 0, -1), geometry::unit(Number3(1, -2, 0.3))})
+    CHECK(reconstructed(n, green) == Approx(2 * det::kPi * (0.75 + 0.25 * n.y)));
   CHECK(e.sun_bounce[0] == Number3(0.0));
   CHECK(e.local[0] == Number3(0.0));
 }
@@ -67,17 +70,21 @@ TEST_CASE("Relight, PlaneUnderASunBothWays") {
   const double rho = 0.3;
   const Number3 irradiance(3, 2, 1);
   for (const double elevation : {1e-6, 0.3, 1.0, det::kPi / 2}) {
-    const Number3 direction = tests::towards(1.1, elevation);
-    const ProbeTransfer t = planeTransfer(Number3(rho));
-    const SunCoefficients c = planeSun(rho, {direction});
-    const SunModes modes = knotsAsModes({9.0});
-    const LightAt sun{direction, irradiance};
-    const auto sh = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::sh, modes)).sun_bounce;
-    const auto directional = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::directional, modes)).sun_bounce;
-    const auto none = relit(t, c, relightAt(9, {}, sun, {}, SunTransfer::none, modes)).sun_bounce;
-    for (std::size_t b = 0; b < kDirections; ++b)
+    const Number3 direction = towards(1.1, elevation);
+    const transfer::ProbeTransfer t = planeTransfer(Number3(rho));
+    const transfer::SunCoefficients c = planeSun(rho, {direction});
+    const transfer::SunModes modes = knotsAsModes({9.0});
+    const transfer::LightAt sun{direction, irradiance};
+    const auto sh =
+        transfer::relit(t, c, transfer::relightAt(9, {}, sun, {}, transfer::SunTransfer::sh, modes)).sun_bounce;
+    const auto directional =
+        transfer::relit(t, c, transfer::relightAt(9, {}, sun, {}, transfer::SunTransfer::directional, modes))
+            .sun_bounce;
+    const auto none =
+        transfer::relit(t, c, transfer::relightAt(9, {}, sun, {}, transfer::SunTransfer::none, modes)).sun_bounce;
+    for (std::size_t b = 0; b < transfer::kDirections; ++b)
       for (int i = 0; i < 3; ++i) {
-        const double full = rho * irradiance[i] * (1.0 - transferBasis()[b].y) / 2.0;
+        const double full = rho * irradiance[i] * (1.0 - transfer::transferBasis()[b].y) / 2.0;
         CHECK(sh[b][i] == Approx(full * (0.25 + std::sin(elevation) / 2.0)));
         CHECK(directional[b][i] == Approx(full * std::sin(elevation)).margin(1e-15));
         CHECK(none[b][i] == 0.0);
@@ -87,27 +94,29 @@ TEST_CASE("Relight, PlaneUnderASunBothWays") {
 
 TEST_CASE("Relight, EveryTermCountsOnce") {
   // Unlike numbers everywhere: a wrong direction, coefficient, channel or light shows.
-  ProbeTransfer t;
-  SunCoefficients c_sun;
-  Random random(11);
+  transfer::ProbeTransfer t;
+  transfer::SunCoefficients c_sun;
+  geometry::Random random(11);
   const auto colour = [&] { return Number3(random.unit(), random.unit(), random.unit()); };
-  for (std::size_t b = 0; b < kDirections; ++b) {
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     t.visibility[b] = random.unit();
     for (Number3& k : t.sky[b]) k = colour();
     c_sun[b] = {random.unit(), random.unit(), random.unit()};
     t.emitted[b] = colour();
   }
   const std::array<Number3, 4> sky{colour(), colour(), colour(), colour()};
-  const LightAt sun{unit(Number3(0.3, 0.8, -0.4)), colour()};
-  const LightAt moon{unit(Number3(-0.7, 0.2, 0.1)), colour()};
-  SunModes modes = knotsAsModes({6.0, 8.0}, {6.5});
+  const transfer::LightAt sun{geometry::unit(Number3(0.3, 0.8, -0.4)), colour()};
+  const transfer::LightAt moon{geometry::unit(Number3(-0.7, 0.2, 0.1)), colour()};
+  transfer::SunModes modes = knotsAsModes({6.0, 8.0}, {6.5});
   for (Number3& value : modes.value) value = value * colour();
-  const RelightScale scale{0.5, 3.0};
-  const auto e = relit(t, c_sun, relightAt(6.5, sky, sun, moon, SunTransfer::directional, modes, scale));
-  const auto sh = relit(t, c_sun, relightAt(6.5, sky, sun, moon, SunTransfer::sh, modes, scale));
-  for (std::size_t b = 0; b < kDirections; ++b)
+  const transfer::RelightScale scale{0.5, 3.0};
+  const auto e = transfer::relit(
+      t, c_sun, transfer::relightAt(6.5, sky, sun, moon, transfer::SunTransfer::directional, modes, scale));
+  const auto sh =
+      transfer::relit(t, c_sun, transfer::relightAt(6.5, sky, sun, moon, transfer::SunTransfer::sh, modes, scale));
+  for (std::size_t b = 0; b < transfer::kDirections; ++b)
     for (int c = 0; c < 3; ++c) {
-      const Number3 n = transferBasis()[b];
+      const Number3 n = transfer::transferBasis()[b];
       const auto y = [](const Number3& d) {
         const auto all = f64::shBasis(d);
         return std::array{all.v[0], all.v[1], all.v[2], all.v[3]};
@@ -135,11 +144,12 @@ TEST_CASE("Relight, EveryTermCountsOnce") {
 }
 
 TEST_CASE("Relight, ALightBelowTheHorizonGivesNothing") {
-  const ProbeTransfer t = planeTransfer(Number3(0.5));
-  const SunCoefficients c = planeSun(0.5, {Number3(0, 1, 0)});
-  const LightAt sun{unit(Number3(1, -1e-9, 0)), Number3(7.0)};
-  for (const SunTransfer way : {SunTransfer::sh, SunTransfer::directional})
-    CHECK(relit(t, c, relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] == Number3(0.0));
+  const transfer::ProbeTransfer t = planeTransfer(Number3(0.5));
+  const transfer::SunCoefficients c = planeSun(0.5, {Number3(0, 1, 0)});
+  const transfer::LightAt sun{geometry::unit(Number3(1, -1e-9, 0)), Number3(7.0)};
+  for (const transfer::SunTransfer way : {transfer::SunTransfer::sh, transfer::SunTransfer::directional})
+    CHECK(transfer::relit(t, c, transfer::relightAt(3, {}, sun, {}, way, knotsAsModes({12.0}))).sun_bounce[3] ==
+          Number3(0.0));
 }
 
 TEST_CASE("Relight, FittedSkyIsExactForLinearRadiance") {
@@ -151,23 +161,25 @@ TEST_CASE("Relight, FittedSkyIsExactForLinearRadiance") {
   constexpr int kColumns = 800;
   for (int i = 0; i < kRows; ++i)
     for (int j = 0; j < kColumns; ++j) {
-      const Number3 w = tests::towards(det::kTwoPi * (j + 0.5) / kColumns, std::asin((i + 0.5) / kRows));
+      const Number3 w = towards(det::kTwoPi * (j + 0.5) / kColumns, std::asin((i + 0.5) / kRows));
       const auto y = f64::shBasis(w);
       for (std::size_t k = 0; k < 4; ++k) sh[k] += (a + dot(g, w)) * y.v[k] * det::kTwoPi / (double{kRows} * kColumns);
     }
-  const auto fitted = fittedToHemisphere({Number3(sh[0]), Number3(sh[1]), Number3(sh[2]), Number3(sh[3])});
+  const auto fitted = transfer::fittedToHemisphere({Number3(sh[0]), Number3(sh[1]), Number3(sh[2]), Number3(sh[3])});
   CHECK(fitted[0].x == Approx(a / det::kShConstant).epsilon(1e-5));
   CHECK(fitted[1].y == Approx(g.y / det::kShLinear).epsilon(1e-5));
   CHECK(fitted[2].z == Approx(g.z / det::kShLinear).epsilon(1e-5));
   CHECK(fitted[3].x == Approx(g.x / det::kShLinear).epsilon(1e-5));
   // Over a plane the fit is exact for every sky: its irradiance is the coefficient of y, the cosine of level ground.
   const std::array<Number3, 4> sky{Number3(1.0), Number3(0.6), Number3(0.2), Number3(-0.3)};
-  const ProbeTransfer plane = planeTransfer(Number3(0.5));
-  const auto projected = relit(plane, {}, relightAt(0, sky, {}, {}, SunTransfer::none, {}));
-  const auto by_fit = relit(plane, {}, relightAt(0, sky, {}, {}, SunTransfer::none, {}, {}, SkyBounce::fitted));
+  const transfer::ProbeTransfer plane = planeTransfer(Number3(0.5));
+  const auto projected =
+      transfer::relit(plane, {}, transfer::relightAt(0, sky, {}, {}, transfer::SunTransfer::none, {}));
+  const auto by_fit = transfer::relit(
+      plane, {}, transfer::relightAt(0, sky, {}, {}, transfer::SunTransfer::none, {}, {}, transfer::SkyBounce::fitted));
   const double open = det::kPi * sky[0].x * det::kShConstant + det::kTwoPi / 3 * sky[1].x * det::kShLinear;
   CHECK(projected.sky[3].x == Approx(0.5 * open));
   CHECK(by_fit.sky[3].x == Approx(0.5 * sky[1].x / det::kShLinear));
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

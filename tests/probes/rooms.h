@@ -2,16 +2,16 @@
 // Levels made of a few quadrilaterals, for tests.
 #pragma once
 
-#include "probes/surfaces.h"
+#include "probes/geometry/surfaces.h"
 
 namespace welkin::tests {
 
 using f64::Number3;
 
 /// Adds a material and returns its index.
-inline std::uint32_t addMaterial(probes::Surfaces& s, const Number3& albedo, bool double_sided = false,
+inline std::uint32_t addMaterial(geometry::Surfaces& s, const Number3& albedo, bool double_sided = false,
                                  const Number3& emission = Number3(0.0)) {
-  probes::Material material;
+  geometry::Material material;
   material.albedo = albedo;
   material.emission = emission;
   material.double_sided = double_sided;
@@ -20,9 +20,9 @@ inline std::uint32_t addMaterial(probes::Surfaces& s, const Number3& albedo, boo
 }
 
 /// Adds the parallelogram at `corner` with edges `a` and `b`; its front looks along a x b.
-inline void addQuad(probes::Surfaces& s, const Number3& corner, const Number3& a, const Number3& b,
+inline void addQuad(geometry::Surfaces& s, const Number3& corner, const Number3& a, const Number3& b,
                     std::uint32_t material) {
-  if (s.object.empty()) s.object.push_back({"room", probes::Role::fixed});
+  if (s.object.empty()) s.object.push_back({"room", geometry::Role::fixed});
   const auto first = static_cast<std::uint32_t>(s.position.size());
   for (const Number3& p : {corner, corner + a, corner + a + b, corner + b})
     s.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
@@ -31,7 +31,7 @@ inline void addQuad(probes::Surfaces& s, const Number3& corner, const Number3& a
 }
 
 /// Adds the six walls of a box, seen from inside.
-inline void addBoxInside(probes::Surfaces& s, const Number3& low, const Number3& high, std::uint32_t material) {
+inline void addBoxInside(geometry::Surfaces& s, const Number3& low, const Number3& high, std::uint32_t material) {
   const Number3 x(high.x - low.x, 0, 0);
   const Number3 y(0, high.y - low.y, 0);
   const Number3 z(0, 0, high.z - low.z);
@@ -44,15 +44,15 @@ inline void addBoxInside(probes::Surfaces& s, const Number3& low, const Number3&
 }
 
 /// Adds the six walls of a box, seen from outside.
-inline void addBoxOutside(probes::Surfaces& s, const Number3& low, const Number3& high, std::uint32_t material) {
+inline void addBoxOutside(geometry::Surfaces& s, const Number3& low, const Number3& high, std::uint32_t material) {
   const std::size_t first = s.triangle.size();
   addBoxInside(s, low, high, material);
   for (std::size_t i = first; i < s.triangle.size(); ++i) std::swap(s.triangle[i].vertex[1], s.triangle[i].vertex[2]);
 }
 
 /// Level ground of `half` metres to each side of the origin, at y = 0.
-inline probes::Surfaces groundOf(const Number3& albedo, double half = 1000.0) {
-  probes::Surfaces s;
+inline geometry::Surfaces groundOf(const Number3& albedo, double half = 1000.0) {
+  geometry::Surfaces s;
   addQuad(s, {-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0}, addMaterial(s, albedo));
   return s;
 }

@@ -11,11 +11,9 @@
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 /// A house with a lamp of an emissive wall, on ground that ends within reach.
-Surfaces house() {
-  Surfaces s = groundOf(Number3(0.3, 0.4, 0.2), 90.0);
+geometry::Surfaces house() {
+  geometry::Surfaces s = groundOf(Number3(0.3, 0.4, 0.2), 90.0);
   const auto wall = addMaterial(s, Number3(0.7, 0.5, 0.4));
   const auto lamp = addMaterial(s, Number3(0.1), true, Number3(3.0, 2.0, 1.0));
   addBoxOutside(s, {20.3, 0.0, 15.1}, {31.7, 6.0, 29.9}, wall);
@@ -23,8 +21,8 @@ Surfaces house() {
   return s;
 }
 
-sky::Sky day() {
-  sky::Sky sky;
+model::Sky day() {
+  model::Sky sky;
   sky.ground_albedo = Number3(0.2, 0.1, 0.3);
   sky.sun.path.key_time_h = {6.0, 12.0, 18.0};
   sky.sun.path.key_azimuth_rad = {1.5, 3.1, 4.7};
@@ -35,9 +33,9 @@ sky::Sky day() {
 std::string bytesOf(int threads) {
   tbb::task_arena arena(threads);
   return arena.execute([] {
-    const LevelBake level(house(), BakeSection{}, day(), std::nullopt);
-    const auto bytes = encodeSector(level.bake({0, 0}, [](std::uint64_t) { return true; }));
-    return textOf(hashOf(std::span<const std::byte>(bytes)));
+    const build::LevelBake level(house(), build::BakeSection{}, day(), std::nullopt);
+    const auto bytes = sectors::encodeSector(level.bake({0, 0}, [](std::uint64_t) { return true; }));
+    return base::textOf(base::hashOf(std::span<const std::byte>(bytes)));
   });
 }
 

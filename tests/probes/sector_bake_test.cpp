@@ -9,25 +9,24 @@
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 /// The sectors with probes, as read from their files.
-std::vector<SectorFile> bakedOf(const Surfaces& surfaces, const PlacementSettings& settings = {}) {
-  BakeSection section;
+std::vector<sectors::SectorFile> bakedOf(const geometry::Surfaces& surfaces,
+                                         const placement::PlacementSettings& settings = {}) {
+  build::BakeSection section;
   section.probes = settings;
   section.transfer.rays = 64;
-  const LevelBake level(surfaces, section, uniformSky(1.0), std::nullopt);
-  std::vector<SectorFile> sectors;
-  for (const SectorId id : level.sectors()) {
-    const auto bytes = encodeSector(level.bake(id, [](std::uint64_t) { return true; }));
-    SectorFile read = decodeSector(bytes, "the sector");
+  const build::LevelBake level(surfaces, section, uniformSky(1.0), std::nullopt);
+  std::vector<sectors::SectorFile> sectors;
+  for (const geometry::SectorId id : level.sectors()) {
+    const auto bytes = sectors::encodeSector(level.bake(id, [](std::uint64_t) { return true; }));
+    sectors::SectorFile read = sectors::decodeSector(bytes, "the sector");
     if (read.probes.probes() > 0) sectors.push_back(std::move(read));
   }
   return sectors;
 }
 
-Surfaces board() {
-  Surfaces s;
+geometry::Surfaces board() {
+  geometry::Surfaces s;
   addQuad(s, {10.05, 2, 10}, {0, 0, 12}, {0.1, 0, 0}, addMaterial(s, Number3(0.5)));
   return s;
 }
@@ -41,29 +40,29 @@ TEST_CASE("SectorBake, ProbesWithoutGroundBelowTheLinesCanBeRead") {
     for (const std::uint8_t probe : sectors[0].top) CHECK(probe < sectors[0].probes.probes());
   }
   SECTION("by hand, where there is nothing") {
-    PlacementSettings settings;
+    placement::PlacementSettings settings;
     settings.add = {{130.0, 5.0, -60.0}, {190.0, 5.0, -2.0}};
     const auto sectors = bakedOf(board(), settings);
     REQUIRE(sectors.size() == 2);
-    const SectorFile& bare = sectors[1];
-    REQUIRE(bare.id == SectorId{2, -1});
+    const sectors::SectorFile& bare = sectors[1];
+    REQUIRE(bare.id == geometry::SectorId{2, -1});
     // The nearest in cells: the one in the corner, and the one opposite.
     CHECK(bare.top[0] == 0);
-    CHECK(bare.top[1 + kCells * 3] == 0);
-    CHECK(bare.top[15 + kCells * 15] == 1);
-    CHECK(bare.top[15 + kCells * 9] == 1);
+    CHECK(bare.top[1 + geometry::kCells * 3] == 0);
+    CHECK(bare.top[15 + geometry::kCells * 15] == 1);
+    CHECK(bare.top[15 + geometry::kCells * 9] == 1);
   }
   SECTION("above vegetation alone") {
-    Surfaces s = board();
-    s.object.push_back({"tree", Role::vegetation});
+    geometry::Surfaces s = board();
+    s.object.push_back({"tree", geometry::Role::vegetation});
     addQuad(s, {100, 8, 100}, {0, 0, 6}, {6, 0, 0}, 0);
     for (std::size_t i = s.triangle.size() - 2; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
     CHECK(bakedOf(s).size() == 2);
   }
   SECTION("under a slab whose top has none") {
-    Surfaces s;
+    geometry::Surfaces s;
     addBoxOutside(s, {-60, 0, -60}, {60, 1, 60}, addMaterial(s, Number3(0.5)));
-    PlacementSettings settings;
+    placement::PlacementSettings settings;
     settings.remove = {{{-100, -100, -100}, {100, 100, 100}}};
     settings.add = {{20, -5, 20}};
     const auto sectors = bakedOf(s, settings);

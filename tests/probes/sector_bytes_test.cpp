@@ -2,22 +2,20 @@
 // The size of a sector's file against what the format promises.
 #include <catch2/catch.hpp>
 
-#include "probes/sector_file.h"
+#include "probes/sectors/sector_file.h"
 
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 /// Probes and modes of a summer's day and a winter moon's night.
-SectorFile sectorOf(std::size_t probes, std::size_t modes) {
+sectors::SectorFile sectorOf(std::size_t probes, std::size_t modes) {
   constexpr int kSunKnots = 17;
   constexpr int kMoonKnots = 16;
-  SectorFile s;
-  s.grid.fill(kNoProbe);
-  s.sun = modes > 0 ? SunTransfer::directional : SunTransfer::sh;
+  sectors::SectorFile s;
+  s.grid.fill(geometry::kNoProbe);
+  s.sun = modes > 0 ? transfer::SunTransfer::directional : transfer::SunTransfer::sh;
   s.settings.assign(1000, ' ');
-  EncodedProbes& p = s.probes;
+  transfer::EncodedProbes& p = s.probes;
   p.position.resize(3 * probes);
   p.visibility.resize(3 * probes);
   p.sky_scale.resize(probes);
@@ -34,9 +32,9 @@ SectorFile sectorOf(std::size_t probes, std::size_t modes) {
   return s;
 }
 
-std::size_t sizeOf(const SectorFile& sector) {
-  const auto bytes = encodeSector(sector);
-  REQUIRE(decodeSector(bytes, "the sector").probes.probes() == sector.probes.probes());
+std::size_t sizeOf(const sectors::SectorFile& sector) {
+  const auto bytes = sectors::encodeSector(sector);
+  REQUIRE(sectors::decodeSector(bytes, "the sector").probes.probes() == sector.probes.probes());
   return bytes.size();
 }
 
@@ -44,7 +42,7 @@ std::size_t sizeOf(const SectorFile& sector) {
 
 TEST_CASE("SectorBytes, SeventyProbesAreWithin15KB") {
   // Everything of the file counted, with the ten modes that a bake without a budget makes.
-  const SectorFile sector = sectorOf(70, 10);
+  const sectors::SectorFile sector = sectorOf(70, 10);
   CHECK(sector.probes.bytesAProbe() == 104);
   CHECK(sizeOf(sector) <= 15 * 1024);
 }

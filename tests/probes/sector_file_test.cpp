@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // The file of a sector: what it gives back, and that nothing wrong in it passes.
-#include "probes/sector_file.h"
+#include "probes/sectors/sector_file.h"
 
 #include <catch2/catch.hpp>
 
-#include "probes/level_index.h"
-#include "sky/error.h"
+#include "probes/sectors/level_index.h"
+#include "sky/base/error.h"
 
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 /// Two probes, two modes over three knots of the sun and one of the moon, and emitted light.
-SectorFile someSector() {
-  SectorFile s;
+sectors::SectorFile someSector() {
+  sectors::SectorFile s;
   s.id = {-3, 7};
   s.low_y = -12.5;
   s.cell_height_m = 5.0;
-  s.grid.fill(kNoProbe);
+  s.grid.fill(geometry::kNoProbe);
   s.grid[17] = 1;
   s.top[255] = 1;
-  s.room = {{{{-190, -1, 450}, {-180, 3.5, 460}}, kNoProbe}, {{{-160, 0, 450}, {-150, 4, 470}}, 1}};
+  s.room = {{{{-190, -1, 450}, {-180, 3.5, 460}}, geometry::kNoProbe}, {{{-160, 0, 450}, {-150, 4, 470}}, 1}};
   s.in_room = {0, 2};
   s.unlit = 1;
-  s.sun = SunTransfer::directional;
-  EncodedProbes& p = s.probes;
+  s.sun = transfer::SunTransfer::directional;
+  transfer::EncodedProbes& p = s.probes;
   p.low_y = -1.0F;
   p.high_y = 2.0F;
   p.position = {0, 1, 2, 65535, 4, 5};
@@ -44,7 +42,7 @@ SectorFile someSector() {
   for (int i = 0; i < 24; ++i) p.mode.push_back(static_cast<std::int8_t>(i - 12));
   s.settings = R"({"transfer": {}})";
   s.baked_from = {{1, 2}, {3, 4}, {5, 6}, {7, 8}};
-  using Kind = NamedPlace::Kind;
+  using Kind = placement::NamedPlace::Kind;
   s.placement = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, {}};
   s.placement.named = {{{-190.25, 1, 450}, 0.0, Kind::thinned, true}, {{-180, 2, 460.1}, 0.25, Kind::moved, true}};
   s.rays = 12345678901;
@@ -53,9 +51,9 @@ SectorFile someSector() {
 }
 
 /// The same with local transfer: two lights, of which the first probe has one and the second has both.
-SectorFile someLitSector() {
-  SectorFile s = someSector();
-  BakedLocal& local = s.local.emplace();
+sectors::SectorFile someLitSector() {
+  sectors::SectorFile s = someSector();
+  sectors::BakedLocal& local = s.local.emplace();
   local.encoded.position = {-180.0F, 1.0F, 460.0F, -130.0F, 2.0F, 450.0F};
   local.encoded.count = {1, 2};
   local.encoded.light = {1, 0, 1};
@@ -68,13 +66,13 @@ SectorFile someLitSector() {
   return s;
 }
 
-void checkRefused(const SectorFile& sector, const std::string& says) {
+void checkRefused(const sectors::SectorFile& sector, const std::string& says) {
   INFO(says);
   try {
-    decodeSector(encodeSector(sector), "the sector");
+    sectors::decodeSector(sectors::encodeSector(sector), "the sector");
     FAIL("it was read");
-  } catch (const Error& e) {
-    CHECK(e.status() == ExitStatus::content);
+  } catch (const base::Error& e) {
+    CHECK(e.status() == base::ExitStatus::content);
     CHECK_THAT(e.what(), Catch::Contains("the sector") && Catch::Contains(says));
   }
 }
@@ -82,10 +80,10 @@ void checkRefused(const SectorFile& sector, const std::string& says) {
 }  // namespace
 
 TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
-  const SectorFile s = someSector();
-  const std::vector<std::byte> bytes = encodeSector(s);
-  const SectorFile r = decodeSector(bytes, "the sector");
-  CHECK(encodeSector(r) == bytes);
+  const sectors::SectorFile s = someSector();
+  const std::vector<std::byte> bytes = sectors::encodeSector(s);
+  const sectors::SectorFile r = sectors::decodeSector(bytes, "the sector");
+  CHECK(sectors::encodeSector(r) == bytes);
   CHECK(r.id == s.id);
   CHECK(r.low_y == s.low_y);
   CHECK(r.cell_height_m == s.cell_height_m);
@@ -112,17 +110,17 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   CHECK(r.error.sampling_probe == 1);
   CHECK(r.error.encoding.emitted == 0.05);
   CHECK(r.error.modes.worst == 0.08);
-  SectorFile empty;
-  empty.grid.fill(kNoProbe);
-  empty.top.fill(kNoProbe);
-  CHECK(decodeSector(encodeSector(empty), "the sector").probes.probes() == 0);
+  sectors::SectorFile empty;
+  empty.grid.fill(geometry::kNoProbe);
+  empty.top.fill(geometry::kNoProbe);
+  CHECK(sectors::decodeSector(sectors::encodeSector(empty), "the sector").probes.probes() == 0);
 }
 
 TEST_CASE("SectorFile, GivesBackLocalTransfer") {
-  const SectorFile s = someLitSector();
-  const std::vector<std::byte> bytes = encodeSector(s);
-  const SectorFile r = decodeSector(bytes, "the sector");
-  CHECK(encodeSector(r) == bytes);
+  const sectors::SectorFile s = someLitSector();
+  const std::vector<std::byte> bytes = sectors::encodeSector(s);
+  const sectors::SectorFile r = sectors::decodeSector(bytes, "the sector");
+  CHECK(sectors::encodeSector(r) == bytes);
   REQUIRE(r.local);
   CHECK(r.local->encoded.position == s.local->encoded.position);
   CHECK(r.local->encoded.count == s.local->encoded.count);
@@ -138,15 +136,15 @@ TEST_CASE("SectorFile, GivesBackLocalTransfer") {
   CHECK(r.local->thinning.dropped == 14);
   CHECK(r.local->thinning.lost == 0.15);
   CHECK(r.local->thinning.worst_probe == 0.16);
-  CHECK(decodedLocal(r.local->encoded).probe[1][1].light == 1);
-  CHECK_FALSE(decodeSector(encodeSector(someSector()), "the sector").local);
-  const std::size_t without = encodeSector(someSector()).size();
+  CHECK(transfer::decodedLocal(r.local->encoded).probe[1][1].light == 1);
+  CHECK_FALSE(sectors::decodeSector(sectors::encodeSector(someSector()), "the sector").local);
+  const std::size_t without = sectors::encodeSector(someSector()).size();
   CHECK(bytes.size() > without + s.local->encoded.bytes());
 }
 
 TEST_CASE("SectorFile, LocalTransferThatDoesNotFitIsRefused") {
   const auto refused = [](const std::string& says, auto change) {
-    SectorFile s = someLitSector();
+    sectors::SectorFile s = someLitSector();
     change(*s.local);
     checkRefused(s, says);
   };
@@ -179,7 +177,7 @@ TEST_CASE("SectorFile, LocalTransferThatDoesNotFitIsRefused") {
 
 TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   const auto refused = [](const std::string& says, auto change) {
-    SectorFile s = someSector();
+    sectors::SectorFile s = someSector();
     change(s);
     checkRefused(s, says);
   };
@@ -189,11 +187,12 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("the grid has a height", [=](auto& s) { s.low_y = double{nan}; });
   refused("the sector", [](auto& s) { s.id.x = 15626; });
   refused("the view from above", [](auto& s) { s.top[3] = 2; });
-  refused("the view from above", [](auto& s) { s.top[3] = kNoProbe; });
+  refused("the view from above", [](auto& s) { s.top[3] = geometry::kNoProbe; });
   refused("the unlit", [](auto& s) { s.unlit = 3; });
   refused("must have moved where", [](auto& s) { s.placement.named[0].moved_m = 1.0; });
   refused("must have moved where", [](auto& s) { s.placement.named[1].moved_m = -1.0; });
-  refused("must be of a kind", [](auto& s) { s.placement.named[0].kind = static_cast<NamedPlace::Kind>(5); });
+  refused("must be of a kind",
+          [](auto& s) { s.placement.named[0].kind = static_cast<placement::NamedPlace::Kind>(5); });
   refused("the named places must be within", [=](auto& s) { s.placement.named[0].position.z = double{nan}; });
   refused("at most 32", [](auto& s) { s.placement.named.resize(33, s.placement.named[0]); });
   refused("the rooms must be there", [](auto& s) { s.room.clear(); });
@@ -217,7 +216,7 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("ascending knots", [](auto& s) { s.probes.sun_time_h[1] = 6.0F; });
   refused("ascending knots", [](auto& s) { s.probes.moon_time_h[0] = 24.0F; });
   refused("ascending knots", [=](auto& s) { s.probes.sun_time_h[2] = nan; });
-  refused("not directional", [](auto& s) { s.sun = SunTransfer::sh; });
+  refused("not directional", [](auto& s) { s.sun = transfer::SunTransfer::sh; });
   refused("a scale", [](auto& s) { s.probes.sky_scale[0] = 0x7f80; });      // infinite
   refused("a scale", [](auto& s) { s.probes.sky_scale[0] = 0x7fc0; });      // NaN
   refused("a scale", [](auto& s) { s.probes.sun_scale[0] = 0xbf80; });      // -1
@@ -229,36 +228,36 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
 }
 
 TEST_CASE("SectorFile, NoByteMayChangeAndNoneMayBeMissing") {
-  const std::vector<std::byte> bytes = encodeSector(someLitSector());
+  const std::vector<std::byte> bytes = sectors::encodeSector(someLitSector());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::vector<std::byte> other = bytes;
     other[i] ^= std::byte{1};
-    CHECK_THROWS_AS(decodeSector(other, "it"), Error);
-    CHECK_THROWS_AS(decodeSector(std::span(bytes).first(i), "it"), Error);
+    CHECK_THROWS_AS(sectors::decodeSector(other, "it"), base::Error);
+    CHECK_THROWS_AS(sectors::decodeSector(std::span(bytes).first(i), "it"), base::Error);
   }
 }
 
 TEST_CASE("LevelIndex, GivesBackWhatItWasGivenAndChecks") {
-  LevelIndex index;
+  sectors::LevelIndex index;
   index.sector = {{{-1, 2}, 3, 4, {5, 6}, {7, 8}}, {{-1, 3}, 70, 15000, {9, 10}, {11, 12}}};
-  index.all_sectors = probes::hashOf(index.sector);
-  index.sky_checksum = Hash128{13, 14};
-  index.sun = SunTransfer::directional;
-  index.sun_path = sky::LightPath{0.1, 0.2, 12.5, 0.3, {}, {}, {}};
-  index.moon_path = sky::LightPath{0.0, 0.0, 12.0, 0.0, {1.0, 2.0}, {0.5, 0.6}, {0.7, -0.8}};
+  index.all_sectors = hashOf(index.sector);
+  index.sky_checksum = base::Hash128{13, 14};
+  index.sun = transfer::SunTransfer::directional;
+  index.sun_path = model::LightPath{0.1, 0.2, 12.5, 0.3, {}, {}, {}};
+  index.moon_path = model::LightPath{0.0, 0.0, 12.0, 0.0, {1.0, 2.0}, {0.5, 0.6}, {0.7, -0.8}};
   index.scale = {2.0, 3.0};
   index.settings = "{}";
-  const auto bytes = encodeLevel(index);
-  const LevelIndex r = decodeLevel(bytes, "it");
-  CHECK(encodeLevel(r) == bytes);
-  CHECK(r.sector[1].id == SectorId{-1, 3});
-  CHECK(r.sector[1].checksum == Hash128{9, 10});
+  const auto bytes = sectors::encodeLevel(index);
+  const sectors::LevelIndex r = sectors::decodeLevel(bytes, "it");
+  CHECK(sectors::encodeLevel(r) == bytes);
+  CHECK(r.sector[1].id == geometry::SectorId{-1, 3});
+  CHECK(r.sector[1].checksum == base::Hash128{9, 10});
   CHECK(r.scale.sky == 2.0);
   CHECK(r.moon_path->key_elevation_rad[1] == -0.8);
   const auto refused = [&](const std::string& says, auto change) {
-    LevelIndex other = index;
+    sectors::LevelIndex other = index;
     change(other);
-    CHECK_THROWS_WITH(decodeLevel(encodeLevel(other), "it"), Catch::Contains(says));
+    CHECK_THROWS_WITH(sectors::decodeLevel(sectors::encodeLevel(other), "it"), Catch::Contains(says));
   };
   refused("must ascend", [](auto& i) { std::swap(i.sector[0], i.sector[1]); });
   refused("must ascend", [](auto& i) { i.sector[0].id = i.sector[1].id; });

@@ -5,17 +5,17 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "probes/reference/reference.h"
 
 namespace welkin::tests {
 
 /// The same radiance everywhere above the horizon; the sun stands still and gives no light.
-inline sky::Sky uniformSky(double radiance, double sun_azimuth_rad = 0.4, double sun_elevation_rad = 0.7) {
-  sky::Sky sky;
-  sky.luminance = *sky::findLuminance("cie-5");
+inline model::Sky uniformSky(double radiance, double sun_azimuth_rad = 0.4, double sun_elevation_rad = 0.7) {
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-5");
   sky.normalise_to_sun = false;
-  sky.intensity = sky::Curve::constant(radiance);
+  sky.intensity = base::Curve::constant(radiance);
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {sun_azimuth_rad};
   sky.sun.path.key_elevation_rad = {sun_elevation_rad};
@@ -23,19 +23,19 @@ inline sky::Sky uniformSky(double radiance, double sun_azimuth_rad = 0.4, double
 }
 
 /// A black sky with a sun of white normal irradiance.
-inline sky::Sky sunOnly(double irradiance, double azimuth_rad, double elevation_rad) {
-  sky::Sky sky = uniformSky(0.0, azimuth_rad, elevation_rad);
-  sky.sun.illuminance = sky::Curve::constant(irradiance);
+inline model::Sky sunOnly(double irradiance, double azimuth_rad, double elevation_rad) {
+  model::Sky sky = uniformSky(0.0, azimuth_rad, elevation_rad);
+  sky.sun.illuminance = base::Curve::constant(irradiance);
   return sky;
 }
 
 /// Clear, brightest about the sun, coloured by azimuth and elevation; with a sun.
-inline sky::Sky clearSky(double azimuth_rad, double elevation_rad) {
-  sky::Sky sky = sunOnly(3.0, azimuth_rad, elevation_rad);
-  sky.luminance = *sky::findLuminance("far-cry-3");
+inline model::Sky clearSky(double azimuth_rad, double elevation_rad) {
+  model::Sky sky = sunOnly(3.0, azimuth_rad, elevation_rad);
+  sky.luminance = *model::findLuminance("far-cry-3");
   sky.normalise_to_sun = true;
-  sky.intensity = sky::Curve::constant(1.5);
-  sky.sun.colour = sky::Curve::constant(f64::Number3(1.0, 0.8, 0.5));
+  sky.intensity = base::Curve::constant(1.5);
+  sky.sun.colour = base::Curve::constant(f64::Number3(1.0, 0.8, 0.5));
   sky.gradient_sun = {1, 2, {1.0F, 0.6F, 0.3F, 0.3F, 0.5F, 0.9F}};
   sky.gradient_anti = {1, 2, {0.5F, 0.6F, 0.8F, 0.2F, 0.4F, 0.9F}};
   normalise(sky.gradient_sun, sky.gradient_anti);
@@ -43,8 +43,8 @@ inline sky::Sky clearSky(double azimuth_rad, double elevation_rad) {
 }
 
 /// No light from outside.
-inline probes::DistantLight darkness() {
-  static const sky::Sky sky = uniformSky(0.0);
+inline reference::DistantLight darkness() {
+  static const model::Sky sky = uniformSky(0.0);
   return {sky, 12.0};
 }
 
@@ -61,13 +61,13 @@ inline f64::Number3 bounces(const f64::Number3& albedo, int first, int last) {
 
 inline const f64::Number3 kAlbedo(0.2, 0.5, 0.9);
 inline const std::vector<f64::Number3> kNormals = {
-    {0, 1, 0}, {0, -1, 0}, probes::unit({0.3, 0.5, -0.7}), probes::unit({-0.8, -0.1, 0.4})};
+    {0, 1, 0}, {0, -1, 0}, geometry::unit({0.3, 0.5, -0.7}), geometry::unit({-0.8, -0.1, 0.4})};
 
 inline constexpr double kStandardErrors = 3.0;
 inline constexpr double kRounding = 1e-12;  ///< relative: of sums of many doubles
 
 /// Whether an estimate is what it should be, within its standard errors and what the level itself is off by.
-inline void checkEstimate(const probes::Estimate& estimate, const f64::Number3& expected, double level_bound = 0.0) {
+inline void checkEstimate(const reference::Estimate& estimate, const f64::Number3& expected, double level_bound = 0.0) {
   for (int c = 0; c < 3; ++c) {
     INFO("channel " << c << ": " << estimate.value[c] << " +- " << estimate.standard_error[c] << ", expected "
                     << expected[c]);

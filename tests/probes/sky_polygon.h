@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "sh/deterministic.h"
 
 namespace welkin::tests {
@@ -29,7 +29,7 @@ inline SkyPolygon skyOverWall(double elevation_rad) {
 
 /// Between walls along z.
 inline SkyPolygon skyOfCanyon(double width_m, double height_m) {
-  const Number3 east = probes::unit({0.5 * width_m, height_m, 0});
+  const Number3 east = geometry::unit({0.5 * width_m, height_m, 0});
   return {{0, 0, 1}, east, {0, 0, -1}, {-east.x, east.y, 0}};
 }
 
@@ -39,7 +39,7 @@ inline SkyPolygon skyOfWell(double apothem_m, double height_m, int sides) {
   const double radius = apothem_m / std::cos(det::kPi / sides);
   for (int i = sides; i > 0; --i) {
     const double azimuth = det::kTwoPi * (i + 0.5) / sides;
-    sky.push_back(probes::unit({radius * std::sin(azimuth), height_m, -radius * std::cos(azimuth)}));
+    sky.push_back(geometry::unit({radius * std::sin(azimuth), height_m, -radius * std::cos(azimuth)}));
   }
   return sky;
 }
@@ -66,8 +66,8 @@ inline double irradianceOverPi(const SkyPolygon& sky, const Number3& normal) {
     const int at_a = side(a);
     const int at_b = side(b);
     if (at_a <= 0 && at_b <= 0) continue;
-    const Number3 crossing = probes::unit(a * std::abs(dot(b, normal)) + b * std::abs(dot(a, normal)));
-    const Number3 plane = probes::unit(cross(a, b));
+    const Number3 crossing = geometry::unit(a * std::abs(dot(b, normal)) + b * std::abs(dot(a, normal)));
+    const Number3 plane = geometry::unit(cross(a, b));
     if (at_a < 0) a = crossing;
     if (at_b < 0) b = crossing;
     if (at_a <= 0) crossings.push_back(a);

@@ -7,7 +7,9 @@
 #include "probes/transfer/relight.h"
 #include "transfer_helpers.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 /// A sun that rises at 6 in the east and stands 70 degrees high in the south at noon.
@@ -17,23 +19,23 @@ Number3 sunAt(double time_h) {
   return {std::cos(hour), std::sin(hour) * std::sin(tilt), std::sin(hour) * std::cos(tilt)};
 }
 
-std::vector<const ProbeTransfer*> pointersTo(const std::vector<ProbeTransfer>& probes) {
-  std::vector<const ProbeTransfer*> result;
-  for (const ProbeTransfer& p : probes) result.push_back(&p);
+std::vector<const transfer::ProbeTransfer*> pointersTo(const std::vector<transfer::ProbeTransfer>& probes) {
+  std::vector<const transfer::ProbeTransfer*> result;
+  for (const transfer::ProbeTransfer& p : probes) result.push_back(&p);
   return result;
 }
 
 /// Probes across a street with buildings of two heights, of well-known transfers: few of them, many paths.
-std::vector<ProbeTransfer> streetProbes(const LightTrack& sun) {
-  Surfaces s = tests::canyonOf(10, 6, {0.3, 0.3, 0.25}, {0.6, 0.5, 0.4});
-  tests::addQuad(s, {-5, 6, -4000}, {0, 5, 0}, {0, 0, 4000}, 0);
-  const Tracer tracer(s);
-  TransferSettings settings;
+std::vector<transfer::ProbeTransfer> streetProbes(const transfer::LightTrack& sun) {
+  geometry::Surfaces s = canyonOf(10, 6, {0.3, 0.3, 0.25}, {0.6, 0.5, 0.4});
+  addQuad(s, {-5, 6, -4000}, {0, 5, 0}, {0, 0, 4000}, 0);
+  const geometry::Tracer tracer(s);
+  transfer::TransferSettings settings;
   settings.rays = 4096;
   settings.ground_albedo = Number3(0.3);
   settings.light_directions = sun.direction;
-  const TransferTracer transfer(tracer, settings);
-  std::vector<ProbeTransfer> probes;
+  const transfer::TransferTracer transfer(tracer, settings);
+  std::vector<transfer::ProbeTransfer> probes;
   for (std::size_t i = 0; i < 10; ++i)
     probes.push_back(transfer
                          .trace({-4.5 + static_cast<double>(i), 1.0 + 0.5 * static_cast<double>(i % 3),
@@ -46,7 +48,7 @@ std::vector<ProbeTransfer> streetProbes(const LightTrack& sun) {
 }  // namespace
 
 TEST_CASE("LightTrack, KnotsAreWhereTheLightIsUp") {
-  const LightTrack track = trackOf(sunAt, 48);
+  const transfer::LightTrack track = transfer::trackOf(sunAt, 48);
   REQUIRE(track.time_h.size() == 25);
   CHECK(track.time_h.front() == Approx(6.0).margin(1e-6));
   CHECK(track.time_h.back() == Approx(18.0).margin(1e-6));
@@ -54,20 +56,20 @@ TEST_CASE("LightTrack, KnotsAreWhereTheLightIsUp") {
   for (const Number3& direction : track.direction) CHECK(direction.y > 0.0);
   CHECK(std::is_sorted(track.time_h.begin(), track.time_h.end()));
   // Crossings between knots; a stretch across midnight; always up, never up.
-  const LightTrack odd = trackOf([](double t) { return sunAt(t - 0.3); }, 24);
+  const transfer::LightTrack odd = transfer::trackOf([](double t) { return sunAt(t - 0.3); }, 24);
   CHECK(odd.time_h.front() == Approx(6.3));
   CHECK(odd.time_h.back() == Approx(18.3));
   CHECK(odd.direction.front().y < 1e-9);
-  const LightTrack night = trackOf([](double t) { return sunAt(t + 12.0); }, 24);
+  const transfer::LightTrack night = transfer::trackOf([](double t) { return sunAt(t + 12.0); }, 24);
   CHECK(night.time_h.front() == 0.0);
   CHECK(night.time_h.back() == 23.0);
-  CHECK(trackOf([](double) { return Number3(0, 1, 0); }, 24).time_h.size() == 24);
-  CHECK(trackOf([](double) { return Number3(0, -1, 0); }, 24).time_h.empty());
+  CHECK(transfer::trackOf([](double) { return Number3(0, 1, 0); }, 24).time_h.size() == 24);
+  CHECK(transfer::trackOf([](double) { return Number3(0, -1, 0); }, 24).time_h.empty());
 }
 
 TEST_CASE("LightTrack, PlacesAreLinearAndPeriodic") {
   const std::vector<double> times{1.0, 2.0, 23.0};
-  const auto at = [&](double t) { return placeOnTrack(times, t); };
+  const auto at = [&](double t) { return transfer::placeOnTrack(times, t); };
   CHECK(at(1.25).before == 0);
   CHECK(at(1.25).after == 1);
   CHECK(at(1.25).share == Approx(0.25));
@@ -80,18 +82,18 @@ TEST_CASE("LightTrack, PlacesAreLinearAndPeriodic") {
   CHECK(at(23.5).share == Approx(0.25));
   CHECK(at(0.25).share == Approx(0.625));
   CHECK(at(-1e-300).share == Approx(0.5));
-  CHECK(placeOnTrack({7.0}, 3.0).before == 0);
+  CHECK(transfer::placeOnTrack({7.0}, 3.0).before == 0);
 }
 
 TEST_CASE("SunModes, FewModesOfWhatHasFew") {
   // Transfers that are sums of two coloured functions of time: two modes hold them, one does not.
-  const LightTrack sun = trackOf(sunAt, 48);
-  LightTrack moon;
+  const transfer::LightTrack sun = transfer::trackOf(sunAt, 48);
+  transfer::LightTrack moon;
   moon.time_h = {1.0, 2.0};
   moon.direction = {Number3(0, 1, 0), Number3(0, 1, 0)};
-  std::vector<ProbeTransfer> probes(7);
-  Random random(2);
-  for (ProbeTransfer& p : probes)
+  std::vector<transfer::ProbeTransfer> probes(7);
+  geometry::Random random(2);
+  for (transfer::ProbeTransfer& p : probes)
     for (auto& direction : p.sun) {
       const Number3 a = Number3(0.9, 0.5, 0.2) * random.unit();
       const Number3 b = Number3(0.1, 0.6, 0.7) * random.unit();
@@ -99,65 +101,66 @@ TEST_CASE("SunModes, FewModesOfWhatHasFew") {
       direction.push_back(a * 0.3);
       direction.push_back(b * 0.7);
     }
-  const SunModesFit fit = fitSunModes(pointersTo(probes), sun, moon, kMostSunModes);
+  const transfer::SunModesFit fit = transfer::fitSunModes(pointersTo(probes), sun, moon, transfer::kMostSunModes);
   CHECK(fit.modes.count() == 2);
   REQUIRE(fit.error.size() == 3);
   CHECK(fit.error[0].worst > 0.5);
   CHECK(fit.error[1].worst_row > 1e-3);
   CHECK(fit.error[2].worst < 1e-12);
-  CHECK(modesFor(fit, 1e-6) == 2);
-  CHECK(modesFor(fit, 10.0) == 0);
-  CHECK(modesFor(fit, 0.0) == 2);
+  CHECK(transfer::modesFor(fit, 1e-6) == 2);
+  CHECK(transfer::modesFor(fit, 10.0) == 0);
+  CHECK(transfer::modesFor(fit, 0.0) == 2);
   // At a knot, between knots, and for the moon.
-  const auto noon = modesAt(fit.modes, LightOf::sun, 12.0);
-  const auto between = modesAt(fit.modes, LightOf::sun, 12.25);
-  const auto night = modesAt(fit.modes, LightOf::moon, 1.75);
+  const auto noon = transfer::modesAt(fit.modes, transfer::LightOf::sun, 12.0);
+  const auto between = transfer::modesAt(fit.modes, transfer::LightOf::sun, 12.25);
+  const auto night = transfer::modesAt(fit.modes, transfer::LightOf::moon, 1.75);
   for (std::size_t p = 0; p < probes.size(); ++p)
-    for (std::size_t b = 0; b < kDirections; ++b) {
+    for (std::size_t b = 0; b < transfer::kDirections; ++b) {
       const auto& truth = probes[p].sun[b];
       const auto& c = fit.coefficient[p][b];
-      CHECK(sunTransfer(c, noon).y == Approx(truth[12].y));
-      CHECK(sunTransfer(c, between).z == Approx((truth[12].z + truth[13].z) / 2));
-      CHECK(sunTransfer(c, night).x == Approx(truth[25].x * 0.25 + truth[26].x * 0.75));
+      CHECK(transfer::sunTransfer(c, noon).y == Approx(truth[12].y));
+      CHECK(transfer::sunTransfer(c, between).z == Approx((truth[12].z + truth[13].z) / 2));
+      CHECK(transfer::sunTransfer(c, night).x == Approx(truth[25].x * 0.25 + truth[26].x * 0.75));
     }
-  const SunModesFit one = firstModes(fit, 1);
+  const transfer::SunModesFit one = transfer::firstModes(fit, 1);
   CHECK(one.modes.count() == 1);
   CHECK(one.coefficient[3][1].size() == 1);
   CHECK(one.error.size() == 2);
 }
 
 TEST_CASE("SunModes, NothingToHold") {
-  const LightTrack sun = trackOf(sunAt, 24);
-  std::vector<ProbeTransfer> dark(3);
-  for (ProbeTransfer& p : dark)
+  const transfer::LightTrack sun = transfer::trackOf(sunAt, 24);
+  std::vector<transfer::ProbeTransfer> dark(3);
+  for (transfer::ProbeTransfer& p : dark)
     for (auto& direction : p.sun) direction.resize(sun.time_h.size());
-  const SunModesFit fit = fitSunModes(pointersTo(dark), sun, {}, 4);
+  const transfer::SunModesFit fit = transfer::fitSunModes(pointersTo(dark), sun, {}, 4);
   CHECK(fit.modes.count() == 0);
   CHECK(fit.error[0].worst == 0.0);
-  CHECK(fitSunModes({}, sun, {}, 4).modes.count() == 0);
-  const std::vector<ProbeTransfer> plain(2);
-  CHECK(fitSunModes(pointersTo(plain), {}, {}, 4).modes.count() == 0);
-  CHECK(modesAt(fit.modes, LightOf::moon, 3.0).empty());
+  CHECK(transfer::fitSunModes({}, sun, {}, 4).modes.count() == 0);
+  const std::vector<transfer::ProbeTransfer> plain(2);
+  CHECK(transfer::fitSunModes(pointersTo(plain), {}, {}, 4).modes.count() == 0);
+  CHECK(transfer::modesAt(fit.modes, transfer::LightOf::moon, 3.0).empty());
 }
 
 TEST_CASE("SunModes, RebuiltTransferIsNotNegative") {
-  CHECK(sunTransfer(std::vector{0.5}, std::vector{Number3(1, -1, 0.5)}) == Number3(0.5, 0, 0.25));
+  CHECK(transfer::sunTransfer(std::vector{0.5}, std::vector{Number3(1, -1, 0.5)}) == Number3(0.5, 0, 0.25));
 }
 
 TEST_CASE("SunModes, EachMakesAStreetBetter") {
-  const LightTrack sun = trackOf(sunAt, 48);
+  const transfer::LightTrack sun = transfer::trackOf(sunAt, 48);
   const auto probes = streetProbes(sun);
-  const SunModesFit fit = fitSunModes(pointersTo(probes), sun, {}, kMostSunModes);
-  REQUIRE(fit.modes.count() == kMostSunModes);
-  for (std::size_t m = 1; m <= kMostSunModes; ++m) CHECK(fit.error[m].rms < fit.error[m - 1].rms);
+  const transfer::SunModesFit fit = transfer::fitSunModes(pointersTo(probes), sun, {}, transfer::kMostSunModes);
+  REQUIRE(fit.modes.count() == transfer::kMostSunModes);
+  for (std::size_t m = 1; m <= transfer::kMostSunModes; ++m) CHECK(fit.error[m].rms < fit.error[m - 1].rms);
   // Beside the sun in 2 bands, through the sky's transfer.
   double square = 0.0;
   std::size_t count = 0;
-  for (const ProbeTransfer& p : probes)
+  for (const transfer::ProbeTransfer& p : probes)
     for (std::size_t i = 0; i < sun.time_h.size(); ++i) {
-      const auto sh =
-          relit(p, {}, relightAt(sun.time_h[i], {}, {sun.direction[i], Number3(1.0)}, {}, SunTransfer::sh, {}));
-      for (std::size_t b = 0; b < kDirections; ++b)
+      const auto sh = transfer::relit(
+          p, {},
+          transfer::relightAt(sun.time_h[i], {}, {sun.direction[i], Number3(1.0)}, {}, transfer::SunTransfer::sh, {}));
+      for (std::size_t b = 0; b < transfer::kDirections; ++b)
         for (int c = 0; c < 3; ++c, ++count) {
           const double difference = sh.sun_bounce[b][c] - p.sun[b][i][c];
           square += difference * difference;
@@ -170,4 +173,4 @@ TEST_CASE("SunModes, EachMakesAStreetBetter") {
   CHECK(fit.error[8].rms < 0.25 * sh_rms);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -3,25 +3,20 @@
 #include <limits>
 
 #include "level_text.h"
+#include "probes/loader/read_scene.h"
 
 namespace welkin::tests {
 namespace {
-
-using namespace probes;
 using nlohmann::json;
-using test::boxMesh;
-using test::Folder;
-using test::GltfText;
-using test::squareMesh;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-Number3 vertex(const Surfaces& s, std::size_t triangle, std::size_t corner) {
+Number3 vertex(const geometry::Surfaces& s, std::size_t triangle, std::size_t corner) {
   const auto& p = s.position[s.triangle[triangle].vertex[corner]];
   return {double{p[0]}, double{p[1]}, double{p[2]}};
 }
 
-bool warns(const Surfaces& s, const std::string& of) {
+bool warns(const geometry::Surfaces& s, const std::string& of) {
   return std::any_of(s.warning.begin(), s.warning.end(),
                      [&](const std::string& w) { return w.find(of) != std::string::npos; });
 }
@@ -35,9 +30,9 @@ TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
   gltf.addNode(triangle, {{"name", "post"}, {"rotation", {0, 0, h, h}}, {"scale", {3, 1, 1}}, {"children", {1}}});
   gltf.json["nodes"].push_back({{"mesh", triangle}, {"translation", {1, 2, 3}}, {"extras", {{"role", "vegetation"}}}});
   const Folder folder;
-  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
-  level.geometry[0].transform = fromEuler({100, 0, 0}, {0, f64::kPi / 2, 0}, Number3(2.0));
-  const Surfaces s = readSurfaces(level);
+  level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level.geometry[0].transform = geometry::fromEuler({100, 0, 0}, {0, f64::kPi / 2, 0}, Number3(2.0));
+  const geometry::Surfaces s = loader::readSurfaces(level);
   REQUIRE(s.triangle.size() == 2);
   // The node: x to y three times as long, y to -x. The entry: x to -z, z to x, twice as large, 100 m east.
   checkNear(vertex(s, 0, 0), {100, 0, 0}, 1e-5);
@@ -47,9 +42,9 @@ TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
   checkNear(vertex(s, 1, 2), {106, 6, 8}, 1e-5);
   REQUIRE(s.object.size() == 2);
   CHECK(s.object[s.triangle[0].object].name == "post");
-  CHECK(s.object[s.triangle[0].object].role == Role::fixed);
+  CHECK(s.object[s.triangle[0].object].role == geometry::Role::fixed);
   CHECK(s.object[s.triangle[1].object].name == "node 1 \"\"");
-  CHECK(s.object[s.triangle[1].object].role == Role::vegetation);
+  CHECK(s.object[s.triangle[1].object].role == geometry::Role::vegetation);
 }
 
 TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
@@ -59,9 +54,9 @@ TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
   gltf.addNode(square, {{"name", "floor"}, {"scale", {1, 0, 1}}});
   gltf.addNode(square, {{"name", "hidden"}, {"scale", {0, 0, 0}}});
   const Folder folder;
-  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
   level.geometry[0].vegetation_nodes = {"palm*", "plam*"};
-  const Surfaces s = readSurfaces(level);
+  const geometry::Surfaces s = loader::readSurfaces(level);
   CHECK(s.triangle.size() == 2);
   CHECK(warns(s, "object \"floor\" and 1 more are left out"));
   CHECK(warns(s, "a.gltf: vegetation_nodes: \"plam*\" fits no node or object"));
@@ -74,8 +69,8 @@ TEST_CASE("SurfacesOf, MirroredSurfacesKeepTheirFront") {
   gltf.addNode(square);
   gltf.addNode(square, {{"translation", {4, 0, 0}}, {"scale", {-1, 1, 1}}});
   gltf.addNode(square, {{"translation", {8, 0, 0}}, {"scale", {1, -1, 1}}});  // looks down
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
-  const Tracer tracer(s);
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const geometry::Tracer tracer(s);
   for (const auto& [x, back] : {std::pair{0.3, false}, {4.3, false}, {8.3, true}}) {
     const auto hit = below(tracer, x, 0.4);
     REQUIRE(hit);
@@ -94,7 +89,7 @@ TEST_CASE("SurfacesOf, TrianglesWithoutAreaOrNumbersAreDroppedAndCounted") {
   gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {5e5, 0, 0}}, {"scale", {1e-4, 1, 1}}});  // too thin there
   for (const bool normals : {true, false}) {
     if (!normals) gltf.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
-    const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+    const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
     CHECK(s.triangle.size() == 4);
     CHECK(s.dropped_triangles == 6);
     CHECK(warns(s, "6 of 10 triangles"));
@@ -126,14 +121,14 @@ TEST_CASE("SurfacesOf, MaterialsKeepEmissionSidesAndAlpha") {
   (*add("pane", {{"alphaMode", "BLEND"}}))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.75;
   (*add("solid", json::object()))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.25;
   gltf.json["extensionsRequired"] = {"KHR_materials_emissive_strength", "KHR_materials_unlit"};
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
   REQUIRE(s.material.size() == 5);
   CHECK(s.material[0].double_sided);
   CHECK_FALSE(s.material[1].double_sided);
   checkNear(s.material[1].emission, {4, 2, 0}, 0);
   checkNear(s.material[1].albedo, {0.1, 0.2, 0.3}, 0);
   CHECK(warns(s, "\"pane\": alphaMode BLEND"));
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   CHECK_FALSE(below(tracer, 6.2, 0.1));  // below the cut-off everywhere
   CHECK(below(tracer, 9.2, 0.1));
   CHECK(below(tracer, 12.2, 0.1));  // opaque whatever its alpha
@@ -146,8 +141,8 @@ TEST_CASE("SurfacesOf, VertexColoursMultiplyTheMaterials") {
   gltf.addNode(gltf.addMesh(mesh, gltf.addMaterial({0.5, 0.5, 0.25})));
   gltf.addNode(gltf.addMesh(mesh), {{"translation", {4, 0, 0}}});
   gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {8, 0, 0}}});
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
-  const Tracer tracer(s);
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const geometry::Tracer tracer(s);
   const double kFloats = 1e-6;
   checkNear(tracer.albedo(*below(tracer, 0.3, 0.5)), {0.125, 0.1875, 0.1875}, kFloats);
   checkNear(tracer.albedo(*below(tracer, 4.3, 0.5)), {0.25, 0.375, 0.75}, kFloats);
@@ -171,7 +166,7 @@ TEST_CASE("SurfacesOf, PointLightsAreReadAndOthersReported") {
   gltf.json["nodes"][0]["scale"] = {2, 2, 2};
   gltf.json["nodes"][1]["translation"] = {1, 2, 3};
   gltf.json["nodes"][2]["translation"] = {3, 0, 0};
-  const Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
   REQUIRE(s.light.size() == 1);
   checkNear(s.light[0].position, {2, 4, 6}, 0);
   checkNear(s.light[0].intensity, {10, 5, 0}, 0);
@@ -190,17 +185,17 @@ TEST_CASE("SurfacesOf, AFileThatManyEntriesPlaceIsReadOnce") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(boxMesh()));
   const Folder folder;
-  LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
   level.geometry.push_back(level.geometry[0]);
   level.geometry[1].transform.translation = {10, 0, 0};
   level.geometry[1].albedo = {0.1, 0.2, 0.3};
-  level.geometry[1].role = Role::vegetation;
-  const Scene scene = readScene(level);
+  level.geometry[1].role = geometry::Role::vegetation;
+  const level::Scene scene = loader::readScene(level);
   CHECK(scene.vertices.size() == 36);
   CHECK(scene.files == std::vector<std::filesystem::path>{level.geometry[0].path});
-  const Surfaces s = probes::surfacesOf(scene);
+  const geometry::Surfaces s = loader::surfacesOf(scene);
   REQUIRE(s.triangle.size() == 24);
-  CHECK(s.object[s.triangle[23].object].role == Role::vegetation);
+  CHECK(s.object[s.triangle[23].object].role == geometry::Role::vegetation);
   checkNear(s.material[s.triangle[0].material].albedo, Number3(0.5), 0);
   checkNear(s.material[s.triangle[23].material].albedo, {0.1, 0.2, 0.3}, 0);
 }

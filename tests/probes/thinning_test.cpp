@@ -6,35 +6,37 @@
 #include <limits>
 #include <tuple>
 
+#include "probes/geometry/random.h"
 #include "probes/placement/nearby.h"
-#include "probes/random.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 /// For each walkable point the probes that it sees within reach, from the nearest.
-using Coverage = std::vector<std::vector<SeenProbe>>;
+using Coverage = std::vector<std::vector<placement::SeenProbe>>;
 
 Coverage randomCoverage(std::size_t points, std::size_t probes, std::uint64_t seed) {
-  Random random(seed);
+  geometry::Random random(seed);
   Coverage result(points);
   for (auto& seen : result) {
     for (std::size_t i = 0; i < probes; ++i)
       if (random.unit() < 0.3) seen.push_back({i, 8.0 * random.unit()});
     std::sort(seen.begin(), seen.end(),
-              [](const SeenProbe& a, const SeenProbe& b) { return a.distance_m < b.distance_m; });
+              [](const placement::SeenProbe& a, const placement::SeenProbe& b) { return a.distance_m < b.distance_m; });
   }
   return result;
 }
 
 std::vector<std::size_t> thin(const Coverage& coverage, const std::vector<bool>& by_hand, std::size_t most) {
-  const Look look = [&](std::size_t point, const std::vector<bool>& gone) {
-    std::vector<SeenProbe> seen;
-    for (const SeenProbe& s : coverage[point])
-      if (!gone[s.probe] && seen.size() < kNearestSeen) seen.push_back(s);
+  const placement::Look look = [&](std::size_t point, const std::vector<bool>& gone) {
+    std::vector<placement::SeenProbe> seen;
+    for (const placement::SeenProbe& s : coverage[point])
+      if (!gone[s.probe] && seen.size() < placement::kNearestSeen) seen.push_back(s);
     return seen;
   };
-  return probes::thin(coverage.size(), look, by_hand, most);
+  return placement::thin(coverage.size(), look, by_hand, most);
 }
 
 /// Points without a probe, and the sum of the others' distances, when those of `gone` are not there.
@@ -42,7 +44,7 @@ std::pair<std::size_t, double> costOf(const Coverage& coverage, const std::vecto
   std::pair<std::size_t, double> cost{0, 0.0};
   for (const auto& seen : coverage) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const SeenProbe& s : seen)
+    for (const placement::SeenProbe& s : seen)
       if (std::find(gone.begin(), gone.end(), s.probe) == gone.end()) nearest = std::min(nearest, s.distance_m);
     if (nearest < 1e9)
       cost.second += nearest;
@@ -88,11 +90,11 @@ TEST_CASE("Thinning, EachStepIsTheLeastLossByBruteForce") {
 }
 
 TEST_CASE("Nearby, VisitsFromTheNearestOnByBruteForce") {
-  Random random(7);
+  geometry::Random random(7);
   const auto somewhere = [&] {
     return Number3(-64.0 + 64.0 * random.unit(), 20.0 * random.unit(), 128.0 + 64.0 * random.unit());
   };
-  Nearby nearby({-1, 2});
+  placement::Nearby nearby({-1, 2});
   std::vector<Number3> position;
   for (std::size_t i = 0; i < 3000; ++i) {
     position.push_back(i % 50 == 1 ? Number3(position.back()) : somewhere());  // some twice
@@ -104,7 +106,8 @@ TEST_CASE("Nearby, VisitsFromTheNearestOnByBruteForce") {
     const auto counts = [](std::size_t i) { return i % 3 != 0; };
     std::vector<std::pair<double, std::size_t>> expected;
     for (std::size_t i = 0; i < position.size(); ++i)
-      if (counts(i) && distanceOf(from, position[i]) < far_m) expected.emplace_back(distanceOf(from, position[i]), i);
+      if (counts(i) && placement::distanceOf(from, position[i]) < far_m)
+        expected.emplace_back(placement::distanceOf(from, position[i]), i);
     std::sort(expected.begin(), expected.end());
     const std::size_t most = n % 2 == 0 ? expected.size() + 1 : 3;
     expected.resize(std::min(expected.size(), most));
@@ -132,4 +135,4 @@ TEST_CASE("Thinning, KeepsTheOnlyProbeOfAPoint") {
   CHECK(thin(coverage, {false, false, false}, 1) == std::vector<std::size_t>{2, 0});
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "probes/tracer.h"
+#include "probes/geometry/tracer.h"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
 #include "closed_forms.h"
-#include "probes/directions.h"
-#include "probes/random.h"
+#include "probes/geometry/directions.h"
+#include "probes/geometry/random.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -16,12 +18,12 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
-  Surfaces s;
-  const auto red = tests::addMaterial(s, {0.9, 0.1, 0.2});
-  const auto both = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
-  tests::addQuad(s, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, red);  // looks up
-  tests::addQuad(s, {-1, 3, -1}, {0, 0, 2}, {2, 0, 0}, both);
-  const Tracer tracer(s);
+  geometry::Surfaces s;
+  const auto red = addMaterial(s, {0.9, 0.1, 0.2});
+  const auto both = addMaterial(s, {0.5, 0.5, 0.5}, true);
+  addQuad(s, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, red);  // looks up
+  addQuad(s, {-1, 3, -1}, {0, 0, 2}, {2, 0, 0}, both);
+  const geometry::Tracer tracer(s);
   const auto down = tracer.closest({0.25, 2, 0.5}, {0, -1, 0}, kFar);
   REQUIRE(down);
   CHECK(down->distance == Approx(2.0));
@@ -45,13 +47,13 @@ TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
 }
 
 TEST_CASE("Tracer, SeesNoFartherThanItsSquare") {
-  Surfaces s;
-  const auto material = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
-  tests::addQuad(s, {20, -50, -50}, {0, 0, 100}, {0, 100, 0}, material);   // x = 20
-  tests::addQuad(s, {-50, -50, -30}, {100, 0, 0}, {0, 100, 0}, material);  // z = -30
-  tests::addQuad(s, {-50, 40, -50}, {0, 0, 100}, {100, 0, 0}, material);   // y = 40
-  const Tracer whole(s);
-  const Tracer tracer = whole.within({8, 500, -12}, 10.0);  // x -2 to 18, z -22 to -2
+  geometry::Surfaces s;
+  const auto material = addMaterial(s, {0.5, 0.5, 0.5}, true);
+  addQuad(s, {20, -50, -50}, {0, 0, 100}, {0, 100, 0}, material);   // x = 20
+  addQuad(s, {-50, -50, -30}, {100, 0, 0}, {0, 100, 0}, material);  // z = -30
+  addQuad(s, {-50, 40, -50}, {0, 0, 100}, {100, 0, 0}, material);   // y = 40
+  const geometry::Tracer whole(s);
+  const geometry::Tracer tracer = whole.within({8, 500, -12}, 10.0);  // x -2 to 18, z -22 to -2
   const Number3 at(8, 0, -12);
   for (const Number3& direction : {Number3(1, 0, 0), Number3(0, 0, -1)}) {
     CHECK(whole.closest(at, direction, kFar));
@@ -77,14 +79,18 @@ TEST_CASE("Tracer, SeesNoFartherThanItsSquare") {
 }
 
 TEST_CASE("Tracer, MaskedTexelsLetRaysThrough") {
-  Surfaces s;
-  const auto leaf = tests::addMaterial(s, {1, 1, 1}, true);
-  s.texture.push_back({2, 1, {255, 255, 255, 255, 255, 255, 255, 0}, Texture::Wrap::clamped, Texture::Wrap::clamped});
+  geometry::Surfaces s;
+  const auto leaf = addMaterial(s, {1, 1, 1}, true);
+  s.texture.push_back({2,
+                       1,
+                       {255, 255, 255, 255, 255, 255, 255, 0},
+                       geometry::Texture::Wrap::clamped,
+                       geometry::Texture::Wrap::clamped});
   s.material[leaf].texture = 0;
   s.material[leaf].alpha_cutoff = 0.5;
-  tests::addQuad(s, {0, 1, 0}, {0, 0, 4}, {4, 0, 0}, leaf);
+  addQuad(s, {0, 1, 0}, {0, 0, 4}, {4, 0, 0}, leaf);
   s.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};  // u along x
-  const Tracer tracer(s);
+  const geometry::Tracer tracer(s);
   CHECK(tracer.occluded({0.5, 0, 2}, {0, 1, 0}, kFar));
   CHECK_FALSE(tracer.occluded({3.5, 0, 2}, {0, 1, 0}, kFar));
   CHECK(tracer.closest({1.9, 0, 2}, {0, 1, 0}, kFar));
@@ -93,20 +99,20 @@ TEST_CASE("Tracer, MaskedTexelsLetRaysThrough") {
 
 TEST_CASE("Tracer, ARayThatLeavesASurfaceDoesNotMeetItAgain") {
   // Slanted, far from the origin, where floats are coarse: the origin's rounding is 3e-5 m there.
-  Surfaces s;
-  const auto grey = tests::addMaterial(s, {0.5, 0.5, 0.5}, true);
-  tests::addQuad(s, {400, 17, -400}, {3, 1, 40}, {50, 2, -7}, grey);
-  const Tracer tracer(s);
-  Random random(7);
+  geometry::Surfaces s;
+  const auto grey = addMaterial(s, {0.5, 0.5, 0.5}, true);
+  addQuad(s, {400, 17, -400}, {3, 1, 40}, {50, 2, -7}, grey);
+  const geometry::Tracer tracer(s);
+  geometry::Random random(7);
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
     const Number3 origin(410 + 30 * random.unit(), 60, -400 + 30 * random.unit());
-    const Number3 direction = unit(Number3(random.unit() - 0.5, -1, random.unit() - 0.5));
+    const Number3 direction = geometry::unit(Number3(random.unit() - 0.5, -1, random.unit() - 0.5));
     const auto hit = tracer.closest(origin, direction, kFar);
     if (!hit) continue;
     ++hits;
-    const Number3 away =
-        unit(hit->normal + unit(Number3(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5)) * 0.999);
+    const Number3 away = geometry::unit(
+        hit->normal + geometry::unit(Number3(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5)) * 0.999);
     CHECK_FALSE(tracer.occluded(tracer.leaving(*hit), away, kFar));
   }
   CHECK(hits > 5000);
@@ -116,19 +122,20 @@ TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
   // Aimed at the edges, within the rounding of floats: an origin on an edge has one wall behind it, or in front.
   for (const double azimuth : {0.0, 0.37}) {
     const Number3 moved = azimuth == 0.0 ? Number3(0.0) : Number3(211.3, 17.1, -93.7);
-    const auto world = [&](const Number3& p) { return tests::turned(p, azimuth) + moved; };
-    const Surfaces rooms = tests::turned(tests::twoRooms(Number3(0.5), true), azimuth, moved);
-    const Tracer tracer(rooms);
-    Random random(11);
+    const auto world = [&](const Number3& p) { return turned(p, azimuth) + moved; };
+    const geometry::Surfaces rooms = turned(twoRooms(Number3(0.5), true), azimuth, moved);
+    const geometry::Tracer tracer(rooms);
+    geometry::Random random(11);
     const Number3 eye = world({1.9, 1.4, 0.3});
     for (int i = 0; i < 20000; ++i) {
       const auto aside = [&] { return 2e-5 * (random.unit() - 0.5); };
       const Number3 edge =
           i % 2 == 0 ? Number3(0.0, 0.0, 4.0 * random.unit() - 2.0) : Number3(0, 3.0 * random.unit(), 2);
-      const auto hit = tracer.closest(eye, unit(world(edge + Number3(aside(), aside(), aside())) - eye), kFar);
+      const auto hit =
+          tracer.closest(eye, geometry::unit(world(edge + Number3(aside(), aside(), aside())) - eye), kFar);
       REQUIRE(hit);
       const double s = random.unit();
-      const Number3 away = cosineDirection(hit->normal, s, random.unit());
+      const Number3 away = geometry::cosineDirection(hit->normal, s, random.unit());
       REQUIRE(tracer.closest(tracer.leaving(*hit), away, kFar));
     }
   }
@@ -136,20 +143,21 @@ TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
 
 TEST_CASE("Tracer, ARayThatLeavesALargeSurfaceDoesNotMeetItAgain") {
   // Near the origin, where floats are fine, but not those of the corners, 4 km away: an oblique wall 8 km long.
-  const Surfaces s = tests::turned(tests::wallTo(0.8, Number3(0.5), Number3(0.5)), 2.1);
-  const Tracer tracer(s);
-  Random random(3);
+  const geometry::Surfaces s = turned(wallTo(0.8, Number3(0.5), Number3(0.5)), 2.1);
+  const geometry::Tracer tracer(s);
+  geometry::Random random(3);
   int hits = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Number3 direction =
-        tests::turned(unit(Number3(random.unit() - 0.5, 0.5 * random.unit(), -1)), 2.1);  // from the origin to the wall
+    const Number3 direction = turned(geometry::unit(Number3(random.unit() - 0.5, 0.5 * random.unit(), -1)),
+                                     2.1);  // from the origin to the wall
     const auto hit = tracer.closest({0, 1, 0}, direction, kFar);
     if (!hit) continue;
     ++hits;
-    const Number3 away = unit(hit->normal + unit(Number3(random.unit() - 0.5, 1.0, random.unit() - 0.5)) * 0.9);
+    const Number3 away =
+        geometry::unit(hit->normal + geometry::unit(Number3(random.unit() - 0.5, 1.0, random.unit() - 0.5)) * 0.9);
     CHECK_FALSE(tracer.occluded(tracer.leaving(*hit), away, kFar));
   }
   CHECK(hits == 5000);
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

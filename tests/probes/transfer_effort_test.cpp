@@ -7,32 +7,32 @@
 
 #include "closed_forms.h"
 #include "same_bits.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "transfer_helpers.h"
 
-namespace welkin::probes {
+namespace welkin::tests {
+
+using f64::Number3;
 namespace {
 
-using tests::sameBits;
-
-TransferSettings settingsOf(std::size_t rays) {
-  TransferSettings settings;
+transfer::TransferSettings settingsWith(std::size_t rays) {
+  transfer::TransferSettings settings;
   settings.rays = rays;
-  for (int i = 0; i < 12; ++i) settings.light_directions.push_back(tests::towards(1.5 + 0.25 * i, 0.1 + 0.1 * i));
+  for (int i = 0; i < 12; ++i) settings.light_directions.push_back(towards(1.5 + 0.25 * i, 0.1 + 0.1 * i));
   return settings;
 }
 
 }  // namespace
 
 TEST_CASE("TransferEffort, IsTheSameForAnyThreadsAndOrder") {
-  const Surfaces level = tests::canyonOf(9, 7, {0.2, 0.4, 0.5}, {0.7, 0.3, 0.5});
-  const Tracer tracer(level);
-  const TransferTracer transfer(tracer, settingsOf(128));
-  PlacedSector sector;
+  const geometry::Surfaces level = canyonOf(9, 7, {0.2, 0.4, 0.5}, {0.7, 0.3, 0.5});
+  const geometry::Tracer tracer(level);
+  const transfer::TransferTracer transfer(tracer, settingsWith(128));
+  geometry::PlacedSector sector;
   sector.id = {-1, 0};
   for (int i = 0; i < 20; ++i) sector.probe.push_back({{-3.9 + 0.4 * i, 1.0, 3.0 * i}});
   tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
-  std::vector<TracedProbe> four;
+  std::vector<transfer::TracedProbe> four;
   tbb::task_arena(4).execute([&] { four = transfer.trace(sector); });
   for (std::size_t i = sector.probe.size(); i-- > 0;)
     CHECK(sameBits(four[i], transfer.trace(sector.probe[i].position, sector.id, i)));
@@ -42,32 +42,33 @@ TEST_CASE("TransferEffort, IsTheSameForAnyThreadsAndOrder") {
 }
 
 TEST_CASE("TransferEffort, StandardErrorsAreTheSpread") {
-  const Surfaces level = tests::wallTo(0.9, Number3(0.4), Number3(0.8));
-  const Tracer tracer(level);
-  const TransferTracer transfer(tracer, settingsOf(256));
+  const geometry::Surfaces level = wallTo(0.9, Number3(0.4), Number3(0.8));
+  const geometry::Tracer tracer(level);
+  const transfer::TransferTracer transfer(tracer, settingsWith(256));
   const Number3 at(0, 1, -8);
   constexpr std::size_t kCount = 100;
   // Of 100 probes, the variance is known to 14 %; that of each probe, from 8 replicates, to 53 %, their mean to 5 %.
   constexpr double kRelative = 0.45;
-  for (std::size_t b = 0; b < kDirections; ++b) {
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     const auto spread =
-        tests::measured(transfer, at, kCount, [&](const TracedProbe& p) { return tests::uniformSky(p.transfer, b); });
-    const auto stated = tests::measured(
-        transfer, at, kCount, [&](const TracedProbe& p) { return p.effort.sky_error[b].y * p.effort.sky_error[b].y; });
+        measured(transfer, at, kCount, [&](const transfer::TracedProbe& p) { return uniformSky(p.transfer, b); });
+    const auto stated = measured(transfer, at, kCount, [&](const transfer::TracedProbe& p) {
+      return p.effort.sky_error[b].y * p.effort.sky_error[b].y;
+    });
     CHECK(stated.mean == Approx(spread.standard_error * spread.standard_error * kCount).epsilon(kRelative));
   }
 }
 
 TEST_CASE("TransferEffort, TracesUntilTheErrorIsMet") {
-  TransferSettings settings = settingsOf(1U << 15);
+  transfer::TransferSettings settings = settingsWith(1U << 15);
   settings.max_error = 0.03;
   settings.ground_albedo = Number3(0.3);
-  const Surfaces plain = tests::groundOf(Number3(0.3));
-  const Surfaces canyon = tests::canyonOf(4, 3, Number3(0.3), Number3(0.8));
-  const Tracer easy(plain);
-  const Tracer hard(canyon);
-  const TracedProbe open = TransferTracer(easy, settings).trace({0, 1, 0}, {0, 0}, 0);
-  const TracedProbe narrow = TransferTracer(hard, settings).trace({0, 1, 0}, {0, 0}, 0);
+  const geometry::Surfaces plain = groundOf(Number3(0.3));
+  const geometry::Surfaces canyon = canyonOf(4, 3, Number3(0.3), Number3(0.8));
+  const geometry::Tracer easy(plain);
+  const geometry::Tracer hard(canyon);
+  const transfer::TracedProbe open = transfer::TransferTracer(easy, settings).trace({0, 1, 0}, {0, 0}, 0);
+  const transfer::TracedProbe narrow = transfer::TransferTracer(hard, settings).trace({0, 1, 0}, {0, 0}, 0);
   CHECK(open.effort.error <= settings.max_error);
   CHECK(narrow.effort.error <= settings.max_error);
   CHECK(open.effort.paths < narrow.effort.paths);
@@ -75,60 +76,60 @@ TEST_CASE("TransferEffort, TracesUntilTheErrorIsMet") {
   CHECK(narrow.effort.rays > narrow.effort.paths);
   // Too few for it: all are spent, and the error says so.
   settings.rays = 256;
-  const TracedProbe cut = TransferTracer(hard, settings).trace({0, 1, 0}, {0, 0}, 0);
+  const transfer::TracedProbe cut = transfer::TransferTracer(hard, settings).trace({0, 1, 0}, {0, 0}, 0);
   CHECK(cut.effort.paths == 256);
   CHECK(cut.effort.error > settings.max_error);
 }
 
 TEST_CASE("TransferEffort, TellsOfItsRaysAndEndsWithinAProbe") {
-  const Surfaces level = tests::canyonOf(9, 7, Number3(0.3), Number3(0.5));
-  const Tracer tracer(level);
+  const geometry::Surfaces level = canyonOf(9, 7, Number3(0.3), Number3(0.5));
+  const geometry::Tracer tracer(level);
   for (const std::size_t rays : {std::size_t{1024}, std::size_t{1} << 16}) {
-    TransferSettings settings = settingsOf(rays);
+    transfer::TransferSettings settings = settingsWith(rays);
     std::uint64_t told = 0;
     std::size_t calls = 0;
     const auto add = [&](std::uint64_t since) {
       told += since;
       ++calls;
     };
-    const TracedProbe probe = TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add);
+    const transfer::TracedProbe probe = transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add);
     CHECK(told == probe.effort.rays);
     CHECK(calls >= rays / 2048);
     CHECK(calls <= rays / 1024);
-    CHECK(sameBits(probe, TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0)));
+    CHECK(sameBits(probe, transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0)));
     settings.max_error = 1e-6;  // all rays are spent, in rounds
     told = 0;
-    CHECK(TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add).effort.rays == told);
+    CHECK(transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add).effort.rays == told);
   }
-  const TransferTracer endless(tracer, settingsOf(kMostRays));
+  const transfer::TransferTracer endless(tracer, settingsWith(transfer::kMostRays));
   std::size_t calls = 0;
   const auto third = [&](std::uint64_t) {
-    if (++calls == 3) throw Error(ExitStatus::interrupted, "enough");
+    if (++calls == 3) throw base::Error(base::ExitStatus::interrupted, "enough");
   };
-  CHECK_THROWS_AS(endless.trace({0, 1, 0}, {0, 0}, 0, third), Error);
+  CHECK_THROWS_AS(endless.trace({0, 1, 0}, {0, 0}, 0, third), base::Error);
   CHECK(calls == 3);
 }
 
 TEST_CASE("TransferEffort, SettingsOutsideTheirRangeAreRefused") {
-  const Surfaces level = tests::groundOf(Number3(0.5));
-  const Tracer tracer(level);
+  const geometry::Surfaces level = groundOf(Number3(0.5));
+  const geometry::Tracer tracer(level);
   const auto refused = [&](auto&& change) {
-    TransferSettings settings;
+    transfer::TransferSettings settings;
     settings.light_directions = {Number3(0, 1, 0)};
     change(settings);
-    CHECK_THROWS_AS(TransferTracer(tracer, settings), Error);
+    CHECK_THROWS_AS(transfer::TransferTracer(tracer, settings), base::Error);
   };
-  refused([](TransferSettings& s) { s.rays = 1001; });
-  refused([](TransferSettings& s) { s.rays = 8; });
-  refused([](TransferSettings& s) { s.bounces = -1; });
-  refused([](TransferSettings& s) { s.bounces = kMostBounces + 1; });
-  refused([](TransferSettings& s) { s.max_error = -0.1; });
-  refused([](TransferSettings& s) { s.max_error = std::nan(""); });
-  refused([](TransferSettings& s) { s.ground_albedo.y = 1.5; });
-  refused([](TransferSettings& s) { s.light_rays = 0; });
-  refused([](TransferSettings& s) { s.reach_m = -1.0; });
-  refused([](TransferSettings& s) { s.reach_m = std::nan(""); });
-  refused([](TransferSettings& s) { s.light_directions[0] = {0, 2, 0}; });
+  refused([](transfer::TransferSettings& s) { s.rays = 1001; });
+  refused([](transfer::TransferSettings& s) { s.rays = 8; });
+  refused([](transfer::TransferSettings& s) { s.bounces = -1; });
+  refused([](transfer::TransferSettings& s) { s.bounces = transfer::kMostBounces + 1; });
+  refused([](transfer::TransferSettings& s) { s.max_error = -0.1; });
+  refused([](transfer::TransferSettings& s) { s.max_error = std::nan(""); });
+  refused([](transfer::TransferSettings& s) { s.ground_albedo.y = 1.5; });
+  refused([](transfer::TransferSettings& s) { s.light_rays = 0; });
+  refused([](transfer::TransferSettings& s) { s.reach_m = -1.0; });
+  refused([](transfer::TransferSettings& s) { s.reach_m = std::nan(""); });
+  refused([](transfer::TransferSettings& s) { s.light_directions[0] = {0, 2, 0}; });
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

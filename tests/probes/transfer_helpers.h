@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "probes/directions.h"
+#include "probes/geometry/directions.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sh/deterministic.h"
 
@@ -13,8 +13,8 @@ namespace welkin::tests {
 
 inline constexpr std::size_t kProbes = 32;  ///< independent ones for a standard error
 
-inline probes::TransferSettings settingsOf(int bounces, std::size_t rays = 256) {
-  probes::TransferSettings settings;
+inline transfer::TransferSettings settingsOf(int bounces, std::size_t rays = 256) {
+  transfer::TransferSettings settings;
   settings.bounces = bounces;
   settings.rays = rays;
   return settings;
@@ -47,14 +47,14 @@ inline void checkMeasured(const Measured& m, double expected, double bound = 1e-
 }
 
 /// Irradiance under a uniform sky of radiance 1, direct and bounced, green.
-inline double uniformSky(const probes::ProbeTransfer& t, std::size_t b) {
-  const double open = det::kPi * (1.0 + probes::transferBasis()[b].y) / 2.0;
+inline double uniformSky(const transfer::ProbeTransfer& t, std::size_t b) {
+  const double open = det::kPi * (1.0 + transfer::transferBasis()[b].y) / 2.0;
   return t.visibility[b] * open + t.sky[b][0].y / det::kShConstant;
 }
 
 /// What four directions give for a normal.
-inline double reconstructed(const Number3& normal, const std::array<double, probes::kDirections>& irradiance) {
-  const auto weight = probes::shadingWeights(normal);
+inline double reconstructed(const Number3& normal, const std::array<double, transfer::kDirections>& irradiance) {
+  const auto weight = transfer::shadingWeights(normal);
   double sum = 0.0;
   for (std::size_t b = 0; b < weight.size(); ++b) sum += weight[b] * irradiance[b];
   return sum;
@@ -62,7 +62,7 @@ inline double reconstructed(const Number3& normal, const std::array<double, prob
 
 /// Of (azimuth, elevation) in radians: away from the point, azimuth clockwise from north.
 inline Number3 towards(double azimuth, double elevation) {
-  return probes::unit(
+  return geometry::unit(
       Number3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth)));
 }
 

@@ -7,13 +7,10 @@
 #include "probes/transfer/trace_transfer.h"
 #include "transfer_helpers.h"
 
-namespace welkin::probes {
-namespace {
+namespace welkin::tests {
 
-using tests::checkMeasured;
-using tests::kProbes;
-using tests::measured;
-using tests::settingsOf;
+using f64::Number3;
+namespace {
 
 const double kUpper = 1.0 / std::sqrt(3.0);
 
@@ -39,69 +36,69 @@ double skyIrradiance(const Number3& normal, const Seen& seen) {
 
 TEST_CASE("Transfer, PlaneUnderUniformSkyAndSun") {
   const double rho = 0.2;
-  const Surfaces ground = tests::groundOf(Number3(rho));
-  const Tracer tracer(ground);
-  TransferSettings settings = settingsOf(2);
+  const geometry::Surfaces ground = groundOf(Number3(rho));
+  const geometry::Tracer tracer(ground);
+  transfer::TransferSettings settings = settingsOf(2);
   settings.ground_albedo = Number3(rho);
   for (const double elevation : {0.0, 0.05, 0.5, 1.2, det::kPi / 2})
-    settings.light_directions.push_back(tests::towards(2.0, elevation));
+    settings.light_directions.push_back(towards(2.0, elevation));
   settings.light_rays = 2;
-  const TransferTracer transfer(tracer, settings);
-  const auto basis = transferBasis();
-  for (std::size_t b = 0; b < kDirections; ++b) {
+  const transfer::TransferTracer transfer(tracer, settings);
+  const auto basis = transfer::transferBasis();
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     CAPTURE(b);
     const double below = (1.0 - basis[b].y) / 2.0;
-    checkMeasured(
-        measured(transfer, {1, 1, 2}, kProbes, [&](const TracedProbe& p) { return tests::uniformSky(p.transfer, b); }),
-        det::kPi * ((1.0 + basis[b].y) / 2.0 + rho * below));
+    checkMeasured(measured(transfer, {1, 1, 2}, kProbes,
+                           [&](const transfer::TracedProbe& p) { return uniformSky(p.transfer, b); }),
+                  det::kPi * ((1.0 + basis[b].y) / 2.0 + rho * below));
     // By coefficient, none of which is 0 by accident: those of x and z are.
     for (std::size_t k = 0; k < 4; ++k)
-      checkMeasured(
-          measured(transfer, {1, 1, 2}, kProbes, [&](const TracedProbe& p) { return p.transfer.sky[b][k].x; }),
-          below * rho *
-              (k == 0   ? det::kPi * det::kShConstant
-               : k == 1 ? det::kTwoPi / 3 * det::kShLinear
-                        : 0.0));
+      checkMeasured(measured(transfer, {1, 1, 2}, kProbes,
+                             [&](const transfer::TracedProbe& p) { return p.transfer.sky[b][k].x; }),
+                    below * rho *
+                        (k == 0   ? det::kPi * det::kShConstant
+                         : k == 1 ? det::kTwoPi / 3 * det::kShLinear
+                                  : 0.0));
     for (std::size_t i = 0; i < settings.light_directions.size(); ++i)
-      checkMeasured(
-          measured(transfer, {1, 1, 2}, kProbes, [&](const TracedProbe& p) { return p.transfer.sun[b][i].z; }),
-          rho * settings.light_directions[i].y * below);
+      checkMeasured(measured(transfer, {1, 1, 2}, kProbes,
+                             [&](const transfer::TracedProbe& p) { return p.transfer.sun[b][i].z; }),
+                    rho * settings.light_directions[i].y * below);
   }
-  const TracedProbe probe = transfer.trace({1, 1, 2}, {0, 0}, 0);
+  const transfer::TracedProbe probe = transfer.trace({1, 1, 2}, {0, 0}, 0);
   for (std::size_t b = 0; b < 3; ++b) CHECK(probe.transfer.visibility[b] == 1.0);
   CHECK(probe.transfer.visibility[3] == 0.0);
   // Linear in the normal, so four directions hold it for every normal.
-  std::array<double, kDirections> irradiance{};
-  for (std::size_t b = 0; b < kDirections; ++b) irradiance[b] = tests::uniformSky(probe.transfer, b);
+  std::array<double, transfer::kDirections> irradiance{};
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) irradiance[b] = uniformSky(probe.transfer, b);
   constexpr double kNoise = 2e-2;  // of one probe of 256 paths: measured 6e-3 at most
-  for (const Number3& n : {Number3(0, 1, 0), Number3(1, 0, 0), Number3(0, -1, 0), unit(Number3(-1, -0.5, 2))})
-    CHECK(tests::reconstructed(n, irradiance) ==
-          Approx(det::kPi * ((1.0 + rho) / 2 + (1.0 - rho) / 2 * n.y)).epsilon(kNoise));
+  for (const Number3& n : {Number3(0, 1, 0), Number3(1, 0, 0), Number3(0, -1, 0), geometry::unit(Number3(-1, -0.5, 2))})
+    CHECK(reconstructed(n, irradiance) == Approx(det::kPi * ((1.0 + rho) / 2 + (1.0 - rho) / 2 * n.y)).epsilon(kNoise));
 }
 
 TEST_CASE("Transfer, ThePlaneBeyondTheLevelIsThePlane") {
   // A level of one square metre of the plane: nearly all of its light comes from beyond.
   const double rho = 0.4;
-  const Surfaces ground = tests::groundOf(Number3(rho), 0.5);
-  const Tracer tracer(ground);
-  TransferSettings settings = settingsOf(1);
+  const geometry::Surfaces ground = groundOf(Number3(rho), 0.5);
+  const geometry::Tracer tracer(ground);
+  transfer::TransferSettings settings = settingsOf(1);
   settings.ground_albedo = Number3(rho);
-  settings.light_directions = {tests::towards(0.3, 0.7), tests::towards(0.3, -0.7)};
-  const TransferTracer transfer(tracer, settings);
-  for (std::size_t b = 0; b < kDirections; ++b) {
-    const double below = (1.0 - transferBasis()[b].y) / 2.0;
+  settings.light_directions = {towards(0.3, 0.7), towards(0.3, -0.7)};
+  const transfer::TransferTracer transfer(tracer, settings);
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
+    const double below = (1.0 - transfer::transferBasis()[b].y) / 2.0;
+    checkMeasured(measured(transfer, {0, 1, 0}, kProbes,
+                           [&](const transfer::TracedProbe& p) { return uniformSky(p.transfer, b); }),
+                  det::kPi * (1.0 - below + rho * below));
     checkMeasured(
-        measured(transfer, {0, 1, 0}, kProbes, [&](const TracedProbe& p) { return tests::uniformSky(p.transfer, b); }),
-        det::kPi * (1.0 - below + rho * below));
-    checkMeasured(measured(transfer, {0, 1, 0}, kProbes, [&](const TracedProbe& p) { return p.transfer.sun[b][0].x; }),
-                  rho * std::sin(0.7) * below);
+        measured(transfer, {0, 1, 0}, kProbes, [&](const transfer::TracedProbe& p) { return p.transfer.sun[b][0].x; }),
+        rho * std::sin(0.7) * below);
     CHECK(transfer.trace({0, 1, 0}, {0, 0}, 0).transfer.sun[b][1] == Number3(0.0));
   }
   // Light that was not reflected at all is the sky's alone.
-  TransferSettings none = settings;
+  transfer::TransferSettings none = settings;
   none.bounces = 0;
-  const ProbeTransfer direct = traceTransfer(tracer, {0, 1, 0}, none, {0, 0}, 0);
-  for (std::size_t b = 0; b < kDirections; ++b) {
+  const transfer::ProbeTransfer direct = transfer::traceTransfer(tracer, {0, 1, 0}, none, {0, 0}, 0);
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     CHECK(direct.sky[b][0] == Number3(0.0));
     CHECK(direct.sun[b][0] == Number3(0.0));
     CHECK(direct.visibility[b] == (b == 3 ? 0.0 : 1.0));
@@ -113,40 +110,42 @@ TEST_CASE("Transfer, SkyVisibilityBetweenBlackWalls") {
   const Number3 at(0, 0.001, 0);  // on the ground: what it hides there is below 1e-3
   constexpr double kHeight = 1e-3;
   struct Case {
-    Surfaces surfaces;
+    geometry::Surfaces surfaces;
     std::function<bool(const Number3&)> seen;
   };
   const double wall = 0.9;
   std::vector<Case> levels;
-  levels.push_back({tests::wallTo(wall, black, black), [&](const Number3& w) { return w.y > -w.z * std::tan(wall); }});
-  levels.push_back({tests::canyonOf(8, 6, black, black), [](const Number3& w) { return w.y * 4 > std::abs(w.x) * 6; }});
+  levels.push_back({wallTo(wall, black, black), [&](const Number3& w) { return w.y > -w.z * std::tan(wall); }});
+  levels.push_back({canyonOf(8, 6, black, black), [](const Number3& w) { return w.y * 4 > std::abs(w.x) * 6; }});
   for (const Case& level : levels) {
-    const Tracer tracer(level.surfaces);
-    const TransferTracer transfer(tracer, settingsOf(1));
+    const geometry::Tracer tracer(level.surfaces);
+    const transfer::TransferTracer transfer(tracer, settingsOf(1));
     for (std::size_t b = 0; b < 3; ++b) {
-      const Number3 normal = transferBasis()[b];
-      checkMeasured(measured(transfer, at, kProbes, [&](const TracedProbe& p) { return p.transfer.visibility[b]; }),
-                    skyIrradiance(normal, level.seen) / (det::kPi * (1 + kUpper) / 2), kHeight);
+      const Number3 normal = transfer::transferBasis()[b];
+      checkMeasured(
+          measured(transfer, at, kProbes, [&](const transfer::TracedProbe& p) { return p.transfer.visibility[b]; }),
+          skyIrradiance(normal, level.seen) / (det::kPi * (1 + kUpper) / 2), kHeight);
     }
   }
   // A well so deep that all of its mouth is in front of every direction up: E is n . V, V vertical.
-  const Surfaces well = tests::wellOf(2, 4, 6, black, black);
-  const Tracer tracer(well);
-  const TransferTracer transfer(tracer, settingsOf(1, 1024));
+  const geometry::Surfaces well = wellOf(2, 4, 6, black, black);
+  const geometry::Tracer tracer(well);
+  const transfer::TransferTracer transfer(tracer, settingsOf(1, 1024));
   for (std::size_t b = 0; b < 3; ++b)
-    checkMeasured(measured(transfer, at, kProbes, [&](const TracedProbe& p) { return p.transfer.visibility[b]; }),
-                  tests::skyViewOfWell(2, 4, 6) * kUpper / ((1 + kUpper) / 2), kHeight);
+    checkMeasured(
+        measured(transfer, at, kProbes, [&](const transfer::TracedProbe& p) { return p.transfer.visibility[b]; }),
+        skyViewOfWell(2, 4, 6) * kUpper / ((1 + kUpper) / 2), kHeight);
 }
 
 TEST_CASE("Transfer, FurnaceIsExact") {
   // Every direction sees the same, after any number of bounces, and directions are normalised by what they sum to.
-  Surfaces s;
-  tests::addBoxInside(s, {-3, -2, -1}, {4, 5, 6}, tests::addMaterial(s, Number3(0.6), false, {1, 2, 3}));
-  const Tracer tracer(s);
+  geometry::Surfaces s;
+  addBoxInside(s, {-3, -2, -1}, {4, 5, 6}, addMaterial(s, Number3(0.6), false, {1, 2, 3}));
+  const geometry::Tracer tracer(s);
   for (const int bounces : {0, 1, 5}) {
-    const ProbeTransfer t = traceTransfer(tracer, {0.5, 1, 2}, settingsOf(bounces), {0, 0}, 0);
+    const transfer::ProbeTransfer t = transfer::traceTransfer(tracer, {0.5, 1, 2}, settingsOf(bounces), {0, 0}, 0);
     const double sum = (1.0 - std::pow(0.6, bounces + 1)) / (1.0 - 0.6);
-    for (std::size_t b = 0; b < kDirections; ++b) {
+    for (std::size_t b = 0; b < transfer::kDirections; ++b) {
       CHECK(t.emitted[b].x == Approx(det::kPi * sum).epsilon(1e-12));
       CHECK(t.emitted[b].z == Approx(3 * det::kPi * sum).epsilon(1e-12));
       CHECK(t.visibility[b] == 0.0);
@@ -161,23 +160,24 @@ TEST_CASE("Transfer, SunThroughANarrowSlit") {
   constexpr double kEnd = 200.0;  // metres; floats of corners further away blur the slit's edges
   const double half = 0.01;
   const double height = 1.0;
-  Surfaces s = tests::groundOf(Number3(rho), kEnd);
-  const auto black = tests::addMaterial(s, Number3(0.0), true);
-  for (const double x : {-kEnd, half}) tests::addQuad(s, {x, 3, -kEnd}, {kEnd - half, 0, 0}, {0, 0, 2 * kEnd}, black);
-  const Tracer tracer(s);
-  TransferSettings settings = settingsOf(1, 8192);
-  settings.light_directions = {Number3(0, 1, 0), unit(Number3(0.2, 1, 0)), unit(Number3(0.2, 1, 0.7))};
-  const TransferTracer transfer(tracer, settings);
+  geometry::Surfaces s = groundOf(Number3(rho), kEnd);
+  const auto black = addMaterial(s, Number3(0.0), true);
+  for (const double x : {-kEnd, half}) addQuad(s, {x, 3, -kEnd}, {kEnd - half, 0, 0}, {0, 0, 2 * kEnd}, black);
+  const geometry::Tracer tracer(s);
+  transfer::TransferSettings settings = settingsOf(1, 8192);
+  settings.light_directions = {Number3(0, 1, 0), geometry::unit(Number3(0.2, 1, 0)),
+                               geometry::unit(Number3(0.2, 1, 0.7))};
+  const transfer::TransferTracer transfer(tracer, settings);
   for (std::size_t i = 0; i < settings.light_directions.size(); ++i) {
     const Number3& light = settings.light_directions[i];
     const double middle = -3.0 * light.x / light.y;
     const auto sine = [&](double x) { return x / std::sqrt(x * x + height * height); };
     const double expected = rho * light.y * (sine(middle + half) - sine(middle - half)) / 2.0;
-    const auto m =
-        measured(transfer, {0, height, 0}, kProbes, [&](const TracedProbe& p) { return p.transfer.sun[3][i].y; });
+    const auto m = measured(transfer, {0, height, 0}, kProbes,
+                            [&](const transfer::TracedProbe& p) { return p.transfer.sun[3][i].y; });
     checkMeasured(m, expected, 0.0);
     CHECK(m.standard_error < 0.1 * expected);
   }
 }
 
-}  // namespace welkin::probes
+}  // namespace welkin::tests

@@ -5,26 +5,24 @@
 #include <catch2/catch.hpp>
 
 #include "probes/build/level_bake.h"
-#include "probes/level_light.h"
-#include "probes/random.h"
+#include "probes/geometry/random.h"
+#include "probes/sectors/level_light.h"
 #include "rooms.h"
 #include "skies.h"
 
 namespace welkin::tests {
 namespace {
 
-using namespace probes;
-
 constexpr double kWall_m = 0.1;
 
 struct Hall {
   const char* name;
-  Box inside;
+  geometry::Box inside;
 };
 
 /// Ground with the hall on it.
-Surfaces levelOf(const Hall& hall) {
-  Surfaces s = groundOf(Number3(0.5), 200.0);
+geometry::Surfaces levelOf(const Hall& hall) {
+  geometry::Surfaces s = groundOf(Number3(0.5), 200.0);
   const Number3 wall(kWall_m);
   addBoxOutside(s, hall.inside.low - wall, hall.inside.high + wall, 0);
   addBoxInside(s, hall.inside.low, hall.inside.high, 0);
@@ -38,17 +36,17 @@ struct Leak {
 
 /// Of a uniform sky, what the hall's inner walls get, over what open ground gets.
 Leak leakOf(const Hall& hall, bool as_room) {
-  BakeSection section;
+  build::BakeSection section;
   section.transfer.rays = 64;
   section.transfer.bounces = 0;
-  section.transfer.sun = SunTransfer::none;
+  section.transfer.sun = transfer::SunTransfer::none;
   if (as_room) section.probes.room = {hall.inside};
-  const sky::Sky sky = uniformSky(1.0);
-  const LevelBake level(levelOf(hall), section, sky, std::nullopt);
-  const std::vector<SectorFile> sectors = {level.bake({0, 0}, [](std::uint64_t) { return true; })};
-  const LevelLight light(sectors, sky, 12.0);
+  const model::Sky sky = uniformSky(1.0);
+  const build::LevelBake level(levelOf(hall), section, sky, std::nullopt);
+  const std::vector<sectors::SectorFile> sectors = {level.bake({0, 0}, [](std::uint64_t) { return true; })};
+  const sectors::LevelLight light(sectors, sky, 12.0);
   const Number3 size = hall.inside.high - hall.inside.low;
-  Random random(3);
+  geometry::Random random(3);
   Leak leak;
   constexpr int kPoints = 4000;
   for (int i = 0; i < kPoints; ++i) {
@@ -89,17 +87,17 @@ TEST_CASE("WallLeak, ARoomEndsWhatFilteringLetsThroughThinWalls") {
 TEST_CASE("WallLeak, ProbesOfSealedHallsAreUnlit") {
   for (const Hall& hall : kHalls) {
     for (const bool has_lamp : {false, true}) {
-      Surfaces s = levelOf(hall);
+      geometry::Surfaces s = levelOf(hall);
       if (has_lamp) {
         const auto glow = addMaterial(s, Number3(0.0), false, Number3(1.0));
         const Number3 size = hall.inside.high - hall.inside.low;
         addQuad(s, hall.inside.low + Number3(0.0, 0.95 * size.y, 0.0), {size.x, 0, 0}, {0, 0, size.z}, glow);
       }
-      const LevelBake level(s, BakeSection{}, uniformSky(1.0), std::nullopt);
-      const SectorFile file = level.bake({0, 0}, [](std::uint64_t) { return true; });
-      const auto places = decodedProbes(file.probes, file.id).position;
-      const auto inside = static_cast<std::size_t>(
-          std::count_if(places.begin(), places.end(), [&](const Number3& p) { return contains(hall.inside, p); }));
+      const build::LevelBake level(s, build::BakeSection{}, uniformSky(1.0), std::nullopt);
+      const sectors::SectorFile file = level.bake({0, 0}, [](std::uint64_t) { return true; });
+      const auto places = transfer::decodedProbes(file.probes, file.id).position;
+      const auto inside = static_cast<std::size_t>(std::count_if(
+          places.begin(), places.end(), [&](const Number3& p) { return geometry::contains(hall.inside, p); }));
       INFO(hall.name);
       CHECK(inside > 0);
       CHECK(file.unlit == (has_lamp ? 0 : inside));

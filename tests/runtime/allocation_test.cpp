@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cstddef>
 
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 
 extern "C" void* __libc_malloc(std::size_t);
 extern "C" void* __libc_calloc(std::size_t, std::size_t);
@@ -38,10 +38,10 @@ struct Opened {
   std::vector<std::byte> bytes;
   WelkinSky* sky = nullptr;
 
-  Opened(sky::SkyFile file, int bands, const std::vector<double>& key_time_h) {
+  Opened(bake::SkyFile file, int bands, const std::vector<double>& key_time_h) {
     file.settings = "{}";
     file.bake.key_time_h = key_time_h;
-    bytes = sky::encodeSky(file, sky::bakeDayTable(file.sky, bands, key_time_h, [] { return true; }), {});
+    bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, bands, key_time_h, [] { return true; }), {});
   }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
@@ -52,7 +52,7 @@ struct Opened {
 }  // namespace
 
 TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
-  sky::SkyFile file;
+  bake::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;
   file.sky.moon = file.sky.sun;
   Opened opened(file, 5, {0.0, 6.0, 12.0, 18.0});
@@ -89,7 +89,7 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
 }
 
 TEST_CASE("Runtime, SaysUnchanged") {
-  sky::SkyFile file;
+  bake::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;
   Opened opened(file, 2, {0.0});
   opened.open();
@@ -106,11 +106,11 @@ TEST_CASE("Runtime, SaysUnchanged") {
 }
 
 TEST_CASE("Runtime, LightsRiseWithoutAJump") {
-  sky::SkyFile file;
+  bake::SkyFile file;
   file.sky.sun.path.key_time_h = {0.0, 12.0};
   file.sky.sun.path.key_azimuth_rad = {0.0, 0.0};
   file.sky.sun.path.key_elevation_rad = {-0.1, 0.1};
-  file.sky.sun.illuminance = sky::Curve::constant(1.0);
+  file.sky.sun.illuminance = base::Curve::constant(1.0);
   file.sky.sun.disc_radius_rad = 0.01;
   Opened opened(file, 2, {0.0});
   opened.open();

@@ -16,7 +16,7 @@
 #include "format/container.h"
 
 using namespace welkin;
-using namespace welkin::test;
+using namespace welkin::tests;
 
 namespace {
 

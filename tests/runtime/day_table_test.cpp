@@ -14,7 +14,7 @@
 #include "sh/rotation.h"
 #include "shared.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 /// A sample's floats.
@@ -190,4 +190,4 @@ TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
   CHECK((none.cosine == 1.0 && none.sine == 0.0));
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "forge.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 using flatbuffers::FlatBufferBuilder;
@@ -83,4 +83,4 @@ std::vector<std::uint8_t> payloadOf(const Parts& p) {
   return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

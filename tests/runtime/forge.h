@@ -8,7 +8,7 @@
 
 #include "format/container.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 struct CurveParts {
   std::uint8_t components = 1;
@@ -78,4 +78,4 @@ DayParts withModes(std::uint8_t count);
 /// The FlatBuffer, without the container's header.
 std::vector<std::uint8_t> payloadOf(const Parts& parts);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -12,7 +12,7 @@
 #include "format/container.h"
 #include "shared.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 using f64::Number3;
@@ -303,4 +303,4 @@ TEST_CASE("Modes, FilterOfEightBits") {
   CHECK(1.2 * worst > 1.0);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -6,7 +6,7 @@
 #include <welkin/welkin.hpp>
 
 #include "format/container.h"
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 #include "tests/folder.h"
 
 namespace welkin {
@@ -15,7 +15,7 @@ namespace {
 /// A small but complete file: moon, cubemaps, gradients.
 const std::vector<std::byte>& smallFile() {
   static const std::vector<std::byte> kBytes = [] {
-    sky::SkyFile file;
+    bake::SkyFile file;
     file.sky.sun.path.key_time_h = {0.0};
     file.sky.sun.path.key_azimuth_rad = {0.0};
     file.sky.sun.path.key_elevation_rad = {0.5};
@@ -24,10 +24,10 @@ const std::vector<std::byte>& smallFile() {
     file.bake.key_time_h = {0.0, 12.0};
     file.bake.cubemap_size = 2;
     file.bake.cubemap_time_h = {6.0, 18.0};
-    const sky::SkyInstant instant(file.sky, 0.0);
-    const auto image = sky::renderCubemap(instant, sky::Number3(0.1), 2, format::CubemapFormat::rgba16f);
-    return sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }),
-                          {image, image});
+    const model::SkyInstant instant(file.sky, 0.0);
+    const auto image = cubemap::renderCubemap(instant, det::Number3(0.1), 2, format::CubemapFormat::rgba16f);
+    return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }),
+                           {image, image});
   }();
   return kBytes;
 }
@@ -96,7 +96,7 @@ TEST_CASE("Open, FilesAndTheirErrors") {
   CHECK(sky.open("/nonexistent/sky.welkin").code == WELKIN_ERROR_FILE);
   CHECK(sky.open("/").code == WELKIN_ERROR_FILE);
   CHECK(sky.open("/dev/null").code == WELKIN_ERROR_FILE);
-  const test::Folder folder;
+  const tests::Folder folder;
   const std::string path = folder / "sky.welkin";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(smallFile().data()), std::streamsize(smallFile().size()));

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// `count` numbers in [-1, 1).
 inline std::vector<double> randomNumbers(std::size_t count, std::uint32_t seed) {
@@ -27,4 +27,4 @@ inline std::uint64_t checksum(std::span<const double> number) {
   return hash;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -136,8 +136,8 @@ TEST_CASE("Minimax, NoSetOfPointsProvesMore") {
   // By duality the least error is the largest level of any three points, for two columns: brute force.
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     const std::size_t points = 14;
-    auto basis = test::randomNumbers(2 * points, seed);
-    const auto target = test::randomNumbers(points, 1000 + seed);
+    auto basis = tests::randomNumbers(2 * points, seed);
+    const auto target = tests::randomNumbers(points, 1000 + seed);
     if (seed % 4 == 0)  // pairs of points that the basis cannot tell apart
       for (std::size_t i = 0; i < points; i += 2) std::copy_n(&basis[2 * i], 2, &basis[2 * i + 2]);
     double level = 0.0;
@@ -181,8 +181,8 @@ TEST_CASE("Minimax, DependentColumns") {
   CHECK(largestSize(errors(basis, fit, target)) == Approx(fit.error).margin(kRounding));
   CHECK(std::count(fit.coefficient.begin(), fit.coefficient.end(), 0.0) == 3);
 
-  const MinimaxFit none = Minimax(std::vector<double>(20, 0.0), 2).fit(test::randomNumbers(10, 4));
-  CHECK(none.error == largestSize(test::randomNumbers(10, 4)));
+  const MinimaxFit none = Minimax(std::vector<double>(20, 0.0), 2).fit(tests::randomNumbers(10, 4));
+  CHECK(none.error == largestSize(tests::randomNumbers(10, 4)));
   CHECK(none.lower_bound == none.error);
 }
 
@@ -252,8 +252,8 @@ TEST_CASE("Minimax, PointsThatFallTogether") {
   for (std::uint32_t seed = 0; seed < 400; ++seed) {
     const std::size_t columns = 1 + seed % 16;
     const std::size_t points = columns + 1 + 7 * (seed % 17);
-    auto basis = test::randomNumbers(columns * points, 2 * seed);
-    auto target = test::randomNumbers(points, 2 * seed + 1);
+    auto basis = tests::randomNumbers(columns * points, 2 * seed);
+    auto target = tests::randomNumbers(points, 2 * seed + 1);
     if (seed % 2 == 0) {
       for (double& entry : basis) entry = std::round(2.0 * entry);
       for (double& entry : target) entry = std::round(2.0 * entry);
@@ -286,13 +286,13 @@ TEST_CASE("Minimax, AnySizeOfNumbers") {
 
 TEST_CASE("Minimax, SameBits") {
   const std::size_t points = 500;
-  const auto basis = test::randomNumbers(points * 9, 1);
-  const auto weight = test::randomNumbers(points, 2);
+  const auto basis = tests::randomNumbers(points * 9, 1);
+  const auto weight = tests::randomNumbers(points, 2);
   std::vector<double> positive;
   for (const double w : weight) positive.push_back(1.5 + w);
-  const MinimaxFit fit = Minimax(basis, 9, positive).fit(test::randomNumbers(points, 3));
+  const MinimaxFit fit = Minimax(basis, 9, positive).fit(tests::randomNumbers(points, 3));
   CHECK(fit.steps == 12);  // 18 when points come in with the wrong sign, which mends itself
-  CHECK(test::checksum(fit.coefficient) == 0xa61b30b2f68e5706u);
+  CHECK(tests::checksum(fit.coefficient) == 0xa61b30b2f68e5706u);
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ TEST_CASE("LeadingModes, SpanWhatHasTheirRank") {
   for (const std::size_t rank : {1u, 3u, 8u}) {
     const std::size_t n = 60;
     const std::size_t count = 37;
-    const auto direction = test::randomNumbers(rank * n, 1);
-    const auto amount = test::randomNumbers(rank * count, 2);
+    const auto direction = tests::randomNumbers(rank * n, 1);
+    const auto amount = tests::randomNumbers(rank * count, 2);
     std::vector<double> value(count * n, 0.0);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < rank; ++k)
@@ -119,7 +119,7 @@ TEST_CASE("LeadingModes, FewBlackAndDarkSnapshots") {
   CHECK(refineModes({black, 10}, {}, 4, MaximumNorm{}, 5).error == 0.0);
   CHECK(leadingModes({{}, 10}, {}, 4).count() == 0);
   CHECK(refineModes({{}, 10}, {}, 4, MaximumNorm{}, 5).modes.count() == 0);
-  auto dark = test::randomNumbers(30, 3);  // the second is as dark as a moonless night beside the first
+  auto dark = tests::randomNumbers(30, 3);  // the second is as dark as a moonless night beside the first
   for (std::size_t i = 10; i < 20; ++i) dark[i] *= 1e-90;
   const Modes modes = leadingModes({dark, 10}, {}, 3);
   CHECK(modes.count() == 3);
@@ -171,7 +171,7 @@ TEST_CASE("RefineModes, KeepTheStartWhenNothingIsBetter") {
 TEST_CASE("RefineModes, SameBits") {
   const auto value = withOutlier();
   const RefinedModes refined = refineModes({value, 40}, {}, 6, MaximumNorm{}, 20);
-  CHECK(test::checksum(refined.modes.vector) == 0x44f297c6133650b4u);
+  CHECK(tests::checksum(refined.modes.vector) == 0x44f297c6133650b4u);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ void checkEigensystem(const std::vector<double>& matrix, std::size_t n, std::siz
 }
 
 std::vector<double> randomSymmetric(std::size_t n, std::uint32_t seed) {
-  std::vector<double> matrix = test::randomNumbers(n * n, seed);
+  std::vector<double> matrix = tests::randomNumbers(n * n, seed);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j) matrix[i * n + j] = matrix[j * n + i];
   return matrix;

@@ -99,7 +99,7 @@ TEST_CASE("MildestWindow, IsTheMildest") {
   for (int bands = 2; bands <= 5; ++bands) {
     auto radiance = light(bands, det::directionOf(0.7, 0.15), 1.0);
     const auto second = light(bands, det::directionOf(3.3, 1.1), 0.4);
-    const auto noise = test::randomNumbers(radiance.size(), std::uint32_t(bands));
+    const auto noise = tests::randomNumbers(radiance.size(), std::uint32_t(bands));
     for (std::size_t i = 0; i < radiance.size(); ++i) radiance[i] += second[i] + (i > 0 ? 0.02 * noise[i] : 0.0);
     const Window window = mildestWindow(radiance, bands, at);
     CAPTURE(bands, window.strength);
@@ -148,12 +148,12 @@ TEST_CASE("MildestWindow, ASkyWithoutAMeanLosesTheRest") {
 
 TEST_CASE("MildestWindow, SameBits") {
   std::vector<det::Number3> at;
-  const auto number = test::randomNumbers(1500, 9);
+  const auto number = tests::randomNumbers(1500, 9);
   for (std::size_t i = 0; i < 1500; i += 3) at.push_back(det::Number3(number[i], number[i + 1], number[i + 2]));
   for (det::Number3& normal : at) normal = normal * (1.0 / std::sqrt(dot(normal, normal)));
-  auto radiance = test::randomNumbers(5 * 25, 10);
+  auto radiance = tests::randomNumbers(5 * 25, 10);
   for (std::size_t i = 0; i < 5 * 25; i += 25) radiance[i] = 1.5 + radiance[i];
-  CHECK(test::checksum(mildestWindow(radiance, 5, at).factor) == 0xeaeb4a866a4515e5u);
+  CHECK(tests::checksum(mildestWindow(radiance, 5, at).factor) == 0xeaeb4a866a4515e5u);
 }
 
 }  // namespace

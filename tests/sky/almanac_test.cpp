@@ -27,10 +27,12 @@
 #include <vector>
 
 #include "nova.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr double kSunSpeed_deg_day = 0.403;
@@ -80,7 +82,7 @@ double angle_deg(const Number3& a, const Number3& b) {
 }
 
 double julianDayOf(const Place& p, double time_h) {
-  return test::julianDayOf(p.year, p.day_of_year, time_h - p.utc_offset_h);
+  return welkin::tests::julianDayOf(p.year, p.day_of_year, time_h - p.utc_offset_h);
 }
 
 /// The worst of errors against their bounds, and where.
@@ -104,27 +106,28 @@ TEST_CASE("Almanac, ReferenceAgreesWithMeeus") {
   // Examples 25.b and 47.a, 0 h of dynamical time; longitudes without nutation (0.004419 degrees in the first).
   constexpr double kBetweenTheories_deg = 5e-4;
   const auto universal = [](int day) {
-    const double jd = test::julianDayOf(1992, day, 0.0);
-    return jd - test::deltaT_s(jd) / 86400.0;
+    const double jd = julianDayOf(1992, day, 0.0);
+    return jd - deltaT_s(jd) / 86400.0;
   };
   const double october = universal(287);
-  const test::Equatorial sun = test::novaSun(october);
-  CHECK(test::eclipticLongitudeOf_deg(sun, october) == Approx(199.906061 - 0.004419).margin(kBetweenTheories_deg));
+  const Equatorial sun = novaSun(october);
+  CHECK(eclipticLongitudeOf_deg(sun, october) == Approx(199.906061 - 0.004419).margin(kBetweenTheories_deg));
   CHECK(sun.declination_deg == Approx(-7.7822).margin(kBetweenTheories_deg));
   const double april = universal(103);
-  const test::Equatorial moon = test::novaMoon(april);
-  CHECK(test::eclipticLongitudeOf_deg(moon, april) == Approx(133.162655).margin(kBetweenTheories_deg));
+  const Equatorial moon = novaMoon(april);
+  CHECK(eclipticLongitudeOf_deg(moon, april) == Approx(133.162655).margin(kBetweenTheories_deg));
 }
 
 TEST_CASE("Almanac, SunIsWhereLibnovaHasIt") {
   Worst noon, day;
   for (const Place& p : places()) {
-    const LightPath path = sunPathFromPlace(p.latitude_deg, p.longitude_deg, p.utc_offset_h, p.year, p.day_of_year);
+    const model::LightPath path =
+        model::sunPathFromPlace(p.latitude_deg, p.longitude_deg, p.utc_offset_h, p.year, p.day_of_year);
     for (const double time_h : {0.0, 1.7, 3.0, 6.0, 9.1, 11.0, 12.0, 13.5, 15.0, 18.0, 20.9, 23.99}) {
       const double jd = julianDayOf(p, time_h);
-      const Number3 expected = test::novaDirectionOf(test::novaSun(jd), jd, p.latitude_deg, p.longitude_deg);
+      const Number3 expected = novaDirectionOf(novaSun(jd), jd, p.latitude_deg, p.longitude_deg);
       const double error = angle_deg(path.directionAt(time_h), expected);
-      const double small = kSeries_deg + kSunSpeed_deg_day * std::abs(test::deltaT_s(jd)) / 86400.0;
+      const double small = kSeries_deg + kSunSpeed_deg_day * std::abs(deltaT_s(jd)) / 86400.0;
       const double bound = small + kSunSpeed_deg_day * std::abs(time_h - 12.0) / 24.0;
       (time_h == 12.0 ? noon : day).add(error, bound, written(p, time_h));
     }
@@ -140,13 +143,14 @@ TEST_CASE("Almanac, SunIsWhereLibnovaHasIt") {
 TEST_CASE("Almanac, SunsDeclinationAndHourAngleAtTheFrozenMoment") {
   Worst declination, hour_angle;
   for (const Place& p : places()) {
-    const LightPath path = sunPathFromPlace(p.latitude_deg, p.longitude_deg, p.utc_offset_h, p.year, p.day_of_year);
+    const model::LightPath path =
+        model::sunPathFromPlace(p.latitude_deg, p.longitude_deg, p.utc_offset_h, p.year, p.day_of_year);
     const double jd = julianDayOf(p, 12.0);
-    const test::Equatorial sun = test::novaSun(jd);
-    const double delay = kSunSpeed_deg_day * std::abs(test::deltaT_s(jd)) / 86400.0;
+    const Equatorial sun = novaSun(jd);
+    const double delay = kSunSpeed_deg_day * std::abs(deltaT_s(jd)) / 86400.0;
     declination.add(std::abs(path.declination_rad * 180.0 / M_PI - sun.declination_deg), kDeclination_deg + delay,
                     written(p, 12.0));
-    const double ahead_deg = 15.0 * (12.0 - path.transit_h) - test::hourAngleOf_deg(sun, jd, p.longitude_deg);
+    const double ahead_deg = 15.0 * (12.0 - path.transit_h) - hourAngleOf_deg(sun, jd, p.longitude_deg);
     hour_angle.add(std::abs(std::remainder(ahead_deg, 360.0)) * std::cos(path.declination_rad), kHourAngle_deg + delay,
                    written(p, 12.0));
   }
@@ -157,33 +161,33 @@ TEST_CASE("Almanac, SunsDeclinationAndHourAngleAtTheFrozenMoment") {
 }
 
 TEST_CASE("Almanac, MoonStaysNearLibnovasAroundItsTransit") {
-  const test::Folder folder;
+  const Folder folder;
   Worst transit, hours;
   for (const Place& p : places()) {
     // The transit nearest to 12 h: the hour angle grows by 15 degrees an hour less the moon's own.
     double transit_h = 12.0;
     for (int i = 0; i < 6; ++i) {
       const double jd = julianDayOf(p, transit_h);
-      transit_h -= test::hourAngleOf_deg(test::novaMoon(jd), jd, p.longitude_deg) / 14.49;
+      transit_h -= hourAngleOf_deg(novaMoon(jd), jd, p.longitude_deg) / 14.49;
     }
     const double jd = julianDayOf(p, transit_h);
-    const test::Equatorial moon = test::novaMoon(jd);
+    const Equatorial moon = novaMoon(jd);
     // The phase is the elongation in right ascension: what the moon crosses the meridian behind the sun.
-    const double elongation_deg = moon.right_ascension_deg - test::novaSun(jd).right_ascension_deg;
+    const double elongation_deg = moon.right_ascension_deg - novaSun(jd).right_ascension_deg;
     const double phase = elongation_deg / 360.0 - std::floor(elongation_deg / 360.0);
     char text[512];
     std::snprintf(text, sizeof text,
                   "[sky]\nluminance = \"cie-5\"\n[sun]\nlatitude_deg = %.17g\nlongitude_deg = %.17g\n"
                   "utc_offset_h = %.17g\nyear = %d\nday_of_year = %d\n[moon]\ndeclination_deg = %.17g\nphase = %.17g\n",
                   p.latitude_deg, p.longitude_deg, p.utc_offset_h, p.year, p.day_of_year, moon.declination_deg, phase);
-    const SkyFile file = readSkyFile(folder.write("sky.toml", text));
-    const LightPath& path = file.sky.moon->path;
-    const double at_transit = kSeries_deg + kSunSpeed_deg_day * std::abs(test::deltaT_s(jd)) / 86400.0 +
+    const bake::SkyFile file = bake::readSkyFile(folder.write("sky.toml", text));
+    const model::LightPath& path = file.sky.moon->path;
+    const double at_transit = kSeries_deg + kSunSpeed_deg_day * std::abs(deltaT_s(jd)) / 86400.0 +
                               kEquationOfTimeSpeed_deg_day * std::abs(transit_h - 12.0) / 24.0;
     for (const double since_h : {-6.0, -4.5, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 6.0}) {
       const double time_h = transit_h + since_h;
       const double then = julianDayOf(p, time_h);
-      const Number3 expected = test::novaDirectionOf(test::novaMoon(then), then, p.latitude_deg, p.longitude_deg);
+      const Number3 expected = novaDirectionOf(novaMoon(then), then, p.latitude_deg, p.longitude_deg);
       const double error = angle_deg(path.directionAt(time_h), expected);
       const double bound = at_transit + kMoonSpeed_deg_day * std::abs(since_h) / 24.0;
       (since_h == 0.0 ? transit : hours).add(error, bound, written(p, time_h));
@@ -196,4 +200,4 @@ TEST_CASE("Almanac, MoonStaysNearLibnovasAroundItsTransit") {
   CHECK(hours.share > 0.8);
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

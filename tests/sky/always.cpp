@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 /// Collects the first complaint.
@@ -53,7 +53,7 @@ void checkLight(Check& check, const WelkinLight& light) {
 
 }  // namespace
 
-Fault faultOfModel(const sky::SkyInstant& instant, const Number3& direction) {
+Fault faultOfModel(const model::SkyInstant& instant, const Number3& direction) {
   Check check;
   check.positive("the normalising luminance", instant.luminanceNorm());
   check.positive("the model's intensity", instant.intensity());
@@ -104,7 +104,7 @@ Fault faultOfDirection(const welkin::Sky& sky, const WelkinSkySample& sample, co
   return check.fault();
 }
 
-Shown domeOf(const sky::SkyInstant& instant, const Number3& direction) {
+Shown domeOf(const model::SkyInstant& instant, const Number3& direction) {
   const Number3 tint = instant.sky().polarising_tint.colourAt(instant.time_h());
   return {instant.dome(direction, Number3(0.0)),
           largestOf(instant.shape(direction)) * instant.intensity() * largestOf(tint)};
@@ -168,4 +168,4 @@ Step largestStep(const std::function<std::vector<Shown>(double)>& function, doub
   return {change(at_low, at_high), low, high};
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "baked.h"
-#include "sky/sky.h"
+#include "sky/model/sky.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
-using sky::Number3;
+using det::Number3;
 
 /// What is wrong, in words; empty: nothing.
 using Fault = std::string;
 
 /// Of the model at an instant, in a unit direction: the shape, the dome over a ground of radiance 1, and the ground.
-Fault faultOfModel(const sky::SkyInstant& instant, const Number3& direction);
+Fault faultOfModel(const model::SkyInstant& instant, const Number3& direction);
 
 /// Of all numbers of a sample.
 Fault faultOfSample(const WelkinSkySample& sample);
@@ -35,7 +35,7 @@ struct Shown {
 
 /// The model's dome. A channel's rounding is that of the brightest before the tint, whatever the tint makes of them:
 /// the size is the brightest channel under the largest tint.
-Shown domeOf(const sky::SkyInstant& instant, const Number3& direction);
+Shown domeOf(const model::SkyInstant& instant, const Number3& direction);
 
 /// The runtime's dome, and irradiance by its SH, whose sum cancels: its size is the mean irradiance.
 std::vector<Shown> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
@@ -56,4 +56,4 @@ struct Step {
 /// is none. Relative to the largest size that was met of each, absolute when that is below 1e-30.
 Step largestStep(const std::function<std::vector<Shown>(double)>& function, double low, double high, double resolution);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -7,29 +7,29 @@
 #include <vector>
 #include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
-#include "sky/toml_table.h"
+#include "sky/bake/encode.h"
+#include "sky/base/toml_table.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// Throws std::runtime_error with the runtime's message when it does not open what was baked.
 struct Baked {
   std::vector<std::byte> bytes;
-  sky::DayTable table;
+  table::DayTable table;
   welkin::Sky sky;
 
-  Baked(const sky::Sky& model, int bands, const std::vector<double>& key_time_h) {
-    sky::SkyFile file;
+  Baked(const model::Sky& model, int bands, const std::vector<double>& key_time_h) {
+    bake::SkyFile file;
     file.sky = model;
     file.settings = "{}";
     file.bake.key_time_h = key_time_h;
-    table = sky::bakeDayTable(model, bands, key_time_h, [] { return true; });
-    bytes = sky::encodeSky(file, table, {});
+    table = table::bakeDayTable(model, bands, key_time_h, [] { return true; });
+    bytes = bake::encodeSky(file, table, {});
     const Status status = sky.open(bytes.data(), bytes.size());
     if (!status) throw std::runtime_error(std::string("the runtime refuses what was baked: ") + status.message);
   }
   /// Keys spread evenly.
-  Baked(const sky::Sky& model, int bands, int keys) : Baked(model, bands, sky::evenHours(keys)) {}
+  Baked(const model::Sky& model, int bands, int keys) : Baked(model, bands, base::evenHours(keys)) {}
 };
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

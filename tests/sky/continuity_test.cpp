@@ -5,23 +5,18 @@
 
 #include "extreme_skies.h"
 
-namespace welkin::sky {
-namespace {
+namespace welkin::tests {
 
-using test::Baked;
-using test::coloured;
-using test::holds;
-using test::kDegree;
-using test::largestStep;
-using test::still;
+using det::Number3;
+namespace {
 
 constexpr double kSecond_h = 1.0 / 3600.0;
 
 /// The sun through the zenith at noon, the horizon at 6 h and 18 h, the nadir at midnight.
-Sky equator(const LuminanceModel& model, bool to_sun) {
-  Sky sky = coloured(model, to_sun);
-  sky.sun.path = LightPath{};
-  sky.moon->path = LightPath{};
+model::Sky equator(const model::LuminanceModel& model, bool to_sun) {
+  model::Sky sky = coloured(model, to_sun);
+  sky.sun.path = model::LightPath{};
+  sky.moon->path = model::LightPath{};
   sky.moon->path.transit_h = 3.0;
   sky.intensity = {1, {0.0, 6.0, 18.5}, {0.01, 1.0, 2.0}};
   return sky;
@@ -32,15 +27,15 @@ Number3 load(const float (&v)[3], double factor = 1.0) {
 }
 
 /// What the model and the runtime show at a time, in three directions.
-std::vector<test::Shown> shownAt(const Sky& model, const Baked& baked, double time_h) {
-  const SkyInstant instant(model, time_h);
+std::vector<Shown> shownAt(const model::Sky& model, const Baked& baked, double time_h) {
+  const model::SkyInstant instant(model, time_h);
   WelkinSkySample sample{};
   REQUIRE(baked.sky.sample(time_h, sample));
-  std::vector<test::Shown> values = {{load(sample.ground_radiance)}};
+  std::vector<Shown> values = {{load(sample.ground_radiance)}};
   for (const Number3& d : {Number3(0, 1, 0), Number3(0.6, 0.0, -0.8), Number3(-0.48, 0.6, 0.64)}) {
-    values.push_back(test::domeOf(instant, d));
-    const auto seen = test::seen(baked.sky, sample, d);
-    values.insert(values.end(), seen.begin(), seen.end());
+    values.push_back(domeOf(instant, d));
+    const auto irradiance = seen(baked.sky, sample, d);
+    values.insert(values.end(), irradiance.begin(), irradiance.end());
   }
   for (const WelkinLight* light : {&sample.sun, &sample.moon})
     values.push_back({load(light->normal_irradiance, double{light->visible})});
@@ -55,9 +50,9 @@ TEST_CASE("Continuity, NothingStepsInTime") {
   // of f at its least, so 1e3 in all; and floats.
   constexpr double kResolution_h = 1e-3 * kSecond_h;
   constexpr double kStep = 1e-4;
-  for (const auto& [name, luminance] : namedLuminances())
+  for (const auto& [name, luminance] : model::namedLuminances())
     for (const bool to_sun : {true, false}) {
-      const Sky model = equator(luminance, to_sun);
+      const model::Sky model = equator(luminance, to_sun);
       const Baked baked(model, 3, std::vector<double>{0.0, 5.0, 5.0 + kSecond_h, 12.0, 23.999});
       const auto shown = [&](double time_h) { return shownAt(model, baked, time_h); };
       for (const double time_h : {0.0, 5.0, 6.0, 12.0, 18.0, 18.5, 23.999, 24.0})
@@ -73,7 +68,7 @@ TEST_CASE("Continuity, NothingStepsWhereTheSunCrossesTheZenithBetweenKeys") {
   // sun moves 2.6e-10 rad: that of what fades over 1e-5 rad, on both sides, and floats.
   constexpr double kNanohour = 1e-9;
   constexpr double kStep = 2.0 * 2.6e-5 + 2e-7;
-  const Sky model = equator(*findLuminance("far-cry-3"), true);
+  const model::Sky model = equator(*model::findLuminance("far-cry-3"), true);
   const Baked baked(model, 3, std::vector<double>{1.0, 9.0, 16.0});
   const auto at = [&](double time_h) {
     WelkinSkySample sample{};
@@ -95,7 +90,7 @@ TEST_CASE("Continuity, NothingStepsWhereTheSunCrossesTheZenithBetweenKeys") {
 
 TEST_CASE("Continuity, AStepIsSeen") {
   // The checks above see what they look for: an intensity that falls within one unit of the last place of a time.
-  Sky model = equator(*findLuminance("cie-12"), true);
+  model::Sky model = equator(*model::findLuminance("cie-12"), true);
   model.intensity = {1, {12.0, std::nextafter(12.0, 24.0)}, {1.0, 1.1}};
   const Baked baked(model, 2, std::vector<double>{0.0});
   const auto shown = [&](double time_h) { return shownAt(model, baked, time_h); };
@@ -105,18 +100,18 @@ TEST_CASE("Continuity, AStepIsSeen") {
 TEST_CASE("Continuity, NothingStepsInDirection") {
   constexpr double kResolution_rad = 1e-6;  // a float direction near the sun steps by 6e-8
   constexpr double kStep = 1e-3;
-  for (const auto& [name, luminance] : namedLuminances())
+  for (const auto& [name, luminance] : model::namedLuminances())
     for (const double elevation : {0.0, 40.0 * kDegree, 89.9999 * kDegree, 90.0 * kDegree, -20.0 * kDegree}) {
-      Sky model = coloured(luminance, true);
-      model.gradient_anti = Gradient{1, 2, {0.4F, 0.4F, 0.7F, 0.2F, 0.05F, 0.1F}};
+      model::Sky model = coloured(luminance, true);
+      model.gradient_anti = model::Gradient{1, 2, {0.4F, 0.4F, 0.7F, 0.2F, 0.05F, 0.1F}};
       model.sun.path = still(0.4, elevation);
       const Baked baked(model, 3, std::vector<double>{0.0});
-      const SkyInstant instant(model, 12.0);
+      const model::SkyInstant instant(model, 12.0);
       WelkinSkySample sample{};
       REQUIRE(baked.sky.sample(12.0, sample));
       const auto shown = [&](const Number3& d) {
-        auto values = test::seen(baked.sky, sample, d);
-        values.push_back(test::domeOf(instant, d));
+        auto values = seen(baked.sky, sample, d);
+        values.push_back(domeOf(instant, d));
         return values;
       };
       for (const double azimuth : {0.4, 0.4 + 1e-9, 1.3, 2.9}) {
@@ -137,20 +132,18 @@ TEST_CASE("Continuity, ColoursFadeToNeutralWithoutAStep") {
   // Beside a black texel the hue changes as 1 / luminance, down to kGradientDelta: up to 1 / 1e-4 of a texel's
   // difference, over half of 45 degrees.
   constexpr double kResolution_rad = 1e-10;
-  Sky model = coloured(*findLuminance("cie-5"), true);
+  model::Sky model = coloured(*model::findLuminance("cie-5"), true);
   model.sun.path = still(0.4, 0.0);
-  const SkyInstant instant(model, 12.0);
+  const model::SkyInstant instant(model, 12.0);
   for (const double azimuth : {0.4, 2.0, 3.5415926535897931})
     CHECK(largestStep(
-              [&](double e) {
-                return std::vector<test::Shown>{{instant.dome(det::directionOf(azimuth, e), Number3(0.0))}};
-              },
+              [&](double e) { return std::vector<Shown>{{instant.dome(det::directionOf(azimuth, e), Number3(0.0))}}; },
               1e-9, det::kHalfPi, kResolution_rad)
               .height < 1e5 * kResolution_rad);
 }
 
 TEST_CASE("Days, OneKeyTenThousandKeysAndTwoASecondApart") {
-  const Sky model = equator(*findLuminance("cie-12"), true);
+  const model::Sky model = equator(*model::findLuminance("cie-12"), true);
   const double last = std::nextafter(24.0, 0.0);
   const std::vector<std::vector<double>> days = {{0.0},
                                                  {last},
@@ -169,7 +162,7 @@ TEST_CASE("Days, OneKeyTenThousandKeysAndTwoASecondApart") {
     for (const double time_h : {-0.0, 24.0, -24.0, 1e300, -1e300, 1e-320}) {
       WelkinSkySample sample{};
       REQUIRE(baked.sky.sample(time_h, sample));
-      CHECK(test::faultOfSample(sample).empty());
+      CHECK(faultOfSample(sample).empty());
     }
   }
 }
@@ -177,11 +170,11 @@ TEST_CASE("Days, OneKeyTenThousandKeysAndTwoASecondApart") {
 TEST_CASE("Days, TenThousandKeysFollowTheModel") {
   // The sun moves 6.3e-4 rad between keys; linear interpolation leaves an eighth of the second derivative's share.
   constexpr double kLinear = 1e-5;
-  Sky model = equator(*findLuminance("cie-3"), true);
-  model.gradient_sun = Gradient();
-  model.gradient_anti = Gradient();
+  model::Sky model = equator(*model::findLuminance("cie-3"), true);
+  model.gradient_sun = model::Gradient();
+  model.gradient_anti = model::Gradient();
   model.ground_albedo = Number3(0.0);
-  model.intensity = Curve::constant(1.0);
+  model.intensity = base::Curve::constant(1.0);
   const Baked baked(model, 2, 10000);
   REQUIRE(baked.sky.info().key_count == 10000);
   for (int i = 0; i < 10000; i += 773) {
@@ -189,11 +182,11 @@ TEST_CASE("Days, TenThousandKeysFollowTheModel") {
     holds(model, baked, time_h);
     WelkinSkySample sample{};
     REQUIRE(baked.sky.sample(time_h, sample));
-    const SkyMoments exact = SkyProjector(model.luminance, 2).project(SkyInstant(model, time_h));
+    const model::SkyMoments exact = model::SkyProjector(model.luminance, 2).project(model::SkyInstant(model, time_h));
     for (std::size_t k = 0; k < 4; ++k)
       CHECK(double{sample.radiance_sh[k][0]} ==
-            Approx(exact.radiance_sh[k].x).margin((kLinear + kTolerance) * exact.radiance_sh[0].x));
+            Approx(exact.radiance_sh[k].x).margin((kLinear + model::kTolerance) * exact.radiance_sh[0].x));
   }
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

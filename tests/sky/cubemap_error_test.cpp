@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of cubemaps: closed forms, the fast measure against the full one, and that against a plain grid of
 // directions and times through the runtime.
-#include "sky/cubemap_error.h"
+#include "sky/cubemap/cubemap_error.h"
 
 #include <tbb/global_control.h>
 
@@ -9,35 +9,39 @@
 #include <cmath>
 #include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 #include "tests/sky/some_skies.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 using format::CubemapFormat;
 
 /// As a bake renders them.
 struct Rendered {
-  std::vector<Cubemap> cubemap;
-  CubemapSet set;
+  std::vector<cubemap::Cubemap> cubemap;
+  cubemap::CubemapSet set;
 
-  Rendered(const Sky& sky, int size, CubemapFormat format, const std::vector<double>& time_h)
+  Rendered(const model::Sky& sky, int size, CubemapFormat format, const std::vector<double>& time_h)
       : set{size, format, time_h, {}} {
-    for (const double t : time_h) cubemap.push_back(renderCubemap(SkyInstant(sky, t), Number3(0.3), size, format));
-    for (const Cubemap& c : cubemap) set.texels.emplace_back(c.texels);
+    for (const double t : time_h)
+      cubemap.push_back(cubemap::renderCubemap(model::SkyInstant(sky, t), Number3(0.3), size, format));
+    for (const cubemap::Cubemap& c : cubemap) set.texels.emplace_back(c.texels);
   }
 };
 
 /// The definition, through the runtime: an even grid of azimuths and heights, `instants` a day.
-CubemapError denseCheck(const Sky& sky, const Rendered& rendered, int azimuths, int heights, int instants) {
-  SkyFile file;
+cubemap::CubemapError denseCheck(const model::Sky& sky, const Rendered& rendered, int azimuths, int heights,
+                                 int instants) {
+  bake::SkyFile file;
   file.sky = sky;
   file.settings = "{}";
   file.bake.key_time_h = {0.0};
   file.bake.cubemap_size = rendered.set.size;
   file.bake.cubemap_time_h = rendered.set.time_h;
-  const auto bytes = encodeSky(file, bakeDayTable(sky, 2, {0.0}, [] { return true; }), rendered.cubemap);
+  const auto bytes = bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, [] { return true; }), rendered.cubemap);
   welkin::Sky opened;
   REQUIRE(opened.open(bytes.data(), bytes.size()));
   struct AtTime {
@@ -67,9 +71,9 @@ CubemapError denseCheck(const Sky& sky, const Rendered& rendered, int azimuths, 
         const Number3 direction{double{d[0]}, double{d[1]}, double{d[2]}};
         Number3 shown[2];
         for (std::size_t k = 0; k < 2; ++k)
-          shown[k] = filterTexels(static_cast<const unsigned char*>(cube[k].texels),
-                                  static_cast<CubemapFormat>(cube[k].format),
-                                  footprintOf(static_cast<int>(cube[k].size), direction));
+          shown[k] = cubemap::filterTexels(static_cast<const unsigned char*>(cube[k].texels),
+                                           static_cast<CubemapFormat>(cube[k].format),
+                                           cubemap::footprintOf(static_cast<int>(cube[k].size), direction));
         const bool clear = height / std::max(std::abs(direction.x), std::abs(direction.z)) >= 2.0 / rendered.set.size;
         if (clear) ++compared;
         const double w = double{sample.cubemap_weight};
@@ -84,7 +88,7 @@ CubemapError denseCheck(const Sky& sky, const Rendered& rendered, int azimuths, 
     for (double& square : sum.square) square /= compared;
     brightest = std::max(brightest, 0.2126 * sum.mean[0] + 0.7152 * sum.mean[1] + 0.0722 * sum.mean[2]);
   }
-  CubemapError result;
+  cubemap::CubemapError result;
   for (int i = 0; i < instants; ++i) {
     const AtTime& sum = at[static_cast<std::size_t>(i)];
     const double luminance = 0.2126 * sum.mean[0] + 0.7152 * sum.mean[1] + 0.0722 * sum.mean[2];
@@ -101,9 +105,9 @@ CubemapError denseCheck(const Sky& sky, const Rendered& rendered, int azimuths, 
   return result;
 }
 
-Sky uniformSky() {
-  Sky sky;
-  sky.luminance = *findLuminance("cie-5");
+model::Sky uniformSky() {
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-5");
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.4};
   sky.sun.path.key_elevation_rad = {0.7};
@@ -113,10 +117,10 @@ Sky uniformSky() {
 }  // namespace
 
 TEST_CASE("CubemapError, OfAUniformSkyIsTheBlendsAndTheRoundings") {
-  Sky sky = uniformSky();
+  model::Sky sky = uniformSky();
   sky.intensity = {1, {0.0, 6.0}, {1.0, 2.0}};  // shown by cubemaps at 0 and 12 h of 1 and 5/3
-  const CubemapSet set{16, CubemapFormat::rgba16f, {0.0, 12.0}, {}};
-  const auto blended = measureCubemaps(sky, set, Effort::fast);
+  const cubemap::CubemapSet set{16, CubemapFormat::rgba16f, {0.0, 12.0}, {}};
+  const auto blended = cubemap::measureCubemaps(sky, set, cubemap::Effort::fast);
   const double half = static_cast<double>(0x1p-11);
   CHECK(blended.error == Approx((2.0 - 4.0 / 3.0) / 2.0).epsilon(half));
   CHECK(blended.time_h == 6.0);
@@ -124,14 +128,14 @@ TEST_CASE("CubemapError, OfAUniformSkyIsTheBlendsAndTheRoundings") {
   CHECK(blended.parts.resolution < 1e-12);
   CHECK(blended.largest.error == Approx(blended.error).epsilon(1e-9));
   // Linear between the keys at 0 and 6 h, and between 6 and 24 h: cubemaps there leave the rounding.
-  const auto exact = measureCubemaps(sky, {16, CubemapFormat::rgba16f, {0.0, 6.0}, {}}, Effort::fast);
+  const auto exact = cubemap::measureCubemaps(sky, {16, CubemapFormat::rgba16f, {0.0, 6.0}, {}}, cubemap::Effort::fast);
   CHECK(exact.error < 1e-12);
   // Quantities between two codes: 1 + 2^-10 lies on a code of half floats, not of the others.
-  sky.intensity = Curve::constant(1.0 + 0x1p-10);
+  sky.intensity = base::Curve::constant(1.0 + 0x1p-10);
   const double relative = 0x1p-10 / (1.0 + 0x1p-10);
-  CHECK(measureCubemaps(sky, {8, CubemapFormat::rgba16f, {3.0}, {}}, Effort::fast).error < 1e-12);
+  CHECK(cubemap::measureCubemaps(sky, {8, CubemapFormat::rgba16f, {3.0}, {}}, cubemap::Effort::fast).error < 1e-12);
   for (const auto format : {CubemapFormat::rgb9e5, CubemapFormat::b10g11r11}) {
-    const auto rounded = measureCubemaps(sky, {8, format, {3.0}, {}}, Effort::fast);
+    const auto rounded = cubemap::measureCubemaps(sky, {8, format, {3.0}, {}}, cubemap::Effort::fast);
     CHECK(rounded.error == Approx(relative).epsilon(1e-9));
     CHECK(rounded.parts.encoding == Approx(relative).epsilon(1e-9));
     CHECK(rounded.mean == Approx(relative).epsilon(1e-9));
@@ -140,28 +144,29 @@ TEST_CASE("CubemapError, OfAUniformSkyIsTheBlendsAndTheRoundings") {
 }
 
 TEST_CASE("CubemapError, DarkInstantsAreDividedByTheFloor") {
-  Sky sky = uniformSky();
+  model::Sky sky = uniformSky();
   sky.intensity = {1, {0.0, 1.0, 12.0, 23.0}, {1e-6, 1e-6, 1.0, 1e-6}};
   // At 0 h the cubemap of 23 h is exact; one of twice the night's radiance is off by 1e-6 of a floor of 1e-4.
-  Sky brighter = sky;
+  model::Sky brighter = sky;
   brighter.intensity.value = {2e-6, 2e-6, 1.0, 2e-6};
   const Rendered rendered(brighter, 8, CubemapFormat::rgba16f, {0.0, 1.0, 12.0, 23.0});
-  CHECK(measureCubemaps(sky, rendered.set, Effort::fast).error == Approx(0.01).epsilon(0.04));  // codes of 2^-24
+  CHECK(cubemap::measureCubemaps(sky, rendered.set, cubemap::Effort::fast).error ==
+        Approx(0.01).epsilon(0.04));  // codes of 2^-24
 }
 
 TEST_CASE("CubemapError, OfTexelsNotRenderedIsThatOfTheFilesBytes") {
-  const Sky sky = someSkies()[1].sky;
+  const model::Sky sky = someSkies()[1].sky;
   for (const auto format : {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11}) {
     const Rendered rendered(sky, 12, format, {5.0, 6.5, 13.0, 18.5});
-    CubemapSet absent = rendered.set;
+    cubemap::CubemapSet absent = rendered.set;
     absent.texels.clear();
-    const auto a = measureCubemaps(sky, rendered.set, Effort::fast);
-    const auto b = measureCubemaps(sky, absent, Effort::fast);
+    const auto a = cubemap::measureCubemaps(sky, rendered.set, cubemap::Effort::fast);
+    const auto b = cubemap::measureCubemaps(sky, absent, cubemap::Effort::fast);
     CHECK(a.error == Approx(b.error).epsilon(1e-12));
     CHECK(a.largest.error == Approx(b.largest.error).epsilon(1e-12));
     CHECK(a.mean == Approx(b.mean).epsilon(1e-12));
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CHECK(measureCubemaps(sky, rendered.set, Effort::fast).error == a.error);
+    CHECK(cubemap::measureCubemaps(sky, rendered.set, cubemap::Effort::fast).error == a.error);
   }
 }
 
@@ -170,9 +175,9 @@ TEST_CASE("CubemapError, FastIsWithinFivePercentOfFull", "[slow]") {
   double worst = 0.0;
   int size = 16;
   for (const NamedSky& named : someSkies()) {
-    const CubemapSet set{size, CubemapFormat::rgba16f, named.time_h, {}};
-    const double fast = measureCubemaps(named.sky, set, Effort::fast).error;
-    const double full = measureCubemaps(named.sky, set, Effort::full).error;
+    const cubemap::CubemapSet set{size, CubemapFormat::rgba16f, named.time_h, {}};
+    const double fast = cubemap::measureCubemaps(named.sky, set, cubemap::Effort::fast).error;
+    const double full = cubemap::measureCubemaps(named.sky, set, cubemap::Effort::full).error;
     CAPTURE(named.name, size, fast, full);
     CHECK(fast == Approx(full).epsilon(kFast));
     worst = std::max(worst, std::abs(fast / full - 1.0));
@@ -187,7 +192,7 @@ TEST_CASE("CubemapError, FullIsADenseGridThroughTheRuntime", "[slow]") {
   for (const NamedSky& named : someSkies()) {
     const Rendered rendered(named.sky, kSize, CubemapFormat::b10g11r11, named.time_h);
     const auto dense = denseCheck(named.sky, rendered, 180, 100, 192);
-    const auto full = measureCubemaps(named.sky, rendered.set, Effort::full);
+    const auto full = cubemap::measureCubemaps(named.sky, rendered.set, cubemap::Effort::full);
     CAPTURE(named.name, dense.error, dense.time_h, full.error, full.time_h, full.largest.error);
     CHECK(full.error == Approx(dense.error).epsilon(kGrid));
     CHECK(full.mean == Approx(dense.mean).epsilon(0.1));
@@ -199,7 +204,8 @@ TEST_CASE("CubemapError, FullIsADenseGridThroughTheRuntime", "[slow]") {
 TEST_CASE("CubemapError, PartsAddUpInSquares") {
   // Where no part hides another: at the whole's own instant they may be smaller, so the sum bounds it.
   for (const NamedSky& named : someSkies()) {
-    const auto e = measureCubemaps(named.sky, {32, CubemapFormat::b10g11r11, named.time_h, {}}, Effort::fast);
+    const auto e =
+        cubemap::measureCubemaps(named.sky, {32, CubemapFormat::b10g11r11, named.time_h, {}}, cubemap::Effort::fast);
     const double sum = std::sqrt(e.parts.resolution * e.parts.resolution + e.parts.time * e.parts.time +
                                  e.parts.encoding * e.parts.encoding);
     CAPTURE(named.name, e.error, sum, e.parts.resolution, e.parts.time, e.parts.encoding);
@@ -210,7 +216,7 @@ TEST_CASE("CubemapError, PartsAddUpInSquares") {
 
 TEST_CASE("DomeDirections, IntegrateTheHemisphere") {
   // 1, the height and its square: 2 pi, pi, 2 pi/3; and a lobe of one degree about the sun, exp(-(chord/w)^2): pi w^2.
-  const DomeDirections directions({1536, 768, 768});
+  const cubemap::DomeDirections directions({1536, 768, 768});
   for (const double elevation : {0.7, 0.1, 1.5, -0.3}) {
     const Number3 sun = det::directionOf(0.8, elevation);
     double moment[4] = {};
@@ -234,7 +240,7 @@ TEST_CASE("DomeDirections, IntegrateTheHemisphere") {
 
 TEST_CASE("DomeDirections, NoDirectionStandsForACuspAlone") {
   // A sun that one of the even directions hits: a lobe of a thousandth of a radian is still no more than its integral.
-  const DomeDirections directions({1536, 768, 768});
+  const cubemap::DomeDirections directions({1536, 768, 768});
   constexpr double kWidth = 1e-3;
   for (const std::size_t hit : {700U, 1100U, 1300U}) {
     double lobe = 0.0;
@@ -246,4 +252,4 @@ TEST_CASE("DomeDirections, NoDirectionStandsForACuspAlone") {
   }
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

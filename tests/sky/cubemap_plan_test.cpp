@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans of cubemaps: closed forms, budgets that hold when measured fully from what is rendered, limits, determinism.
-#include "sky/cubemap_plan.h"
+#include "sky/cubemap/cubemap_plan.h"
 
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
 
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
 #include "tests/sky/some_skies.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 using format::CubemapFormat;
 
-Sky uniformSky(Curve intensity) {
-  Sky sky;
-  sky.luminance = *findLuminance("cie-5");
+model::Sky uniformSky(base::Curve intensity) {
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-5");
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.4};
   sky.sun.path.key_elevation_rad = {0.7};
@@ -24,14 +26,14 @@ Sky uniformSky(Curve intensity) {
   return sky;
 }
 
-void requireSound(const CubemapPlan& plan, const CubemapLimits& limits) {
+void requireSound(const cubemap::CubemapPlan& plan, const cubemap::CubemapLimits& limits) {
   REQUIRE(plan.size >= 8);
   REQUIRE(plan.size <= limits.largest_size);
   REQUIRE((plan.size & (plan.size - 1)) == 0);
   REQUIRE(format::areKeyTimes(plan.time_h));
   REQUIRE(plan.time_h.size() <= limits.most_times);
   for (std::size_t i = 1; i < plan.time_h.size(); ++i)
-    REQUIRE(millisecondOf(plan.time_h[i]) > millisecondOf(plan.time_h[i - 1]));
+    REQUIRE(cubemap::millisecondOf(plan.time_h[i]) > cubemap::millisecondOf(plan.time_h[i - 1]));
   REQUIRE(plan.bytes == 6.0 * plan.size * plan.size * static_cast<double>(format::texelBytes(plan.format)) *
                             static_cast<double>(plan.time_h.size()));
   REQUIRE(plan.bytes <= limits.most_bytes);
@@ -41,7 +43,7 @@ void requireSound(const CubemapPlan& plan, const CubemapLimits& limits) {
 }  // namespace
 
 TEST_CASE("CubemapPlan, ASkyThatDoesNotChangeGetsOneSmallCubemap") {
-  const auto plan = planCubemaps(uniformSky(Curve::constant(0.7)), 0.01);
+  const auto plan = cubemap::planCubemaps(uniformSky(base::Curve::constant(0.7)), 0.01);
   requireSound(plan, {});
   CHECK(plan.met);
   CHECK(plan.size == 8);
@@ -52,7 +54,7 @@ TEST_CASE("CubemapPlan, ASkyThatDoesNotChangeGetsOneSmallCubemap") {
 TEST_CASE("CubemapPlan, TimesAreTheKeysOfABrokenLine") {
   // Nothing but the four keys shows a uniform sky whose intensity bends there, and they show it exactly.
   const std::vector<double> keys = {3.25, 7.1, 12.0, 20.35};
-  const auto plan = planCubemaps(uniformSky({1, keys, {0.5, 3.0, 1.0, 2.0}}), 0.004);
+  const auto plan = cubemap::planCubemaps(uniformSky({1, keys, {0.5, 3.0, 1.0, 2.0}}), 0.004);
   requireSound(plan, {});
   CHECK(plan.met);
   CHECK(plan.size == 8);
@@ -65,15 +67,15 @@ TEST_CASE("CubemapPlan, BudgetsHoldMeasuredFullyFromWhatIsRendered", "[slow]") {
   constexpr double kWasteful = 0.8;  // a plan spends its budget; a size is a power of two
   double budget = 0.2;
   for (const NamedSky& named : someSkies()) {
-    const auto plan = planCubemaps(named.sky, budget);
+    const auto plan = cubemap::planCubemaps(named.sky, budget);
     requireSound(plan, {});
-    std::vector<Cubemap> cubemaps;
-    CubemapSet set{plan.size, plan.format, plan.time_h, {}};
+    std::vector<cubemap::Cubemap> cubemaps;
+    cubemap::CubemapSet set{plan.size, plan.format, plan.time_h, {}};
     for (const double t : plan.time_h)
-      cubemaps.push_back(renderCubemap(SkyInstant(named.sky, t), Number3(0.1), plan.size, plan.format));
-    for (const Cubemap& c : cubemaps) set.texels.emplace_back(c.texels);
-    const auto fast = measureCubemaps(named.sky, set, Effort::fast);
-    const auto full = measureCubemaps(named.sky, set, Effort::full);
+      cubemaps.push_back(cubemap::renderCubemap(model::SkyInstant(named.sky, t), Number3(0.1), plan.size, plan.format));
+    for (const cubemap::Cubemap& c : cubemaps) set.texels.emplace_back(c.texels);
+    const auto fast = cubemap::measureCubemaps(named.sky, set, cubemap::Effort::fast);
+    const auto full = cubemap::measureCubemaps(named.sky, set, cubemap::Effort::full);
     CAPTURE(named.name, budget, plan.size, format::nameOf(plan.format), plan.time_h.size(), plan.predicted, fast.error,
             full.error);
     CHECK(plan.met);
@@ -88,10 +90,10 @@ TEST_CASE("CubemapPlan, BudgetsHoldMeasuredFullyFromWhatIsRendered", "[slow]") {
 }
 
 TEST_CASE("CubemapPlan, ATighterBudgetCostsMore", "[slow]") {
-  const Sky sky = someSkies()[3].sky;
+  const model::Sky sky = someSkies()[3].sky;
   double bytes = 0.0;
   for (const double budget : {0.2, 0.05, 0.01}) {
-    const auto plan = planCubemaps(sky, budget);
+    const auto plan = cubemap::planCubemaps(sky, budget);
     CHECK(plan.met);
     CHECK(plan.bytes > bytes);
     bytes = plan.bytes;
@@ -100,32 +102,32 @@ TEST_CASE("CubemapPlan, ATighterBudgetCostsMore", "[slow]") {
 
 TEST_CASE("CubemapPlan, FewerTimesThanEvenlySpacedOnes", "[slow]") {
   const NamedSky named = someSkies()[0];
-  const auto plan = planCubemaps(named.sky, 0.1);
-  CubemapSet even{plan.size, plan.format, {}, {}};
+  const auto plan = cubemap::planCubemaps(named.sky, 0.1);
+  cubemap::CubemapSet even{plan.size, plan.format, {}, {}};
   for (std::size_t i = 0; i < 2 * plan.time_h.size(); ++i)
     even.time_h.push_back(12.0 * static_cast<double>(i) / static_cast<double>(plan.time_h.size()));
-  CHECK(measureCubemaps(named.sky, even, Effort::fast).error > 1.2 * plan.measured.error);
+  CHECK(cubemap::measureCubemaps(named.sky, even, cubemap::Effort::fast).error > 1.2 * plan.measured.error);
 }
 
 TEST_CASE("CubemapPlan, LimitsGiveTheBestAndWhy", "[slow]") {
-  const Sky sky = someSkies()[0].sky;
-  const CubemapLimits limits{16, 12, 1e5};
-  const auto plan = planCubemaps(sky, 0.001, limits);
+  const model::Sky sky = someSkies()[0].sky;
+  const cubemap::CubemapLimits limits{16, 12, 1e5};
+  const auto plan = cubemap::planCubemaps(sky, 0.001, limits);
   requireSound(plan, limits);
   CHECK_FALSE(plan.met);
   CHECK(plan.measured.error > 0.001);
   CHECK(plan.reason.find("16 texels") != std::string::npos);
   CHECK(plan.reason.find("12 times") != std::string::npos);
-  const auto possible = planCubemaps(sky, 1.2 * plan.measured.error, limits);
+  const auto possible = cubemap::planCubemaps(sky, 1.2 * plan.measured.error, limits);
   requireSound(possible, limits);
   CHECK(possible.met);
 }
 
 TEST_CASE("CubemapPlan, TheSameForAnyNumberOfThreads", "[slow]") {
-  const Sky sky = someSkies()[2].sky;
-  const auto many = planCubemaps(sky, 0.2);
+  const model::Sky sky = someSkies()[2].sky;
+  const auto many = cubemap::planCubemaps(sky, 0.2);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const auto single = planCubemaps(sky, 0.2);
+  const auto single = cubemap::planCubemaps(sky, 0.2);
   CHECK(single.size == many.size);
   CHECK(single.format == many.format);
   CHECK(single.time_h == many.time_h);
@@ -133,4 +135,4 @@ TEST_CASE("CubemapPlan, TheSameForAnyNumberOfThreads", "[slow]") {
   CHECK(single.predicted == many.predicted);
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

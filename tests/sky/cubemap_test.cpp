@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubemaps: which way every texel looks, what is in it, and EXR files as other programs read them.
-#include "sky/cubemap.h"
+#include "sky/cubemap/cubemap.h"
 
 #include <Imath/half.h>
 #include <OpenEXR/ImfEnvmap.h>
@@ -15,23 +15,25 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "sky/atomic_file.h"
-#include "sky/exr.h"
+#include "sky/base/atomic_file.h"
+#include "sky/cubemap/exr.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
-Sky clearSky(double azimuth_rad, double elevation_rad) {
-  Sky sky;
-  sky.luminance = *findLuminance("cie-12");
+model::Sky clearSky(double azimuth_rad, double elevation_rad) {
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-12");
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {azimuth_rad};
   sky.sun.path.key_elevation_rad = {elevation_rad};
   return sky;
 }
 
-float value(const DomeImage& image, int column, int row, int channel) {
+float value(const cubemap::DomeImage& image, int column, int row, int channel) {
   Imath::half h;
   h.setBits(image.rgb_half[(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.extent.width) +
                             static_cast<std::size_t>(column)) *
@@ -50,9 +52,10 @@ TEST_CASE("CubemapTexel, VulkanFaceSelection") {
   const Number3 right[6] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
   const Number3 down[6] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
   for (int face = 0; face < 6; ++face) {
-    const Number3 c = directionOfTexel(Layout::vulkan_cube, 3, 1, 3 * face + 1);
+    const Number3 c = cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, 3, 1, 3 * face + 1);
     CHECK(dot(c, centre[face]) == Approx(1.0));
-    const Number3 d = directionOfTexel(Layout::vulkan_cube, 4, 3, 4 * face);  // top right, centre at s = 3/4, t = -3/4
+    const Number3 d = cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, 4, 3,
+                                                4 * face);  // top right, centre at s = 3/4, t = -3/4
     CAPTURE(face);
     CHECK(dot(d, right[face]) / dot(d, centre[face]) == Approx(0.75));
     CHECK(dot(d, down[face]) / dot(d, centre[face]) == Approx(-0.75));
@@ -72,17 +75,18 @@ TEST_CASE("CubemapTexel, OpenExrDirections") {
       const auto place = Imf::CubeMap::pixelPosition(
           face, cube, Imath::V2f(static_cast<float>(column), static_cast<float>(row % kSize)));
       CAPTURE(row, column);
-      REQUIRE(angle(directionOfTexel(Layout::exr_cube, kSize, static_cast<int>(place.x), static_cast<int>(place.y)),
+      REQUIRE(angle(cubemap::directionOfTexel(cubemap::Layout::exr_cube, kSize, static_cast<int>(place.x),
+                                              static_cast<int>(place.y)),
                     d) < kFloat);
     }
-  const Extent extent = extentOf(Layout::exr_latlong, kSize);
+  const cubemap::Extent extent = cubemap::extentOf(cubemap::Layout::exr_latlong, kSize);
   const Imath::Box2i latlong({0, 0}, {extent.width - 1, extent.height - 1});
   for (int row = 0; row < extent.height; ++row)
     for (int column = 0; column < extent.width; ++column) {
       const auto d =
           Imf::LatLongMap::direction(latlong, Imath::V2f(static_cast<float>(column), static_cast<float>(row)));
       CAPTURE(row, column);
-      REQUIRE(angle(directionOfTexel(Layout::exr_latlong, kSize, column, row), d) < kFloat);
+      REQUIRE(angle(cubemap::directionOfTexel(cubemap::Layout::exr_latlong, kSize, column, row), d) < kFloat);
     }
 }
 
@@ -90,11 +94,11 @@ TEST_CASE("CubemapTexel, SixColourCubeGivesTheAxes") {
   // Faces +x -x +y -y +z -z of radiance 1..6: the linear coefficients are the differences of opposite faces, in the
   // order y, z, x, with one factor: the integral of the axis over a face.
   constexpr int kSize = 64;
-  for (const Layout layout : {Layout::vulkan_cube, Layout::exr_cube}) {
+  for (const cubemap::Layout layout : {cubemap::Layout::vulkan_cube, cubemap::Layout::exr_cube}) {
     std::array<double, 9> sum{};
     for (int row = 0; row < 6 * kSize; ++row)
       for (int column = 0; column < kSize; ++column) {
-        const Number3 d = directionOfTexel(layout, kSize, column, row);
+        const Number3 d = cubemap::directionOfTexel(layout, kSize, column, row);
         const double along = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
         const double area = along * along * along;  // of the texel, seen from the centre; a common factor is left out
         const auto basis = f64::shBasis(d);
@@ -115,17 +119,19 @@ TEST_CASE("CubemapTexel, SixColourCubeGivesTheAxes") {
 TEST_CASE("Cubemap, SunIsWhereTheSunIs") {
   // The brightest texel of every layout looks at the sun, for a sun in every quarter.
   for (const double azimuth : {0.3, 2.0, 3.6, 5.5}) {
-    const Sky sky = clearSky(azimuth, 0.5);
-    const SkyInstant instant(sky, 0.0);
-    for (const Layout layout : {Layout::vulkan_cube, Layout::exr_cube, Layout::exr_latlong}) {
-      const auto image = renderDome(instant, Number3(0.0), layout, 32);
+    const model::Sky sky = clearSky(azimuth, 0.5);
+    const model::SkyInstant instant(sky, 0.0);
+    for (const cubemap::Layout layout :
+         {cubemap::Layout::vulkan_cube, cubemap::Layout::exr_cube, cubemap::Layout::exr_latlong}) {
+      const auto image = cubemap::renderDome(instant, Number3(0.0), layout, 32);
       int best_row = 0;
       int best_column = 0;
       for (int row = 0; row < image.extent.height; ++row)
         for (int column = 0; column < image.extent.width; ++column)
           if (value(image, column, row, 1) > value(image, best_column, best_row, 1))
             best_row = row, best_column = column;
-      const double off = f64::angleBetween(directionOfTexel(layout, 32, best_column, best_row), instant.sunDirection());
+      const double off =
+          f64::angleBetween(cubemap::directionOfTexel(layout, 32, best_column, best_row), instant.sunDirection());
       CAPTURE(azimuth, int(layout));
       CHECK(off < 0.05);  // half a texel's diagonal
     }
@@ -136,20 +142,20 @@ TEST_CASE("Cubemap, ProjectsBackToTheTable") {
   // A double sum over texels weighted by solid angle; the half floats' rounding averages out.
   constexpr int kSize = 128;
   constexpr double kTexel = 2e-4;  // midpoint rule at the cusp and the horizon at this size, of c0
-  Sky sky = clearSky(0.8, 0.6);
-  sky.gradient_sun = Gradient::constant({0.9, 0.6, 0.3});
-  sky.gradient_anti = Gradient::constant({0.2, 0.4, 0.9});
-  normalise(sky.gradient_sun, sky.gradient_anti);
-  const SkyInstant instant(sky, 0.0);
-  const auto moments = SkyProjector(instant.sky().luminance, 5).project(instant);
-  const auto image = renderDome(instant, Number3(0.0), Layout::vulkan_cube, kSize);
+  model::Sky sky = clearSky(0.8, 0.6);
+  sky.gradient_sun = model::Gradient::constant({0.9, 0.6, 0.3});
+  sky.gradient_anti = model::Gradient::constant({0.2, 0.4, 0.9});
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
+  const model::SkyInstant instant(sky, 0.0);
+  const auto moments = model::SkyProjector(instant.sky().luminance, 5).project(instant);
+  const auto image = cubemap::renderDome(instant, Number3(0.0), cubemap::Layout::vulkan_cube, kSize);
   std::array<Number3, 25> sum{};
   for (int row = 0; row < 6 * kSize; ++row)
     for (int column = 0; column < kSize; ++column) {
       const double s = (2.0 * column + 1.0) / kSize - 1.0;
       const double t = (2.0 * (row % kSize) + 1.0) / kSize - 1.0;
       const double area = 4.0 / (kSize * kSize) / std::pow(1.0 + s * s + t * t, 1.5);
-      const auto basis = f64::shBasis(directionOfTexel(Layout::vulkan_cube, kSize, column, row));
+      const auto basis = f64::shBasis(cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, kSize, column, row));
       const Number3 texel(double{value(image, column, row, 0)}, double{value(image, column, row, 1)},
                           double{value(image, column, row, 2)});
       for (std::size_t i = 0; i < 25; ++i) sum[i] += texel * (basis.v[i] * area);
@@ -162,14 +168,14 @@ TEST_CASE("Cubemap, ProjectsBackToTheTable") {
 }
 
 TEST_CASE("Cubemap, TintAboveTheHorizonGroundBelow") {
-  Sky sky = clearSky(0.0, 0.7);
-  sky.polarising_tint = Curve::constant(Number3(0.5, 0.25, 2.0));
-  sky.intensity = Curve::constant(3.0);
-  const SkyInstant instant(sky, 0.0);
-  const auto image = renderDome(instant, Number3(0.125, 0.25, 0.5), Layout::vulkan_cube, 4);
+  model::Sky sky = clearSky(0.0, 0.7);
+  sky.polarising_tint = base::Curve::constant(Number3(0.5, 0.25, 2.0));
+  sky.intensity = base::Curve::constant(3.0);
+  const model::SkyInstant instant(sky, 0.0);
+  const auto image = cubemap::renderDome(instant, Number3(0.125, 0.25, 0.5), cubemap::Layout::vulkan_cube, 4);
   for (int row = 12; row < 16; ++row)  // face -y
     CHECK(value(image, 1, row, 2) == 0.5F);
-  const Number3 up = directionOfTexel(Layout::vulkan_cube, 4, 1, 9);
+  const Number3 up = cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, 4, 1, 9);
   const double radiance = 3.0 * instant.luminance(up);
   constexpr double kHalf = 1.0 / 1024.0;  // a step of a half float
   CHECK(double{value(image, 1, 9, 0)} == Approx(0.5 * radiance).epsilon(kHalf));
@@ -177,9 +183,10 @@ TEST_CASE("Cubemap, TintAboveTheHorizonGroundBelow") {
 }
 
 TEST_CASE("Cubemap, SaturatesAndCounts") {
-  Sky sky = clearSky(0.0, 0.7);
-  sky.intensity = Curve::constant(65504.0 * 4.0);  // the luminance is 1 at the sun: a part of the dome is past half
-  const auto image = renderDome(SkyInstant(sky, 0.0), Number3(0.0), Layout::exr_latlong, 16);
+  model::Sky sky = clearSky(0.0, 0.7);
+  sky.intensity =
+      base::Curve::constant(65504.0 * 4.0);  // the luminance is 1 at the sun: a part of the dome is past half
+  const auto image = cubemap::renderDome(model::SkyInstant(sky, 0.0), Number3(0.0), cubemap::Layout::exr_latlong, 16);
   std::size_t at_limit = 0;
   for (int row = 0; row < image.extent.height; ++row)
     for (int column = 0; column < image.extent.width; ++column)
@@ -192,11 +199,11 @@ TEST_CASE("Cubemap, SaturatesAndCounts") {
 }
 
 TEST_CASE("Exr, HeaderSaysWhatIsInIt") {
-  const test::Folder folder;
-  const Sky sky = clearSky(0.0, 0.7);
-  const auto image = renderDome(SkyInstant(sky, 0.0), Number3(0.0), Layout::exr_latlong, 8);
+  const Folder folder;
+  const model::Sky sky = clearSky(0.0, 0.7);
+  const auto image = cubemap::renderDome(model::SkyInstant(sky, 0.0), Number3(0.0), cubemap::Layout::exr_latlong, 8);
   const auto path = std::filesystem::path(folder / "latlong.exr");
-  writeFile(path, encodeExr(image, Layout::exr_latlong, 4000.0));
+  base::writeFile(path, cubemap::encodeExr(image, cubemap::Layout::exr_latlong, 4000.0));
   Imf::InputFile file(path.c_str());
   CHECK(Imf::envmap(file.header()) == Imf::ENVMAP_LATLONG);
   CHECK(Imf::whiteLuminance(file.header()) == 4000.0F);
@@ -210,13 +217,15 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
   if (std::system("exrenvmap -h >/dev/null 2>&1; test $? -ne 127") != 0)
     FAIL("exrenvmap is missing: tools/setup.sh installs it");
   constexpr int kSize = 64;
-  const test::Folder folder;
-  const Sky sky = clearSky(0.8, 0.9);
-  const SkyInstant instant(sky, 0.0);
+  const Folder folder;
+  const model::Sky sky = clearSky(0.8, 0.9);
+  const model::SkyInstant instant(sky, 0.0);
   const Number3 ground(0.2);
   const auto latlong = folder / "latlong.exr";
   const auto cube = folder / "cube.exr";
-  writeFile(latlong, encodeExr(renderDome(instant, ground, Layout::exr_latlong, 4 * kSize), Layout::exr_latlong, 1.0));
+  base::writeFile(latlong,
+                  cubemap::encodeExr(cubemap::renderDome(instant, ground, cubemap::Layout::exr_latlong, 4 * kSize),
+                                     cubemap::Layout::exr_latlong, 1.0));
   const std::string command = "exrenvmap -c -w " + std::to_string(kSize) + " -f 0.1 1 " + latlong + " " + cube;
   REQUIRE(std::system(command.c_str()) == 0);
   Imf::RgbaInputFile file(cube.c_str());
@@ -225,10 +234,10 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
   std::vector<Imf::Rgba> texel(static_cast<std::size_t>(kSize) * 6 * kSize);
   file.setFrameBuffer(texel.data(), 1, kSize);
   file.readPixels(0, 6 * kSize - 1);
-  const auto ours = renderDome(instant, ground, Layout::exr_cube, kSize);
+  const auto ours = cubemap::renderDome(instant, ground, cubemap::Layout::exr_cube, kSize);
   for (int row = 0; row < 6 * kSize; ++row)
     for (int column = 0; column < kSize; ++column) {
-      const double y = directionOfTexel(Layout::exr_cube, kSize, column, row).y;
+      const double y = cubemap::directionOfTexel(cubemap::Layout::exr_cube, kSize, column, row).y;
       if (std::abs(y) < 0.02) continue;  // the filter crosses the step at the horizon
       const double want = double{value(ours, column, row, 1)};
       const double got = double{static_cast<float>(texel[static_cast<std::size_t>(row * kSize + column)].g)};
@@ -240,17 +249,17 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
 TEST_CASE("Dome, ByTheTableIsTheExactOne") {
   // The table's error, times c over the least indicatrix, 0.05 of this model's; the sun itself and its antipode
   // included.
-  Sky sky;
+  model::Sky sky;
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.7};
   sky.sun.path.key_elevation_rad = {0.4};
-  const SkyInstant instant(sky, 0.0);
-  const IndicatrixTable table(sky.luminance.d);
-  const double bound = IndicatrixTable::kError * sky.luminance.c / 0.05;
+  const model::SkyInstant instant(sky, 0.0);
+  const model::IndicatrixTable table(sky.luminance.d);
+  const double bound = model::IndicatrixTable::kError * sky.luminance.c / 0.05;
   std::vector<Number3> directions = {instant.sunDirection(), {0, 1, 0}, {1, 0, 0}, {0, -0.6, 0.8}};
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 64; ++column)
-      directions.push_back(directionOfTexel(Layout::exr_latlong, 16, column, row));
+      directions.push_back(cubemap::directionOfTexel(cubemap::Layout::exr_latlong, 16, column, row));
   for (const Number3& d : directions) {
     const auto exact = instant.dome(d, Number3(0.25));
     const auto quick = instant.dome(d, Number3(0.25), &table);
@@ -260,4 +269,4 @@ TEST_CASE("Dome, ByTheTableIsTheExactOne") {
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stored numbers of the day's table: the errors that sky/day_encoding.h states, from both sides, and what the
 // runtime reads.
-#include "sky/day_encoding.h"
+#include "sky/table/day_encoding.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
-#include "sky/toml_table.h"
+#include "sky/bake/encode.h"
+#include "sky/base/toml_table.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 namespace {
 
-constexpr Encoding kEncodings[] = {Encoding::float32, Encoding::float16, Encoding::fixed16, Encoding::fixed8};
+constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16,
+                                          table::Encoding::fixed8};
 
 /// Scales are floats, rounded up: a bound that is made of them may be passed by so much.
 constexpr double kScales = 1.0 + 4.0 * 0x1p-24;
@@ -24,10 +25,10 @@ constexpr double kTight = 0.9;
 constexpr double kSmallest = 0x1p-149;
 
 /// Random signs and magnitudes over `decades`; every key and every row has a magnitude of its own over as many.
-DayTable randomTable(int keys, int rows, int channels, double decades) {
+table::DayTable randomTable(int keys, int rows, int channels, double decades) {
   std::mt19937_64 random(71);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  DayTable table;
+  table::DayTable table;
   table.rows = rows;
   table.channels = channels;
   std::vector<double> of_row(table.numbersOfKey());
@@ -40,7 +41,7 @@ DayTable randomTable(int keys, int rows, int channels, double decades) {
   return table;
 }
 
-double largestOfKey(const DayTable& table, std::size_t i) {
+double largestOfKey(const table::DayTable& table, std::size_t i) {
   const std::size_t n = table.numbersOfKey();
   double largest = 0.0;
   for (std::size_t j = i / n * n; j < i / n * n + n; ++j) largest = std::max(largest, std::abs(table.number[j]));
@@ -48,7 +49,7 @@ double largestOfKey(const DayTable& table, std::size_t i) {
 }
 
 /// Largest of number i's row, over the largest of each key.
-double largestOfRow(const DayTable& table, std::size_t i) {
+double largestOfRow(const table::DayTable& table, std::size_t i) {
   double largest = 0.0;
   for (std::size_t j = i % table.numbersOfKey(); j < table.number.size(); j += table.numbersOfKey())
     if (const double of_key = largestOfKey(table, j); of_key > 0.0)
@@ -57,25 +58,25 @@ double largestOfRow(const DayTable& table, std::size_t i) {
 }
 
 /// The header's words as a formula.
-double boundOf(const DayTable& table, std::size_t i, Encoding encoding) {
+double boundOf(const table::DayTable& table, std::size_t i, table::Encoding encoding) {
   const double number = std::abs(table.number[i]);
   const double of_key = largestOfKey(table, i);
   switch (encoding) {
-    case Encoding::float32:
+    case table::Encoding::float32:
       return std::max(0x1p-24 * number, 0.5 * kSmallest);
-    case Encoding::float16:
+    case table::Encoding::float16:
       return std::max(0x1p-11 * number, 0x1p-25 * of_key);
-    case Encoding::fixed16:
+    case table::Encoding::fixed16:
       return of_key * largestOfRow(table, i) / 65534.0;
-    case Encoding::fixed8:
+    case table::Encoding::fixed8:
       break;
   }
   return of_key * largestOfRow(table, i) / 254.0;
 }
 
 /// Largest error over its bound.
-double worstOf(const DayTable& table, Encoding encoding) {
-  const std::vector<double> got = decodeNumbers(table, encodeNumbers(table, encoding));
+double worstOf(const table::DayTable& table, table::Encoding encoding) {
+  const std::vector<double> got = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
   double worst = 0.0;
   for (std::size_t i = 0; i < got.size(); ++i)
     if (const double off = std::abs(got[i] - table.number[i]); off > 0.0)
@@ -86,7 +87,7 @@ double worstOf(const DayTable& table, Encoding encoding) {
 }  // namespace
 
 TEST_CASE("DayEncoding, ErrorsAreWithinTheirBoundsAndReachThem") {
-  for (const Encoding encoding : kEncodings)
+  for (const table::Encoding encoding : kEncodings)
     for (const double decades : {0.0, 6.0, 24.0})
       for (const int channels : {1, 3}) {
         CAPTURE(nameOf(encoding), decades, channels);
@@ -99,13 +100,13 @@ TEST_CASE("DayEncoding, ErrorsAreWithinTheirBoundsAndReachThem") {
 TEST_CASE("DayEncoding, SmallRowsOfAKeyOfHalfsReachTheFloor") {
   // Numbers from 2^-30 to 2^-12 of the largest of their key, where halfs are evenly spaced: below 2^-14 the floor
   // holds.
-  DayTable table;
+  table::DayTable table;
   table.rows = 2000;
   table.channels = 1;
   table.key_time_h = {0.0};
   table.number = {3.0};
   for (int i = 1; i < table.rows; ++i) table.number.push_back(3.0 * std::exp2(-30.0 + 18.0 * i / table.rows));
-  const std::vector<double> got = decodeNumbers(table, encodeNumbers(table, Encoding::float16));
+  const std::vector<double> got = table::decodeNumbers(table, table::encodeNumbers(table, table::Encoding::float16));
   double worst = 0.0;
   for (std::size_t i = 1; i < got.size(); ++i)
     if (table.number[i] < 3.0 * 0x1p-14) worst = std::max(worst, std::abs(got[i] - table.number[i]));
@@ -114,26 +115,26 @@ TEST_CASE("DayEncoding, SmallRowsOfAKeyOfHalfsReachTheFloor") {
 }
 
 TEST_CASE("DayEncoding, ZeroStaysZero") {
-  DayTable table = randomTable(3, 4, 3, 0.0);
+  table::DayTable table = randomTable(3, 4, 3, 0.0);
   std::fill(table.number.begin(), table.number.begin() + 12, 0.0);                                    // a key
   for (std::size_t i = 5; i < table.number.size(); i += table.numbersOfKey()) table.number[i] = 0.0;  // a row
-  for (const Encoding encoding : kEncodings) {
+  for (const table::Encoding encoding : kEncodings) {
     CAPTURE(nameOf(encoding));
-    const auto some = decodeNumbers(table, encodeNumbers(table, encoding));
+    const auto some = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
     for (std::size_t i = 0; i < some.size(); ++i)
       if (table.number[i] == 0.0) CHECK(some[i] == 0.0);
-    DayTable black = table;
+    table::DayTable black = table;
     std::fill(black.number.begin(), black.number.end(), 0.0);
-    const auto all = decodeNumbers(black, encodeNumbers(black, encoding));
+    const auto all = table::decodeNumbers(black, table::encodeNumbers(black, encoding));
     CHECK(std::all_of(all.begin(), all.end(), [](double v) { return v == 0.0; }));
   }
 }
 
 TEST_CASE("DayEncoding, OneKeyOfFixedPointIsExact") {
   // Its rows' scales are its own numbers: only their rounding is left.
-  const DayTable table = randomTable(1, 12, 3, 9.0);
-  for (const Encoding encoding : {Encoding::fixed16, Encoding::fixed8}) {
-    const auto got = decodeNumbers(table, encodeNumbers(table, encoding));
+  const table::DayTable table = randomTable(1, 12, 3, 9.0);
+  for (const table::Encoding encoding : {table::Encoding::fixed16, table::Encoding::fixed8}) {
+    const auto got = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
     for (std::size_t i = 0; i < got.size(); ++i)
       CHECK(got[i] == Approx(table.number[i]).epsilon(4.0 * 0x1p-24).margin(0.0));
   }
@@ -141,11 +142,11 @@ TEST_CASE("DayEncoding, OneKeyOfFixedPointIsExact") {
 
 TEST_CASE("DayEncoding, DenormalsAreFiniteAndOffByTheSmallestFloat") {
   for (const double magnitude : {1e-38, 1e-43, 1e-46, 1e-300, 5e-324}) {
-    DayTable table = randomTable(4, 3, 3, 0.0);
+    table::DayTable table = randomTable(4, 3, 3, 0.0);
     for (double& v : table.number) v *= magnitude;
-    for (const Encoding encoding : kEncodings) {
+    for (const table::Encoding encoding : kEncodings) {
       CAPTURE(nameOf(encoding), magnitude);
-      const auto got = decodeNumbers(table, encodeNumbers(table, encoding));
+      const auto got = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
       for (std::size_t i = 0; i < got.size(); ++i) {
         REQUIRE(std::isfinite(got[i]));
         CHECK(std::abs(got[i] - table.number[i]) <= boundOf(table, i, encoding) * kScales + kSmallest);
@@ -156,20 +157,20 @@ TEST_CASE("DayEncoding, DenormalsAreFiniteAndOffByTheSmallestFloat") {
 
 TEST_CASE("DayEncoding, TheRuntimeReadsTheSameNumbers") {
   // Weights of twelve modes go through a sample untouched.
-  for (const Encoding encoding : kEncodings)
+  for (const table::Encoding encoding : kEncodings)
     for (const int channels : {1, 3}) {
       CAPTURE(nameOf(encoding), channels);
-      DayTable table = randomTable(5, 12, channels, 6.0);
-      table.modes = ModeTable{12, 2, 2, std::vector<std::uint16_t>(48, 0x3c00), std::vector<float>(36, 1.0F)};
-      SkyFile file;
+      table::DayTable table = randomTable(5, 12, channels, 6.0);
+      table.modes = table::ModeTable{12, 2, 2, std::vector<std::uint16_t>(48, 0x3c00), std::vector<float>(36, 1.0F)};
+      bake::SkyFile file;
       file.settings = "{}";
       file.bake.key_time_h = table.key_time_h;
-      const auto bytes = encodeSky(file, table, {}, encoding);
+      const auto bytes = bake::encodeSky(file, table, {}, encoding);
       welkin::Sky opened;
       const Status status = opened.open(bytes.data(), bytes.size());
       INFO(status.message);
       REQUIRE(status);
-      const auto want = decodeNumbers(table, encodeNumbers(table, encoding));
+      const auto want = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
       for (std::size_t key = 0; key < table.key_time_h.size(); ++key) {
         WelkinSkySample sample{};
         REQUIRE(welkin_sky_sample(opened.get(), table.key_time_h[key], &sample) == WELKIN_OK);
@@ -185,4 +186,4 @@ TEST_CASE("DayEncoding, TheRuntimeReadsTheSameNumbers") {
     }
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -5,21 +5,23 @@
 
 #include "baked.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
 /// Sun over the whole range: through the zenith at noon, the nadir at midnight.
-Sky equatorSky(const LuminanceModel& model, bool to_sun) {
-  Sky sky;
+model::Sky equatorSky(const model::LuminanceModel& model, bool to_sun) {
+  model::Sky sky;
   sky.luminance = model;
   sky.normalise_to_sun = to_sun;
   sky.sun.path.latitude_rad = 0.0;
   sky.sun.path.declination_rad = 0.0;
-  sky.gradient_sun = Gradient{2, 2, {1.0F, 0.4F, 0.1F, 0.2F, 0.3F, 0.5F, 0.3F, 0.4F, 0.9F, 0.1F, 0.2F, 0.6F}};
-  sky.gradient_anti = Gradient{2, 1, {0.4F, 0.4F, 0.7F, 0.1F, 0.1F, 0.4F}};
-  normalise(sky.gradient_sun, sky.gradient_anti);
+  sky.gradient_sun = model::Gradient{2, 2, {1.0F, 0.4F, 0.1F, 0.2F, 0.3F, 0.5F, 0.3F, 0.4F, 0.9F, 0.1F, 0.2F, 0.6F}};
+  sky.gradient_anti = model::Gradient{2, 1, {0.4F, 0.4F, 0.7F, 0.1F, 0.1F, 0.4F}};
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
   return sky;
 }
 
@@ -32,11 +34,11 @@ std::vector<Number3> directions() {
 
 TEST_CASE("Day, RadianceIsFiniteAndNonNegativeForEveryModel") {
   int looks = 0;  // millions: an assertion each would take most of the time
-  for (const auto& [name, model] : namedLuminances())
+  for (const auto& [name, model] : model::namedLuminances())
     for (const bool to_sun : {true, false}) {
-      const Sky sky = equatorSky(model, to_sun);
+      const model::Sky sky = equatorSky(model, to_sun);
       for (double time = 0.0; time < 24.0; time += 0.0831) {
-        const SkyInstant instant(sky, time);
+        const model::SkyInstant instant(sky, time);
         auto looked = directions();
         looked.push_back(instant.sunDirection());
         looked.push_back(-instant.sunDirection());
@@ -55,11 +57,11 @@ TEST_CASE("Day, RadianceIsFiniteAndNonNegativeForEveryModel") {
 TEST_CASE("Day, ContinuousThroughSunsetZenithAndMidnight") {
   // A tenth of a second moves the sun by 4e-4 degrees: nothing may step.
   constexpr double kStep_h = 0.1 / 3600.0;
-  for (const auto& [name, model] : namedLuminances()) {
-    const Sky sky = equatorSky(model, true);
+  for (const auto& [name, model] : model::namedLuminances()) {
+    const model::Sky sky = equatorSky(model, true);
     for (const double time : {0.0, 6.0, 12.0, 18.0, 3.0, 24.0 - kStep_h / 2}) {
-      const SkyInstant before(sky, time - kStep_h / 2);
-      const SkyInstant after(sky, time + kStep_h / 2);
+      const model::SkyInstant before(sky, time - kStep_h / 2);
+      const model::SkyInstant after(sky, time + kStep_h / 2);
       for (const Number3& d : directions())
         for (int c = 0; c < 3; ++c) {
           CAPTURE(name, time, d.x, d.y, d.z, c);
@@ -71,8 +73,8 @@ TEST_CASE("Day, ContinuousThroughSunsetZenithAndMidnight") {
 }
 
 TEST_CASE("Day, ContinuousInDirectionAtTheZenith") {
-  const Sky sky = equatorSky(*findLuminance("far-cry-3"), true);
-  const SkyInstant instant(sky, 8.0);
+  const model::Sky sky = equatorSky(*model::findLuminance("far-cry-3"), true);
+  const model::SkyInstant instant(sky, 8.0);
   const Number3 zenith = instant.shape({0, 1, 0});
   for (double azimuth = 0.0; azimuth < 6.2; azimuth += 0.3)
     for (int c = 0; c < 3; ++c)
@@ -81,16 +83,16 @@ TEST_CASE("Day, ContinuousInDirectionAtTheZenith") {
 
 TEST_CASE("Day, TurningTheSunTurnsEverything") {
   constexpr double kTurn = 1.1;
-  Sky sky = equatorSky(*findLuminance("far-cry-3"), true);
-  sky.sun.path = LightPath{};
+  model::Sky sky = equatorSky(*model::findLuminance("far-cry-3"), true);
+  sky.sun.path = model::LightPath{};
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.4};
   sky.sun.path.key_elevation_rad = {0.5};
-  Sky turned = sky;
+  model::Sky turned = sky;
   turned.sun.path.key_azimuth_rad = {0.4 + kTurn};
-  const SkyInstant a(sky, 8.0);
-  const SkyInstant b(turned, 8.0);
-  const SkyProjector projector(sky.luminance, 2);
+  const model::SkyInstant a(sky, 8.0);
+  const model::SkyInstant b(turned, 8.0);
+  const model::SkyProjector projector(sky.luminance, 2);
   for (double azimuth = 0.0; azimuth < 6.0; azimuth += 0.7)
     for (const double elevation : {0.0, 0.3, 1.2}) {
       const Number3 before = a.shape(det::directionOf(azimuth, elevation));
@@ -105,20 +107,18 @@ TEST_CASE("Day, TurningTheSunTurnsEverything") {
     }
 }
 
-using test::Baked;
-
 TEST_CASE("Runtime, TableAtItsKeysIsTheModel") {
   constexpr double kFloat = 3e-7;  // the table's floats, of c0
-  Sky model = equatorSky(*findLuminance("cie-12"), true);
+  model::Sky model = equatorSky(*model::findLuminance("cie-12"), true);
   model.intensity = {1, {6.0, 12.0}, {0.5, 2.0}};
   model.ground_albedo = Number3(0.3, 0.2, 0.1);
-  model.ambient_saturation = Curve::constant(0.4);
-  model.sun.illuminance = Curve::constant(2.0);
-  model.sun.colour = Curve::constant(Number3(1.0, 0.8, 0.6));
+  model.ambient_saturation = base::Curve::constant(0.4);
+  model.sun.illuminance = base::Curve::constant(2.0);
+  model.sun.colour = base::Curve::constant(Number3(1.0, 0.8, 0.6));
   const Baked baked(model, 5, 24);
   for (int hour = 0; hour < 24; ++hour) {
-    const SkyInstant instant(model, hour);
-    const auto moments = SkyProjector(instant.sky().luminance, 5).project(instant);
+    const model::SkyInstant instant(model, hour);
+    const auto moments = model::SkyProjector(instant.sky().luminance, 5).project(instant);
     const Number3 ground = instant.groundRadiance(moments.horizontal_irradiance);
     const auto up = det::shBasis({0, 1, 0});
     WelkinSkySample s;
@@ -141,8 +141,8 @@ TEST_CASE("Runtime, TableAtItsKeysIsTheModel") {
 
 TEST_CASE("Runtime, LightsStandWhereTheModelHasThem") {
   constexpr double kFloat = 1e-7;
-  Sky model = equatorSky(*findLuminance("cie-12"), true);
-  model.sun.path = sunPathFromPlace(48.0, 11.0, 3.0, 2020, 100);
+  model::Sky model = equatorSky(*model::findLuminance("cie-12"), true);
+  model.sun.path = model::sunPathFromPlace(48.0, 11.0, 3.0, 2020, 100);
   model.sun.path.north_offset_rad = 0.3;
   model.moon.emplace();
   model.moon->path.key_time_h = {1.0, 9.0, 20.0};
@@ -163,7 +163,7 @@ TEST_CASE("Runtime, LightsStandWhereTheModelHasThem") {
 }
 
 TEST_CASE("Runtime, BlendsBetweenKeysAndOverMidnight") {
-  const Sky model = equatorSky(*findLuminance("cie-12"), false);
+  const model::Sky model = equatorSky(*model::findLuminance("cie-12"), false);
   const Baked baked(model, 2, 4);
   WelkinSkySample a, b, middle, wrapped;
   REQUIRE(baked.sky.sample(18.0, a));
@@ -182,14 +182,14 @@ TEST_CASE("Runtime, BlendsBetweenKeysAndOverMidnight") {
 
 TEST_CASE("Runtime, DomeIsTheModel") {
   constexpr double kFloat = 5e-6;  // float sun, norm and gradients; the indicatrix amplifies the sun's by |d|
-  Sky model = equatorSky(*findLuminance("far-cry-3"), true);
-  model.polarising_tint = Curve::constant(Number3(0.7, 0.8, 0.9));
-  model.intensity = Curve::constant(1.7);
+  model::Sky model = equatorSky(*model::findLuminance("far-cry-3"), true);
+  model.polarising_tint = base::Curve::constant(Number3(0.7, 0.8, 0.9));
+  model.intensity = base::Curve::constant(1.7);
   const Baked baked(model, 2, 8);
   for (const double time : {0.3, 5.9, 6.0, 6.1, 9.0, 12.0, 17.2, 18.3, 23.99}) {
     WelkinSkySample s;
     REQUIRE(baked.sky.sample(time, s));
-    const SkyInstant instant(model, time);
+    const model::SkyInstant instant(model, time);
     for (const Number3& d : directions()) {
       const float f[3] = {float(d.x), float(d.y), float(d.z)};
       float got[3];
@@ -206,8 +206,8 @@ TEST_CASE("Runtime, DomeIsTheModel") {
 
 TEST_CASE("Runtime, IrradianceOfTheTable") {
   // Uniform sky over a ground of albedo 1: closed form pi ((1 + n_y)/2 + (1 - n_y)/2 E/pi).
-  Sky model;
-  model.luminance = *findLuminance("cie-5");
+  model::Sky model;
+  model.luminance = *model::findLuminance("cie-5");
   model.sun.path.key_time_h = {0.0};
   model.sun.path.key_azimuth_rad = {0.0};
   model.sun.path.key_elevation_rad = {0.5};
@@ -234,13 +234,13 @@ TEST_CASE("Runtime, IrradianceOfTheTable") {
 
 TEST_CASE("Runtime, AutoKeysFollowTheModel") {
   // What five minutes between keys cost: of c0, at the worst instant, between the keys.
-  const Sky model = equatorSky(*findLuminance("cie-12"), false);
-  const Baked baked(model, 3, kAutoKeys);
+  const model::Sky model = equatorSky(*model::findLuminance("cie-12"), false);
+  const Baked baked(model, 3, bake::kAutoKeys);
   double largest = 0.0;
   for (double time = 2.5 / 60.0; time < 24.0; time += 5.0 / 60.0) {
     WelkinSkySample s;
     REQUIRE(baked.sky.sample(time, s));
-    const auto moments = SkyProjector(model.luminance, 3).project(SkyInstant(model, time));
+    const auto moments = model::SkyProjector(model.luminance, 3).project(model::SkyInstant(model, time));
     for (std::size_t i = 0; i < 9; ++i)
       largest = std::max(largest,
                          std::abs(double{s.radiance_sh[i][1]} - moments.radiance_sh[i].y) / moments.radiance_sh[0].y);
@@ -250,4 +250,4 @@ TEST_CASE("Runtime, AutoKeysFollowTheModel") {
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests

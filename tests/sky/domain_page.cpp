@@ -3,7 +3,7 @@
 //   domain_page PAGE [--write]
 #include <string_view>
 
-#include "sky/domain.h"
+#include "sky/bake/sky_domain.h"
 #include "tests/page.h"
 
 int main(int count, char** arguments) {
@@ -12,5 +12,6 @@ int main(int count, char** arguments) {
     return 1;
   }
   const bool write = count > 2 && std::string_view(arguments[2]) == "--write";
-  return welkin::test::bringUpToDate(arguments[1], "domain", welkin::sky::domainTable(welkin::sky::domain()), write);
+  return welkin::tests::bringUpToDate(arguments[1], "domain", welkin::base::domainTable(welkin::bake::skyDomain()),
+                                      write);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every parameter of the domain at its edges and one unit in the last place to either side, as the loader sees it.
-#include "sky/domain.h"
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -10,42 +8,43 @@
 #include <optional>
 
 #include "parameter_text.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_domain.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What the loader says against a parameter's number; none: it takes it.
-std::optional<std::string> refusalOf(const test::Folder& folder, const Parameter& p, const std::string& number) {
-  const std::string path = folder.write("sky.toml", test::fileText(p, test::valueText(p, number)));
+std::optional<std::string> refusalOf(const Folder& folder, const base::Parameter& p, const std::string& number) {
+  const std::string path = folder.write("sky.toml", fileText(p, valueText(p, number)));
   try {
-    readSkyFile(path);
-  } catch (const Error& e) {
-    REQUIRE(e.status() == ExitStatus::content);
+    bake::readSkyFile(path);
+  } catch (const base::Error& e) {
+    REQUIRE(e.status() == base::ExitStatus::content);
     return e.what();
   }
   return std::nullopt;
 }
 
-bool isWhole(const Parameter& p) {
-  return p.kind == Kind::whole_number || p.kind == Kind::hours;
+bool isWhole(const base::Parameter& p) {
+  return p.kind == base::Kind::whole_number || p.kind == base::Kind::hours;
 }
 
-bool hasRange(const Parameter& p) {
-  return p.range.low != p.range.high && p.kind != Kind::image;
+bool hasRange(const base::Parameter& p) {
+  return p.range.low != p.range.high && p.kind != base::Kind::image;
 }
 
 /// Whether a coefficient is refused for what it makes of the sky, not for its own range.
-bool isOfTheSky(const Parameter& p, const std::string& refusal) {
+bool isOfTheSky(const base::Parameter& p, const std::string& refusal) {
   return p.key == "luminance" && refusal.find("makes the luminance") != std::string::npos;
 }
 
-void requireRefused(const test::Folder& folder, const Parameter& p, double value) {
-  const auto refusal = refusalOf(folder, p, test::numberText(value));
+void requireRefused(const Folder& folder, const base::Parameter& p, double value) {
+  const auto refusal = refusalOf(folder, p, numberText(value));
   REQUIRE(refusal);
   INFO(*refusal);
   CHECK_FALSE(isOfTheSky(p, *refusal));
@@ -57,8 +56,8 @@ void requireRefused(const test::Folder& folder, const Parameter& p, double value
   CHECK(refusal->find(fmt::format("{} to {}", p.range.low, p.range.high)) != std::string::npos);
 }
 
-void requireAccepted(const test::Folder& folder, const Parameter& p, double value) {
-  const auto refusal = refusalOf(folder, p, test::numberText(value));
+void requireAccepted(const Folder& folder, const base::Parameter& p, double value) {
+  const auto refusal = refusalOf(folder, p, numberText(value));
   INFO(refusal.value_or(""));
   CHECK((!refusal || isOfTheSky(p, *refusal)));
 }
@@ -66,10 +65,10 @@ void requireAccepted(const test::Folder& folder, const Parameter& p, double valu
 }  // namespace
 
 TEST_CASE("Domain, EveryEdgeAndTheNextNumberOnEitherSide") {
-  const test::Folder folder;
+  const Folder folder;
   folder.write("stars.ppm", "P3 2 1 255  0 0 0  255 255 255");
   int rows = 0;
-  for (const Parameter& p : domain()) {
+  for (const base::Parameter& p : bake::skyDomain()) {
     if (!hasRange(p)) continue;
     ++rows;
     const auto step = [&](double value, double towards) {
@@ -91,9 +90,9 @@ TEST_CASE("Domain, EveryEdgeAndTheNextNumberOnEitherSide") {
 }
 
 TEST_CASE("Domain, NeverANumberThatIsNone") {
-  const test::Folder folder;
+  const Folder folder;
   folder.write("stars.ppm", "P3 2 1 255  0 0 0  255 255 255");
-  for (const Parameter& p : domain()) {
+  for (const base::Parameter& p : bake::skyDomain()) {
     if (!hasRange(p)) continue;
     for (const char* none : {"nan", "-nan", "inf", "-inf", "\"1\"", "true", "1979-05-27", "[]", "{}"}) {
       CAPTURE(p.section, p.key, p.part, none);
@@ -103,12 +102,12 @@ TEST_CASE("Domain, NeverANumberThatIsNone") {
 }
 
 TEST_CASE("Domain, DefaultsLieInTheirRangeAndAreAccepted") {
-  const test::Folder folder;
-  for (const Parameter& p : domain()) {
+  const Folder folder;
+  for (const base::Parameter& p : bake::skyDomain()) {
     CAPTURE(p.section, p.key, p.part);
     if (const auto* number = std::get_if<double>(&p.otherwise)) {
       CHECK(p.range.contains(*number));
-      if (p.section != "stars") CHECK_FALSE(refusalOf(folder, p, test::numberText(*number)));
+      if (p.section != "stars") CHECK_FALSE(refusalOf(folder, p, numberText(*number)));
     }
     if (const auto* word = std::get_if<std::string_view>(&p.otherwise); word != nullptr && !p.words.empty()) {
       CHECK(std::find(p.words.begin(), p.words.end(), *word) != p.words.end());
@@ -118,31 +117,31 @@ TEST_CASE("Domain, DefaultsLieInTheirRangeAndAreAccepted") {
 }
 
 TEST_CASE("Domain, NumbersOfKeysAndColoursAreCheckedOneByOne") {
-  const test::Folder folder;
-  const auto refused = [&](const Parameter& p, const std::string& value) {
-    const std::string path = folder.write("sky.toml", test::fileText(p, value));
+  const Folder folder;
+  const auto refused = [&](const base::Parameter& p, const std::string& value) {
+    const std::string path = folder.write("sky.toml", fileText(p, value));
     try {
-      readSkyFile(path);
-    } catch (const Error&) {
+      bake::readSkyFile(path);
+    } catch (const base::Error&) {
       return true;
     }
     return false;
   };
-  for (const Parameter& p : domain()) {
+  for (const base::Parameter& p : bake::skyDomain()) {
     if (p.section == "stars") continue;
-    const std::string good = test::numberText(p.range.low + 0.25 * std::min(1.0, p.range.high - p.range.low));
-    const std::string bad = test::numberText(std::nextafter(p.range.high, kInfinity));
+    const std::string good = numberText(p.range.low + 0.25 * std::min(1.0, p.range.high - p.range.low));
+    const std::string bad = numberText(std::nextafter(p.range.high, kInfinity));
     CAPTURE(p.section, p.key, good, bad);
-    if (p.kind == Kind::number_or_keys) {
+    if (p.kind == base::Kind::number_or_keys) {
       CHECK_FALSE(refused(p, fmt::format("[[0, {0}], [23.5, {0}]]", good)));
       CHECK(refused(p, fmt::format("[[0, {0}], [23.5, {1}]]", good, bad)));
-    } else if (p.kind == Kind::colour_or_keys || p.kind == Kind::tint) {
+    } else if (p.kind == base::Kind::colour_or_keys || p.kind == base::Kind::tint) {
       CHECK_FALSE(refused(p, fmt::format("[[0, [{0}, {0}, {0}]], [1, [{0}, {0}, {0}]]]", good)));
       CHECK(refused(p, fmt::format("[[0, [{0}, {0}, {0}]], [1, [{0}, {0}, {1}]]]", good, bad)));
-    } else if (p.kind == Kind::colour || p.kind == Kind::gradient) {
+    } else if (p.kind == base::Kind::colour || p.kind == base::Kind::gradient) {
       CHECK(refused(p, fmt::format("[{1}, {0}, {0}]", good, bad)));
       CHECK(refused(p, fmt::format("[{0}, {0}, {1}]", good, bad)));
-    } else if (p.kind == Kind::hours) {
+    } else if (p.kind == base::Kind::hours) {
       CHECK_FALSE(refused(p, "[0, 23.9999]"));
       for (const char* list : {"[0, 24]", "[0, 0]", "[-1e-300]", "[3, 2]", "[nan]"}) CHECK(refused(p, list));
     }
@@ -150,8 +149,9 @@ TEST_CASE("Domain, NumbersOfKeysAndColoursAreCheckedOneByOne") {
 }
 
 TEST_CASE("Domain, ParameterOfFindsItsRow") {
-  for (const Parameter& p : domain()) CHECK(&parameterOf(p.section, p.key, p.part) == &p);
-  CHECK_THROWS_AS(parameterOf("sky", "brightness"), std::logic_error);
+  for (const base::Parameter& p : bake::skyDomain())
+    CHECK(&base::parameterOf(bake::skyDomain(), p.section, p.key, p.part) == &p);
+  CHECK_THROWS_AS(base::parameterOf(bake::skyDomain(), "sky", "brightness"), std::logic_error);
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of the analytic dome: what the runtime evaluates from a file against the model that was baked.
-#include "sky/dome_error.h"
+#include "sky/cubemap/dome_error.h"
 
 #include <catch2/catch.hpp>
 #include <welkin/welkin.hpp>
 
-#include "sky/dome_directions.h"
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
+#include "sky/cubemap/dome_directions.h"
 #include "tests/sky/some_skies.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
-std::vector<std::byte> bakedFile(const Sky& sky, GradientFormat format) {
-  SkyFile file;
+std::vector<std::byte> bakedFile(const model::Sky& sky, model::GradientFormat format) {
+  bake::SkyFile file;
   file.sky = sky;
   file.settings = "{}";
   file.bake.key_time_h = {0.0};
   file.bake.cubemap_size = 0;
   file.bake.gradient_format = format;
-  return encodeSky(file, bakeDayTable(sky, 2, {0.0}, [] { return true; }), {});
+  return bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, [] { return true; }), {});
 }
 
 }  // namespace
@@ -29,19 +31,19 @@ TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
   // the intensity, the tint and the luminance that it divides by as floats: each is off by up to 6e-8 of itself, and
   // the direction by as many radians, which exp(d theta), d about -3, multiplies; the result is a float.
   constexpr double kBound = 2.8e-7;
-  const DomeDirections directions({512, 256, 256});
+  const cubemap::DomeDirections directions({512, 256, 256});
   double worst = 0.0;
   const auto skies = someSkies();
   for (const NamedSky& named : skies) {
-    const auto format = &named == &skies.back() ? GradientFormat::rgb9e5 : GradientFormat::rgb32f;
+    const auto format = &named == &skies.back() ? model::GradientFormat::rgb9e5 : model::GradientFormat::rgb32f;
     const auto bytes = bakedFile(named.sky, format);
-    Sky shown_sky = named.sky;
-    shown_sky.gradient_sun = rounded(named.sky.gradient_sun, format);
-    shown_sky.gradient_anti = rounded(named.sky.gradient_anti, format);
+    model::Sky shown_sky = named.sky;
+    shown_sky.gradient_sun = model::rounded(named.sky.gradient_sun, format);
+    shown_sky.gradient_anti = model::rounded(named.sky.gradient_anti, format);
     welkin::Sky opened;
     REQUIRE(opened.open(bytes.data(), bytes.size()));
     for (int minute = 0; minute < 1440; minute += 13) {
-      const SkyInstant instant(shown_sky, minute / 60.0);
+      const model::SkyInstant instant(shown_sky, minute / 60.0);
       WelkinSkySample sample{};
       REQUIRE(opened.sample(minute / 60.0, sample));
       for (const auto& [direction, solid_angle] : directions.around(instant.sunDirection())) {
@@ -69,14 +71,14 @@ TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
 TEST_CASE("DomeError, OfOneColourIsItsRounding") {
   // 1, 1/2 and a blue between two codes of 2^-8, under an even luminance: what it shows is the colour over its
   // luminance.
-  Sky sky;
-  sky.luminance = *findLuminance("cie-5");
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-5");
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.4};
   sky.sun.path.key_elevation_rad = {0.7};
   const double blue = 0.25 + 0.4 * 0x1p-8;
-  sky.gradient_sun = sky.gradient_anti = Gradient::constant({1.0, 0.5, blue});
-  const auto error = measureGradients(sky, GradientFormat::rgb9e5, Effort::fast);
+  sky.gradient_sun = sky.gradient_anti = model::Gradient::constant({1.0, 0.5, blue});
+  const auto error = cubemap::measureGradients(sky, model::GradientFormat::rgb9e5, cubemap::Effort::fast);
   const double y = 0.2126 + 0.7152 * 0.5 + 0.0722 * blue;
   const double rounded_y = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
   // Blue is half of the luminance here, which divides: both are 1 over y.
@@ -84,16 +86,18 @@ TEST_CASE("DomeError, OfOneColourIsItsRounding") {
   CHECK(error.channel == 2);
   CHECK(error.largest.error == Approx(error.error).epsilon(1e-9));
   CHECK(error.mean == Approx(error.error).epsilon(1e-9));
-  CHECK(measureGradients(sky, GradientFormat::rgb32f, Effort::fast).error == 0.0);
+  CHECK(cubemap::measureGradients(sky, model::GradientFormat::rgb32f, cubemap::Effort::fast).error == 0.0);
 }
 
 TEST_CASE("DomeError, FastIsFullAndAGridThroughTheRuntime", "[slow]") {
   constexpr double kAgree = 0.05;
   for (const NamedSky& named : someSkies()) {
-    const double fast = measureGradients(named.sky, GradientFormat::rgb9e5, Effort::fast).error;
-    const double full = measureGradients(named.sky, GradientFormat::rgb9e5, Effort::full).error;
-    const auto exact_bytes = bakedFile(named.sky, GradientFormat::rgb32f);
-    const auto bytes = bakedFile(named.sky, GradientFormat::rgb9e5);
+    const double fast =
+        cubemap::measureGradients(named.sky, model::GradientFormat::rgb9e5, cubemap::Effort::fast).error;
+    const double full =
+        cubemap::measureGradients(named.sky, model::GradientFormat::rgb9e5, cubemap::Effort::full).error;
+    const auto exact_bytes = bakedFile(named.sky, model::GradientFormat::rgb32f);
+    const auto bytes = bakedFile(named.sky, model::GradientFormat::rgb9e5);
     CHECK(bytes.size() < exact_bytes.size());
     welkin::Sky exact;
     welkin::Sky opened;
@@ -133,4 +137,4 @@ TEST_CASE("DomeError, FastIsFullAndAGridThroughTheRuntime", "[slow]") {
   }
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

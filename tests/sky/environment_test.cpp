@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubemaps and latlongs from files: every layout, orientation and texel rule, against a function of known coefficients.
-#include "sky/environment.h"
+#include "sky/cubemap/environment.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -14,11 +14,13 @@
 #include <functional>
 #include <optional>
 
-#include "sky/cubemap.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
+#include "sky/cubemap/cubemap.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 /// Nine different coefficients a channel: every swap, mirror and turn of faces changes some.
@@ -32,7 +34,7 @@ Number3 radianceAt(const Number3& d) {
 }
 
 /// Sampling at the centres of N texels a quarter turn leaves up to 2.1 / N^2 of this function, measured.
-void requireCoefficients(const Environment& environment, int size) {
+void requireCoefficients(const cubemap::Environment& environment, int size) {
   for (std::size_t k = 0; k < 9; ++k) {
     const Number3 difference = environment.radiance_sh[k] - Number3(1.0, 2.0, k == 0 ? 3.0 : 1.5) * kCoefficient[k];
     CAPTURE(environment.layout, k, difference.x, difference.y, difference.z);
@@ -66,8 +68,8 @@ void writeImage(const std::string& path, int width, int height, const std::vecto
 }
 
 /// Writes what `direction` sees, as floats, black where it is zero, and projects it.
-Environment projected(int width, int height, const DirectionOf& direction,
-                      std::optional<Imf::Envmap> envmap = std::nullopt, const char* name = "a.exr") {
+cubemap::Environment projected(int width, int height, const DirectionOf& direction,
+                               std::optional<Imf::Envmap> envmap = std::nullopt, const char* name = "a.exr") {
   std::vector<float> rgb;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -75,12 +77,12 @@ Environment projected(int width, int height, const DirectionOf& direction,
       const Number3 radiance = dot(d, d) > 0.0 ? radianceAt(d) : Number3(0.0);
       for (int c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(radiance[c]));
     }
-  const test::Folder folder;
+  const Folder folder;
   if (envmap)
     writeExr(folder / name, width, height, rgb, *envmap);
   else
     writeImage(folder / name, width, height, rgb);
-  return projectImage(folder / name, 3);
+  return cubemap::projectImage(folder / name, 3);
 }
 
 constexpr int kSize = 48;
@@ -90,7 +92,8 @@ constexpr int kSize = 48;
 Number3 directionOn(const std::vector<std::string>& faces, int column, int row) {
   const char face = faces[static_cast<std::size_t>(row / kSize)][static_cast<std::size_t>(column / kSize)];
   if (face == '.') return Number3(0.0);
-  return directionOfTexel(Layout::vulkan_cube, kSize, column % kSize, (face - '0') * kSize + row % kSize);
+  return cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, kSize, column % kSize,
+                                   (face - '0') * kSize + row % kSize);
 }
 
 }  // namespace
@@ -100,7 +103,7 @@ TEST_CASE("ProjectImage, CubemapsWithoutAnAttribute") {
        {std::pair<std::string, std::vector<std::string>>{"strip", {"0", "1", "2", "3", "4", "5"}},
         {"strip", {"012345"}},
         {"cross", {".2..", "1405", ".3.."}}}) {
-    const Environment environment =
+    const cubemap::Environment environment =
         projected(static_cast<int>(faces[0].size()) * kSize, static_cast<int>(faces.size()) * kSize,
                   [&, &rows = faces](int column, int row) { return directionOn(rows, column, row); });
     REQUIRE(environment.layout == layout);
@@ -114,28 +117,30 @@ TEST_CASE("ProjectImage, TheVerticalCrossFoldsIntoACube") {
   // -z hangs below -y, upside down, so that the picture goes on without a seam.
   const auto direction = [](int column, int row) {
     if (row >= 3 * kSize && column / kSize == 1)
-      return directionOfTexel(Layout::vulkan_cube, kSize, 2 * kSize - 1 - column, 5 * kSize + 4 * kSize - 1 - row);
+      return cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, kSize, 2 * kSize - 1 - column,
+                                       5 * kSize + 4 * kSize - 1 - row);
     return directionOn({".2.", "140", ".3.", "..."}, column, row);
   };
   const Number3 above = direction(kSize + 7, 3 * kSize - 1);
   const Number3 below = direction(kSize + 7, 3 * kSize);
   REQUIRE(dot(above, below) > 0.99);
-  const Environment environment = projected(3 * kSize, 4 * kSize, direction);
+  const cubemap::Environment environment = projected(3 * kSize, 4 * kSize, direction);
   REQUIRE(environment.layout == "cross");
   requireCoefficients(environment, kSize);
 }
 
 TEST_CASE("ProjectImage, OpenExrsRuleAndOrientation") {
-  const Environment cube = projected(
-      kSize, 6 * kSize, [](int column, int row) { return directionOfTexel(Layout::exr_cube, kSize, column, row); },
+  const cubemap::Environment cube = projected(
+      kSize, 6 * kSize,
+      [](int column, int row) { return cubemap::directionOfTexel(cubemap::Layout::exr_cube, kSize, column, row); },
       Imf::ENVMAP_CUBE);
   REQUIRE(cube.layout == "cube");
   REQUIRE(cube.rule == sh::TexelRule::edge_centres);
   requireCoefficients(cube, kSize - 1);
 
-  const Environment latlong = projected(
+  const cubemap::Environment latlong = projected(
       4 * kSize, 2 * kSize,
-      [](int column, int row) { return directionOfTexel(Layout::exr_latlong, kSize, column, row); },
+      [](int column, int row) { return cubemap::directionOfTexel(cubemap::Layout::exr_latlong, kSize, column, row); },
       Imf::ENVMAP_LATLONG);
   REQUIRE(latlong.layout == "latlong");
   REQUIRE(latlong.rule == sh::TexelRule::edge_centres);
@@ -144,7 +149,7 @@ TEST_CASE("ProjectImage, OpenExrsRuleAndOrientation") {
 
 TEST_CASE("ProjectImage, LatlongByTheHalfTexelRule") {
   for (const char* name : {"a.exr", "a.tif"}) {
-    const Environment environment = projected(
+    const cubemap::Environment environment = projected(
         4 * kSize, 2 * kSize,
         [](int column, int row) {  // the middle column is +z, south, and +x is left of it
           const double longitude = det::kPi - det::kTwoPi * (column + 0.5) / (4 * kSize);
@@ -160,9 +165,9 @@ TEST_CASE("ProjectImage, LatlongByTheHalfTexelRule") {
 }
 
 TEST_CASE("ProjectImage, NegativeValuesAreCountedAndTaken") {
-  const test::Folder folder;
+  const Folder folder;
   writeImage(folder / "a.exr", 2, 1, {-1.0F, 2.0F, 3.0F, -1.0F, 2.0F, 3.0F});
-  const Environment environment = projectImage(folder / "a.exr", 2);
+  const cubemap::Environment environment = cubemap::projectImage(folder / "a.exr", 2);
   REQUIRE(environment.negative == 2);
   REQUIRE(environment.radiance_sh[0].x == Approx(-2.0 * std::sqrt(M_PI)));
   REQUIRE(environment.radiance_sh[1].z == Approx(0.0).margin(1e-12));
@@ -175,7 +180,7 @@ TEST_CASE("ProjectImage, OtherShapesAreRefused") {
                         Catch::Contains("a latlong is 2:1, a cubemap 1:6, 6:1, 4:3 or 3:4"));
   REQUIRE_THROWS_WITH(projected(8, 6, any, Imf::ENVMAP_CUBE), Catch::Contains("six faces"));
   REQUIRE_THROWS_WITH(projected(1, 6, any, Imf::ENVMAP_CUBE), Catch::Contains("six faces of 2 or more"));
-  REQUIRE_THROWS_AS(projected(1, 1, any, Imf::ENVMAP_LATLONG), Error);
+  REQUIRE_THROWS_AS(projected(1, 1, any, Imf::ENVMAP_LATLONG), base::Error);
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -5,13 +5,10 @@
 #include "extreme_skies.h"
 #include "reference.h"
 
-namespace welkin::sky {
-namespace {
+namespace welkin::tests {
 
-using test::Baked;
-using test::coloured;
-using test::holds;
-using test::still;
+using det::Number3;
+namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr float kUnit = std::numeric_limits<float>::denorm_min();
@@ -26,24 +23,24 @@ Number3 irradianceOf(const WelkinSkySample& sample, const Number3& normal) {
 }  // namespace
 
 TEST_CASE("Extremes, GradientsBlackOfOneTexelAndOverTheWholeRange") {
-  const Gradient gradients[] = {
-      Gradient::constant(Number3(0.0)),                                   // black
-      Gradient::constant(Number3(1e-30)),                                 // a single texel
-      Gradient::constant(Number3(0.0, 0.0, 1e30)),                        // of one primary
+  const model::Gradient gradients[] = {
+      model::Gradient::constant(Number3(0.0)),                            // black
+      model::Gradient::constant(Number3(1e-30)),                          // a single texel
+      model::Gradient::constant(Number3(0.0, 0.0, 1e30)),                 // of one primary
       {2, 2, {1e-30F, 0, 0, 0, 1e30F, 0, 0, 0, 0, 1e30F, 1e30F, 1e30F}},  // 60 orders beside each other
       {3, 3, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}},  // one among black
       {1, 2, {kUnit, 0, 0, 0, 0, kUnit}},
       {2, 1, {kLargest, kLargest, kLargest, 0, 0, 0}},
       {1, 1, {0, 0, kLargest}},
       {1, 3, {1, 1, 1, 1e-4F, 1e-4F, 1e-4F, 0.99e-4F, 1.01e-4F, 1e-4F}}};  // about the luminance where colours fade
-  for (const Gradient& at_sun : gradients)
-    for (const Gradient& opposite : gradients)
+  for (const model::Gradient& at_sun : gradients)
+    for (const model::Gradient& opposite : gradients)
       for (const double elevation : {0.5, 0.0, -0.3, det::kHalfPi}) {
-        Sky model = coloured(*findLuminance("far-cry-3"), true);
+        model::Sky model = coloured(*model::findLuminance("far-cry-3"), true);
         model.sun.path = still(0.7, elevation);
         model.gradient_sun = at_sun;
         model.gradient_anti = opposite;
-        normalise(model.gradient_sun, model.gradient_anti);
+        model::normalise(model.gradient_sun, model.gradient_anti);
         CAPTURE(at_sun.rgb, opposite.rgb, elevation);
         const Baked baked(model, 3, std::vector<double>{0.0});
         for (const double time_h : {0.0, 3.0, 6.0, 12.0, 23.999999}) holds(model, baked, time_h);
@@ -62,15 +59,15 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
       const std::vector<float>& high = way % 2 == 0 ? blue : red;
       std::vector<float> both = low;
       both.insert(both.end(), high.begin(), high.end());
-      Sky model;
-      model.luminance = *findLuminance("cie-12");
+      model::Sky model;
+      model.luminance = *model::findLuminance("cie-12");
       model.sun.path = still(0.3, 0.5);
-      model.gradient_sun = way < 2 ? Gradient{1, 2, both} : Gradient{1, 1, low};
-      model.gradient_anti = way < 2 ? Gradient{1, 2, both} : Gradient{1, 1, high};
-      normalise(model.gradient_sun, model.gradient_anti);
-      const SkyInstant instant(model, 0.0);
-      const SkyMoments bake = SkyProjector(model.luminance, 3).project(instant);
-      const SkyMoments finest = SkyProjector(model.luminance, 3, 1e-12).project(instant);
+      model.gradient_sun = way < 2 ? model::Gradient{1, 2, both} : model::Gradient{1, 1, low};
+      model.gradient_anti = way < 2 ? model::Gradient{1, 2, both} : model::Gradient{1, 1, high};
+      model::normalise(model.gradient_sun, model.gradient_anti);
+      const model::SkyInstant instant(model, 0.0);
+      const model::SkyMoments bake = model::SkyProjector(model.luminance, 3).project(instant);
+      const model::SkyMoments finest = model::SkyProjector(model.luminance, 3, 1e-12).project(instant);
       double c0 = 0.0;
       double error = 0.0;
       for (int c = 0; c < 3; ++c) c0 = std::max(c0, finest.radiance_sh[0][c]);
@@ -78,7 +75,7 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
         for (int c = 0; c < 3; ++c)
           error = std::max(error, std::abs(bake.radiance_sh[i][c] - finest.radiance_sh[i][c]) / c0);
       CAPTURE(ratio, way);
-      CHECK(error < kTolerance);
+      CHECK(error < model::kTolerance);
       largest = std::max(largest, error);
       if (ratio != 30.0) continue;
       const Reference reference = referenceOverWorld(instant, 3, 400);
@@ -91,18 +88,18 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
 
 TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
   // The last is about the brightest that the loader takes: 2e17 times the zenith on the horizon, of factors of 2e-9.
-  const LuminanceModel brightest{-1.0, -2e-9, 0.0, -1.0, 2e-9 - 1.0, 0.0};
-  for (const LuminanceModel& m : {*findLuminance("cie-5"), *findLuminance("far-cry-3"), brightest})
+  const model::LuminanceModel brightest{-1.0, -2e-9, 0.0, -1.0, 2e-9 - 1.0, 0.0};
+  for (const model::LuminanceModel& m : {*model::findLuminance("cie-5"), *model::findLuminance("far-cry-3"), brightest})
     for (const bool to_sun : {true, false})
       for (const double intensity : {0.0, 4.9e-324, 1e-310, 1e-45, 1e-38, 65504.0, 65505.0, 1e12})
         for (const double tint : {0.0, 1e-12, 1e12}) {
-          Sky model = coloured(m, to_sun);
+          model::Sky model = coloured(m, to_sun);
           model.sun.path = still(2.0, det::kHalfPi);
-          REQUIRE_FALSE(whyUnusable(m, model.sun.path));
-          model.intensity = Curve::constant(intensity);
-          model.polarising_tint = Curve::constant(Number3(tint, 1.0, tint));
-          model.sun.illuminance = Curve::constant(1e12);
-          model.sun.colour = Curve::constant(Number3(1e12, 0.0, 1e-12));
+          REQUIRE_FALSE(model::whyUnusable(m, model.sun.path));
+          model.intensity = base::Curve::constant(intensity);
+          model.polarising_tint = base::Curve::constant(Number3(tint, 1.0, tint));
+          model.sun.illuminance = base::Curve::constant(1e12);
+          model.sun.colour = base::Curve::constant(Number3(1e12, 0.0, 1e-12));
           model.sun.disc_radius_rad = 1e-9;
           CAPTURE(m.a, to_sun, intensity, tint);
           const Baked baked(model, 5, std::vector<double>{0.0});
@@ -111,37 +108,37 @@ TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
           REQUIRE(baked.sky.sample(13.0, sample));
           if (intensity > 1e-30) CHECK(irradianceOf(sample, {0, 1, 0}).y > 0.0);
           if (m.a != brightest.a || m.b != brightest.b || to_sun || intensity < 1e12 || tint < 1.0) continue;
-          CHECK(test::seen(baked.sky, sample, {1, 0, 0})[0].colour.x == double{kLargest});  // past it: the largest
+          CHECK(seen(baked.sky, sample, {1, 0, 0})[0].colour.x == double{kLargest});  // past it: the largest
         }
 }
 
 TEST_CASE("Extremes, ABlackSkyIsExactlyBlack") {
-  Sky model = coloured(*findLuminance("cie-12"), true);
-  model.intensity = Curve::constant(0.0);
-  model.sun.illuminance = Curve::constant(0.0);
+  model::Sky model = coloured(*model::findLuminance("cie-12"), true);
+  model.intensity = base::Curve::constant(0.0);
+  model.sun.illuminance = base::Curve::constant(0.0);
   model.moon.reset();
   model.sun.path = still(0.0, 0.4);
   const Baked baked(model, 5, 3);
   WelkinSkySample sample{};
   for (const double time_h : {0.0, 8.0, 20.0}) {
     REQUIRE(baked.sky.sample(time_h, sample));
-    for (const Number3& d : test::specialDirections({0, 0.6, 0.8}))
-      for (const test::Shown& shown : test::seen(baked.sky, sample, d)) CHECK(shown.colour == Number3(0.0));
+    for (const Number3& d : specialDirections({0, 0.6, 0.8}))
+      for (const Shown& shown : seen(baked.sky, sample, d)) CHECK(shown.colour == Number3(0.0));
   }
 }
 
 TEST_CASE("Extremes, AConstantSkyLightsByItsClosedForm") {
   // Radiance L over a ground of albedo rho: E(n) = pi L ((1 + n_y)/2 + rho (1 - n_y)/2), exact in 2, 4 and 5 bands.
-  Sky model;
-  model.luminance = *findLuminance("cie-5");
+  model::Sky model;
+  model.luminance = *model::findLuminance("cie-5");
   model.sun.path = still(0.3, 0.2);
   model.ground_albedo = Number3(0.2, 0.5, 1.0);
   for (const double radiance : {1e-30, 1e-12, 1.0, 1e12}) {
-    model.intensity = Curve::constant(radiance);
+    model.intensity = base::Curve::constant(radiance);
     const Baked baked(model, 5, std::vector<double>{0.0});
     WelkinSkySample sample{};
     REQUIRE(baked.sky.sample(1.0, sample));
-    for (const Number3& n : test::specialDirections({0, 0.6, 0.8})) {
+    for (const Number3& n : specialDirections({0, 0.6, 0.8})) {
       const Number3 e = irradianceOf(sample, n);
       for (int c = 0; c < 3; ++c)
         CHECK(e[c] / radiance ==
@@ -153,14 +150,14 @@ TEST_CASE("Extremes, AConstantSkyLightsByItsClosedForm") {
 TEST_CASE("Extremes, ANearDeltaSkyLightsAsItsLobe") {
   // The steepest lobe that outshines the rest: E of a surface that faces it is what 5 bands give of a delta's power,
   // sum over l of A_l (2 l + 1) / 4 pi.
-  Sky model;
+  model::Sky model;
   model.luminance = {0.0, -1.0, 1e4, -100.0, 0.0, 0.0};
   model.normalise_to_sun = false;
   model.sun.path = still(0.3, 0.8);
   const Baked baked(model, 5, std::vector<double>{0.0});
   WelkinSkySample sample{};
   REQUIRE(baked.sky.sample(1.0, sample));
-  const double norm = SkyInstant(model, 1.0).luminanceNorm();
+  const double norm = model::SkyInstant(model, 1.0).luminanceNorm();
   const double power = 1e4 * 2.0 * M_PI / (1.0 + 100.0 * 100.0) / norm;
   const double uniform = M_PI * (1.0 + std::sin(0.8)) / 2.0 / norm;
   double share = 0.0;
@@ -171,4 +168,4 @@ TEST_CASE("Extremes, ANearDeltaSkyLightsAsItsLobe") {
   CHECK(irradianceOf(sample, sun).x == Approx(power * share + uniform).margin(kWidth * power + kUniform * uniform));
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

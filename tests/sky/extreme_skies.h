@@ -6,13 +6,13 @@
 
 #include "always.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 inline constexpr double kDegree = det::kPi / 180.0;
 
 /// A sun that stands still.
-inline sky::LightPath still(double azimuth_rad, double elevation_rad) {
-  sky::LightPath path;
+inline model::LightPath still(double azimuth_rad, double elevation_rad) {
+  model::LightPath path;
   path.key_time_h = {0.0};
   path.key_azimuth_rad = {azimuth_rad};
   path.key_elevation_rad = {elevation_rad};
@@ -20,10 +20,10 @@ inline sky::LightPath still(double azimuth_rad, double elevation_rad) {
 }
 
 /// Of different colours at the sun and opposite, with a ground, a tint, a moon and lights.
-inline sky::Sky coloured(const sky::LuminanceModel& model, bool to_sun) {
-  using sky::Curve;
-  using sky::Gradient;
-  sky::Sky s;
+inline model::Sky coloured(const model::LuminanceModel& model, bool to_sun) {
+  using base::Curve;
+  using model::Gradient;
+  model::Sky s;
   s.luminance = model;
   s.normalise_to_sun = to_sun;
   s.gradient_sun = Gradient{2, 2, {1.0F, 0.4F, 0.1F, 0.2F, 0.3F, 0.5F, 0.3F, 0.4F, 0.9F, 0.1F, 0.2F, 0.6F}};
@@ -41,8 +41,8 @@ inline sky::Sky coloured(const sky::LuminanceModel& model, bool to_sun) {
 }
 
 /// Fails at the first fault; true so that it can be counted.
-inline bool holds(const sky::Sky& model, const Baked& baked, double time_h) {
-  const sky::SkyInstant instant(model, time_h);
+inline bool holds(const model::Sky& model, const Baked& baked, double time_h) {
+  const model::SkyInstant instant(model, time_h);
   WelkinSkySample sample{};
   REQUIRE(baked.sky.sample(time_h, sample));
   CAPTURE(time_h);
@@ -58,4 +58,4 @@ inline bool holds(const sky::Sky& model, const Baked& baked, double time_h) {
   return true;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

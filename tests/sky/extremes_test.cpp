@@ -6,22 +6,16 @@
 
 #include "extreme_skies.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 namespace {
-
-using test::Baked;
-using test::coloured;
-using test::holds;
-using test::kDegree;
-using test::still;
 
 constexpr double kUnit = std::numeric_limits<double>::denorm_min();
 
 /// Of the rule that keeps 1e-12, and of a bake's: the largest error of a coefficient, of c0.
-double errorOfABake(const Sky& model, int bands) {
-  const SkyInstant instant(model, 0.0);
-  const DayTable table = bakeDayTable(model, bands, {0.0}, [] { return true; });
-  const PolarMoments finest = SkyProjector(model.luminance, bands, 1e-12).projectPolar(instant);
+double errorOfABake(const model::Sky& model, int bands) {
+  const model::SkyInstant instant(model, 0.0);
+  const table::DayTable table = table::bakeDayTable(model, bands, {0.0}, [] { return true; });
+  const model::PolarMoments finest = model::SkyProjector(model.luminance, bands, 1e-12).projectPolar(instant);
   double largest = 0.0;
   for (std::size_t i = 0; i < finest.radiance_sh.size(); ++i)
     largest = std::max(largest,
@@ -45,11 +39,11 @@ const double kElevations[] = {0.0,
 
 TEST_CASE("Extremes, SunAtTheHorizonTheZenithAndTheNadir") {
   int looks = 0;
-  for (const auto& [name, luminance] : namedLuminances())
+  for (const auto& [name, luminance] : model::namedLuminances())
     for (const bool to_sun : {true, false})
       for (const double elevation : kElevations)
         for (const double azimuth : {0.0, 2.5}) {
-          Sky model = coloured(luminance, to_sun);
+          model::Sky model = coloured(luminance, to_sun);
           model.sun.path = still(azimuth, elevation);
           CAPTURE(name, to_sun, elevation, azimuth);
           const Baked baked(model, 2 + looks % 4, std::vector<double>{0.0});
@@ -59,26 +53,26 @@ TEST_CASE("Extremes, SunAtTheHorizonTheZenithAndTheNadir") {
 }
 
 /// All combinations of ends and middles that the loader would take under a sun.
-std::vector<LuminanceModel> modelsAtTheEnds(const LightPath& sun) {
-  std::vector<LuminanceModel> models;
+std::vector<model::LuminanceModel> modelsAtTheEnds(const model::LightPath& sun) {
+  std::vector<model::LuminanceModel> models;
   for (const double a : {-1e4, -1.0, 0.0, 1e4})
     for (const double b : {-1e4, -1.0, -1e-8, -kUnit})
       for (const double c : {-1e4, -1e-3, 24.0, 1e4})
         for (const double d : {-1e4, -50.0, -1.0, -kUnit})
           for (const double e : {-1e4, -0.9, 0.0, 1e4})
-            if (const LuminanceModel m{a, b, c, d, e, 0.0}; !whyUnusable(m, sun)) models.push_back(m);
+            if (const model::LuminanceModel m{a, b, c, d, e, 0.0}; !model::whyUnusable(m, sun)) models.push_back(m);
   return models;
 }
 
 TEST_CASE("Extremes, CoefficientsAtTheEndsOfTheirDomain") {
-  const LightPath sun = still(0.3, 0.4);
+  const model::LightPath sun = still(0.3, 0.4);
   const auto models = modelsAtTheEnds(sun);
   REQUIRE(models.size() > 100);
   bool to_sun = false;
-  for (const LuminanceModel& m : models) {
+  for (const model::LuminanceModel& m : models) {
     to_sun = !to_sun;
     CAPTURE(m.a, m.b, m.c, m.d, m.e, to_sun);
-    Sky model = coloured(m, to_sun);
+    model::Sky model = coloured(m, to_sun);
     model.sun.path = sun;
     const Baked baked(model, 3, std::vector<double>{0.0});
     holds(model, baked, 12.0);
@@ -87,12 +81,13 @@ TEST_CASE("Extremes, CoefficientsAtTheEndsOfTheirDomain") {
 
 TEST_CASE("Extremes, TheFinestRuleHasTheClosedForms") {
   constexpr double kFinest = 1e-11;
-  const auto c0 = [](const LuminanceModel& m, double elevation) {
-    Sky model;
+  const auto c0 = [](const model::LuminanceModel& m, double elevation) {
+    model::Sky model;
     model.luminance = m;
     model.sun.path = still(0.3, elevation);
-    const SkyInstant instant(model, 0.0);
-    return SkyProjector(m, 2, 1e-12).project(instant).radiance_sh[0].x * instant.luminanceNorm() / det::kShConstant;
+    const model::SkyInstant instant(model, 0.0);
+    return model::SkyProjector(m, 2, 1e-12).project(instant).radiance_sh[0].x * instant.luminanceNorm() /
+           det::kShConstant;
   };
   // Near-delta lobes about the zenith: the integral of exp(d theta) sin theta is (d exp(d pi/2) + 1) / (1 + d^2).
   for (const double c : {1.0, 24.0, 1e4})
@@ -115,13 +110,13 @@ TEST_CASE("Extremes, TheFinestRuleHasTheClosedForms") {
 
 TEST_CASE("Extremes, ABakeKeepsItsToleranceAtTheEndsOfTheCoefficients") {
   double largest = 0.0;
-  LuminanceModel worst{};
+  model::LuminanceModel worst{};
   for (const double elevation : {0.0, 1.2}) {
-    Sky model;
+    model::Sky model;
     model.sun.path = still(0.3, elevation);
     const auto models = modelsAtTheEnds(model.sun.path);
     for (std::size_t i = elevation > 0.0 ? 1 : 0; i < models.size(); i += 2) {
-      const LuminanceModel& m = models[i];
+      const model::LuminanceModel& m = models[i];
       model.luminance = m;
       const double error = errorOfABake(model, 2);
       if (error <= largest) continue;
@@ -130,9 +125,9 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceAtTheEndsOfTheCoefficients") {
     }
   }
   CAPTURE(worst.a, worst.b, worst.c, worst.d, worst.e);
-  CHECK(largest < kTolerance);
+  CHECK(largest < model::kTolerance);
   CHECK(largest > 1e-8);  // a difference was measured
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a gradient's texels lie, how colours blend over azimuth, and what becomes of their luminance.
-#include "sky/gradient.h"
+#include "sky/model/gradient.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sky/sky.h"
+#include "sky/model/sky.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr double kQuarter = M_PI / 2.0;
 
 /// Red counts columns, green rows from the horizon.
-Gradient counting(int width, int height) {
-  Gradient g{width, height, {}};
+model::Gradient counting(int width, int height) {
+  model::Gradient g{width, height, {}};
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) g.rgb.insert(g.rgb.end(), {float(i), float(j), 1.0F});
   return g;
 }
 
 TEST_CASE("Gradient, TexelCentres") {
-  const Gradient g = counting(4, 3);  // columns centred on 3, 9, 15, 21 h; rows on 15, 45, 75 degrees
-  CHECK(columnAt(g, 9.0).at(kQuarter / 2).x == Approx(1.0));
-  CHECK(columnAt(g, 12.0).at(kQuarter / 2).x == Approx(1.5));
-  CHECK(columnAt(g, 9.0).at(kQuarter / 2).y == Approx(1.0));
-  CHECK(columnAt(g, 9.0).at(kQuarter / 3).y == Approx(0.5));
-  CHECK(columnAt(g, 9.0).at(0.0).y == 0.0);       // clamped below the first centre
-  CHECK(columnAt(g, 9.0).at(kQuarter).y == 2.0);  // and above the last
+  const model::Gradient g = counting(4, 3);  // columns centred on 3, 9, 15, 21 h; rows on 15, 45, 75 degrees
+  CHECK(model::columnAt(g, 9.0).at(kQuarter / 2).x == Approx(1.0));
+  CHECK(model::columnAt(g, 12.0).at(kQuarter / 2).x == Approx(1.5));
+  CHECK(model::columnAt(g, 9.0).at(kQuarter / 2).y == Approx(1.0));
+  CHECK(model::columnAt(g, 9.0).at(kQuarter / 3).y == Approx(0.5));
+  CHECK(model::columnAt(g, 9.0).at(0.0).y == 0.0);       // clamped below the first centre
+  CHECK(model::columnAt(g, 9.0).at(kQuarter).y == 2.0);  // and above the last
 }
 
 TEST_CASE("Gradient, WrapsOverMidnight") {
-  const Gradient g = counting(4, 1);
-  CHECK(columnAt(g, 0.0).at(0.0).x == Approx(1.5));    // half way between column 3 and column 0
-  CHECK(columnAt(g, 22.5).at(0.0).x == Approx(2.25));  // a quarter of the way
-  CHECK(columnAt(g, 1.5).at(0.0).x == Approx(0.75));
-  CHECK(columnAt(g, 23.999999).at(0.0).x == Approx(columnAt(g, 0.0).at(0.0).x).margin(1e-6));
-  CHECK(columnAt(g, 26.0).at(0.0).x == Approx(columnAt(g, 2.0).at(0.0).x));
+  const model::Gradient g = counting(4, 1);
+  CHECK(model::columnAt(g, 0.0).at(0.0).x == Approx(1.5));    // half way between column 3 and column 0
+  CHECK(model::columnAt(g, 22.5).at(0.0).x == Approx(2.25));  // a quarter of the way
+  CHECK(model::columnAt(g, 1.5).at(0.0).x == Approx(0.75));
+  CHECK(model::columnAt(g, 23.999999).at(0.0).x == Approx(model::columnAt(g, 0.0).at(0.0).x).margin(1e-6));
+  CHECK(model::columnAt(g, 26.0).at(0.0).x == Approx(model::columnAt(g, 2.0).at(0.0).x));
 }
 
 TEST_CASE("AzimuthWeight, SunSideOppositeAndZenith") {
@@ -72,27 +74,27 @@ TEST_CASE("Desaturate, KeepsLuminance") {
 
 TEST_CASE("Normalise, BrightestLuminanceIsOneForAnyRange") {
   for (const float scale : {1e-30F, 1.0F, 1e30F}) {
-    Gradient a{1, 1, {0.3F * scale, 0.2F * scale, 0.1F * scale}};
-    Gradient b{1, 1, {scale, scale, scale}};
-    normalise(a, b);
+    model::Gradient a{1, 1, {0.3F * scale, 0.2F * scale, 0.1F * scale}};
+    model::Gradient b{1, 1, {scale, scale, scale}};
+    model::normalise(a, b);
     CHECK(double{b.rgb[0]} == Approx(1.0).epsilon(1e-6));
     CHECK(double{a.rgb[0]} == Approx(0.3).epsilon(1e-6));
   }
-  Gradient black{1, 1, {0, 0, 0}};
-  Gradient other = black;
-  normalise(black, other);
+  model::Gradient black{1, 1, {0, 0, 0}};
+  model::Gradient other = black;
+  model::normalise(black, other);
   CHECK(black.rgb[0] == 0.0F);
 }
 
 TEST_CASE("Gradient, SkyTakesColourOnlyFromIt") {
-  Sky sky;
-  sky.gradient_sun = Gradient::constant({0.9, 0.3, 0.1});
-  sky.gradient_anti = Gradient::constant({0.1, 0.3, 0.9});
-  normalise(sky.gradient_sun, sky.gradient_anti);
+  model::Sky sky;
+  sky.gradient_sun = model::Gradient::constant({0.9, 0.3, 0.1});
+  sky.gradient_anti = model::Gradient::constant({0.1, 0.3, 0.9});
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {0.0};
   sky.sun.path.key_elevation_rad = {0.6};
-  const SkyInstant instant(sky, 5.0);
+  const model::SkyInstant instant(sky, 5.0);
   for (const double azimuth : {0.0, 1.0, 3.0}) {
     const auto d = det::directionOf(azimuth, 0.3);
     CHECK(det::luminanceOf(instant.shape(d)) == Approx(instant.luminance(d)).epsilon(1e-13));
@@ -102,4 +104,4 @@ TEST_CASE("Gradient, SkyTakesColourOnlyFromIt") {
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests

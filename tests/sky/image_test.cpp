@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images from files: encodings, depths, channels and the order of rows. Damaged files: tests/cli/image_errors_test.cpp.
-#include "sky/image.h"
+#include "sky/image/image.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,28 +8,28 @@
 #include <cmath>
 
 #include "sh/deterministic.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 namespace {
 
 using OIIO::TypeDesc;
 constexpr double kFloat = 4e-7;  // relative: the rounding of a float, times the slope of the decoding
 
 /// Writes an image of `value`s between 0 and 1 (or any floats) and reads it back.
-Image roundTrip(const std::string& name, OIIO::ImageSpec spec, const std::vector<float>& value) {
-  const test::Folder folder;
+image::Image roundTrip(const std::string& name, OIIO::ImageSpec spec, const std::vector<float>& value) {
+  const Folder folder;
   auto output = OIIO::ImageOutput::create(name);
   REQUIRE(output);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   REQUIRE(output->open(folder / name, spec));
   REQUIRE(output->write_image(TypeDesc::FLOAT, value.data()));
   REQUIRE(output->close());
-  return readImage(folder / name);
+  return image::readImage(folder / name);
 }
 
-void requireTexel(const Image& image, std::size_t texel, double r, double g, double b) {
+void requireTexel(const image::Image& image, std::size_t texel, double r, double g, double b) {
   REQUIRE(double{image.rgb[3 * texel]} == Approx(r).epsilon(kFloat).margin(1e-12));
   REQUIRE(double{image.rgb[3 * texel + 1]} == Approx(g).epsilon(kFloat).margin(1e-12));
   REQUIRE(double{image.rgb[3 * texel + 2]} == Approx(b).epsilon(kFloat).margin(1e-12));
@@ -59,7 +59,7 @@ TEST_CASE("Image, IntegersAreSrgbEncoded") {
       std::vector<float> value;
       for (const int code : {0, 1, steps / 25, steps / 2, steps - 1, steps})
         value.push_back(static_cast<float>(code) / static_cast<float>(steps));
-      const Image image = roundTrip(name, OIIO::ImageSpec(2, 1, 3, type), value);
+      const image::Image image = roundTrip(name, OIIO::ImageSpec(2, 1, 3, type), value);
       REQUIRE(image.width == 2);
       REQUIRE(image.height == 1);
       const double s = steps;
@@ -73,7 +73,8 @@ TEST_CASE("Image, FloatsAreLinear") {
                                    {"a.exr", TypeDesc::FLOAT},
                                    {"a.tif", TypeDesc::FLOAT}}) {
     INFO(name);
-    const Image image = roundTrip(name, OIIO::ImageSpec(2, 1, 3, type), {0.0F, 0.5F, 1.0F, 2.0F, 1000.0F, 65504.0F});
+    const image::Image image =
+        roundTrip(name, OIIO::ImageSpec(2, 1, 3, type), {0.0F, 0.5F, 1.0F, 2.0F, 1000.0F, 65504.0F});
     requireTexel(image, 0, 0.0, 0.5, 1.0);
     requireTexel(image, 1, 2.0, 1000.0, 65504.0);
   }
@@ -82,7 +83,7 @@ TEST_CASE("Image, FloatsAreLinear") {
 TEST_CASE("Image, IntegersThatSayTheyAreLinearAre") {
   OIIO::ImageSpec spec(1, 1, 3, TypeDesc::UINT16);
   spec.attribute("oiio:ColorSpace", "Linear");
-  const Image image = roundTrip("a.png", spec, {0.0F, 13107.0F / 65535.0F, 1.0F});
+  const image::Image image = roundTrip("a.png", spec, {0.0F, 13107.0F / 65535.0F, 1.0F});
   requireTexel(image, 0, 0.0, 0.2, 1.0);
 }
 
@@ -112,7 +113,7 @@ TEST_CASE("Image, RowsGoFromTheTopAndColumnsFromTheLeft") {
     for (int column = 0; column < 4; ++column)
       value.insert(value.end(), {static_cast<float>(column), static_cast<float>(row), 1.0F});
   for (const char* name : {"a.exr", "a.tif"}) {
-    const Image image = roundTrip(name, OIIO::ImageSpec(4, 3, 3, TypeDesc::FLOAT), value);
+    const image::Image image = roundTrip(name, OIIO::ImageSpec(4, 3, 3, TypeDesc::FLOAT), value);
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 4; ++column)
         requireTexel(image, static_cast<std::size_t>(4 * row + column), column, row, 1.0);
@@ -121,9 +122,9 @@ TEST_CASE("Image, RowsGoFromTheTopAndColumnsFromTheLeft") {
 
 TEST_CASE("Image, MoreTexelsThanTheLimitAreRefused") {
   const std::vector<float> row(3 * 16385, 0.0F);
-  REQUIRE_THROWS_AS(roundTrip("a.png", OIIO::ImageSpec(16385, 1, 3, TypeDesc::UINT8), row), Error);
+  REQUIRE_THROWS_AS(roundTrip("a.png", OIIO::ImageSpec(16385, 1, 3, TypeDesc::UINT8), row), base::Error);
   const std::vector<float> longest(3 * 16384, 1.0F);
   requireTexel(roundTrip("a.png", OIIO::ImageSpec(16384, 1, 3, TypeDesc::UINT8), longest), 16383, 1.0, 1.0, 1.0);
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

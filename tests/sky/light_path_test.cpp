@@ -8,12 +8,14 @@
 #include <string>
 #include <utility>
 
-#include "sky/error.h"
-#include "sky/path_check.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/error.h"
+#include "sky/model/path_check.h"
 #include "tests/folder.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -22,19 +24,19 @@ constexpr double kEquationOfTime_h_day = 30.3 / 3600.0;   // its fastest change,
 constexpr double kDeclination_rad_day = 0.403 * kDegree;  // its fastest change is below the sun's own
 constexpr double kStep_h = 1.0 / 60.0;
 
-double lowest(const LightPath& path) {
+double lowest(const model::LightPath& path) {
   double y = 1.0;
   for (double t = 0.0; t < 24.0; t += kStep_h) y = std::min(y, path.directionAt(t).y);
   return std::asin(y);
 }
 
-double highest(const LightPath& path) {
+double highest(const model::LightPath& path) {
   double y = -1.0;
   for (double t = 0.0; t < 24.0; t += kStep_h) y = std::max(y, path.directionAt(t).y);
   return std::asin(y);
 }
 
-void requireSame(const LightPath& a, const LightPath& b) {
+void requireSame(const model::LightPath& a, const model::LightPath& b) {
   for (double t = 0.0; t < 24.0; t += 0.5) {
     const Number3 p = a.directionAt(t);
     const Number3 q = b.directionAt(t);
@@ -44,15 +46,15 @@ void requireSame(const LightPath& a, const LightPath& b) {
   }
 }
 
-LightPath sunOf(const std::string& keys) {
-  const test::Folder folder;
-  return readSkyFile(folder.write("sky.toml", "[sky]\nluminance = \"cie-5\"\n[sun]\n" + keys)).sky.sun.path;
+model::LightPath sunOf(const std::string& keys) {
+  const Folder folder;
+  return bake::readSkyFile(folder.write("sky.toml", "[sky]\nluminance = \"cie-5\"\n[sun]\n" + keys)).sky.sun.path;
 }
 
 }  // namespace
 
 TEST_CASE("SunPath, PolarDayNeverSets") {
-  const LightPath path = sunPathFromPlace(78.0, 15.6, 1.0, 2021, 172);
+  const model::LightPath path = model::sunPathFromPlace(78.0, 15.6, 1.0, 2021, 172);
   // At its lower transit the sun is 12 degrees, the pole's distance, below its declination.
   CHECK(lowest(path) == Approx(path.declination_rad - 12.0 * kDegree).margin(1e-5));
   CHECK(lowest(path) > 11.0 * kDegree);
@@ -61,18 +63,18 @@ TEST_CASE("SunPath, PolarDayNeverSets") {
 
 TEST_CASE("SunPath, PolarNightNeverRises") {
   for (const auto& [latitude_deg, day] : {std::pair(78.0, 355), {-78.0, 172}}) {
-    const LightPath path = sunPathFromPlace(latitude_deg, 15.6, 1.0, 2021, day);
+    const model::LightPath path = model::sunPathFromPlace(latitude_deg, 15.6, 1.0, 2021, day);
     const double expected = 12.0 * kDegree - std::abs(path.declination_rad);
     CHECK(highest(path) == Approx(expected).margin(1e-5));
     CHECK(highest(path) < -11.0 * kDegree);
-    CHECK(culminationOf(path).elevation_rad == Approx(expected).margin(kRounding));
+    CHECK(model::culminationOf(path).elevation_rad == Approx(expected).margin(kRounding));
   }
 }
 
 TEST_CASE("SunPath, PolesKeepTheElevation") {
   for (const double latitude_deg : {90.0, -90.0})
     for (const int day : {1, 80, 172, 266, 355}) {
-      const LightPath path = sunPathFromPlace(latitude_deg, 40.0, 0.0, 2010, day);
+      const model::LightPath path = model::sunPathFromPlace(latitude_deg, 40.0, 0.0, 2010, day);
       const double expected = latitude_deg > 0.0 ? path.declination_rad : -path.declination_rad;
       for (double t = 0.0; t < 24.0; t += 0.25)
         REQUIRE(det::elevationOf(path.directionAt(t)) == Approx(expected).margin(kRounding));
@@ -85,7 +87,7 @@ TEST_CASE("SunPath, PolesKeepTheElevation") {
 
 TEST_CASE("SunPath, EquinoxOnTheEquatorGoesThroughTheZenith") {
   for (const int day : {79, 266}) {
-    const LightPath path = sunPathFromPlace(0.0, 0.0, 0.0, 2019, day);
+    const model::LightPath path = model::sunPathFromPlace(0.0, 0.0, 0.0, 2019, day);
     const double near_h = 0.41 * kDegree;  // a day's declination
     REQUIRE(std::abs(path.declination_rad) < near_h);
     CHECK(det::elevationOf(path.directionAt(path.transit_h)) ==
@@ -101,27 +103,27 @@ TEST_CASE("SunPath, EquinoxOnTheEquatorGoesThroughTheZenith") {
 TEST_CASE("SunPath, DateLineIsOnePlace") {
   for (const double latitude_deg : {-65.0, -17.0, 0.0, 52.0}) {
     // One instant, two dates: 12 h on the east's clock is 12 h of the day before on the west's.
-    const LightPath east = sunPathFromPlace(latitude_deg, 180.0, 12.0, 2008, 61);
-    const LightPath west = sunPathFromPlace(latitude_deg, -180.0, -12.0, 2008, 60);
+    const model::LightPath east = model::sunPathFromPlace(latitude_deg, 180.0, 12.0, 2008, 61);
+    const model::LightPath west = model::sunPathFromPlace(latitude_deg, -180.0, -12.0, 2008, 60);
     CHECK(west.declination_rad == Approx(east.declination_rad).margin(kRounding));
     CHECK(west.transit_h == Approx(east.transit_h).margin(kRounding));
     requireSame(east, west);
     // One date and clock, the same meridian: the transits are a day apart, which is none.
-    requireSame(east, sunPathFromPlace(latitude_deg, -180.0, 12.0, 2008, 61));
+    requireSame(east, model::sunPathFromPlace(latitude_deg, -180.0, 12.0, 2008, 61));
   }
 }
 
 TEST_CASE("SunPath, UtcOffsetShiftsTheClock") {
   for (const int day : {45, 100, 172, 307, 356}) {
     // The same instant at 12 h: the same sun, 24 hours later on the clock.
-    const LightPath early = sunPathFromPlace(30.0, 20.0, -12.0, 2015, day);
-    const LightPath late = sunPathFromPlace(30.0, 20.0, 12.0, 2015, day + 1);
+    const model::LightPath early = model::sunPathFromPlace(30.0, 20.0, -12.0, 2015, day);
+    const model::LightPath late = model::sunPathFromPlace(30.0, 20.0, 12.0, 2015, day + 1);
     CHECK(late.declination_rad == Approx(early.declination_rad).margin(kRounding));
     CHECK(late.transit_h - early.transit_h == Approx(24.0).margin(kRounding));
     // On one date the frozen instant moves along: nothing else.
-    const LightPath zero = sunPathFromPlace(30.0, 20.0, 0.0, 2015, day);
+    const model::LightPath zero = model::sunPathFromPlace(30.0, 20.0, 0.0, 2015, day);
     for (const double offset_h : {-12.0, -3.5, 5.75, 14.0}) {
-      const LightPath path = sunPathFromPlace(30.0, 20.0, offset_h, 2015, day);
+      const model::LightPath path = model::sunPathFromPlace(30.0, 20.0, offset_h, 2015, day);
       const double days = std::abs(offset_h) / 24.0;
       CHECK(path.transit_h - zero.transit_h == Approx(offset_h).margin(days * kEquationOfTime_h_day));
       CHECK(path.declination_rad == Approx(zero.declination_rad).margin(days * kDeclination_rad_day));
@@ -132,8 +134,9 @@ TEST_CASE("SunPath, UtcOffsetShiftsTheClock") {
 TEST_CASE("SunPath, DefaultOffsetIsTheLongitudes") {
   for (const std::string longitude : {"-180", "-97.5", "0", "13.25", "180"}) {
     const std::string place = "latitude_deg = 40\nday_of_year = 200\nlongitude_deg = " + longitude;
-    const LightPath path = sunOf(place);
-    const LightPath expected = sunPathFromPlace(40.0, std::stod(longitude), std::stod(longitude) / 15.0, 2000, 200);
+    const model::LightPath path = sunOf(place);
+    const model::LightPath expected =
+        model::sunPathFromPlace(40.0, std::stod(longitude), std::stod(longitude) / 15.0, 2000, 200);
     CHECK(path.transit_h == expected.transit_h);
     CHECK(path.declination_rad == expected.declination_rad);
     CHECK(path.transit_h == Approx(12.0).margin(0.3));  // local solar time but for the equation of time
@@ -144,8 +147,8 @@ TEST_CASE("SunPath, DefaultOffsetIsTheLongitudes") {
 TEST_CASE("SunPath, DaysAreTheGregorianCalendars") {
   for (int year = -2000; year < 6000; ++year) {
     // After 365 days comes the next year's first, or in a leap year another day.
-    const LightPath last = sunPathFromPlace(0.0, 0.0, 0.0, year, 366);
-    const LightPath next = sunPathFromPlace(0.0, 0.0, 0.0, year + 1, 1);
+    const model::LightPath last = model::sunPathFromPlace(0.0, 0.0, 0.0, year, 366);
+    const model::LightPath next = model::sunPathFromPlace(0.0, 0.0, 0.0, year + 1, 1);
     const bool is_same = last.declination_rad == next.declination_rad && last.transit_h == next.transit_h;
     INFO(year);
     REQUIRE(is_same == !std::chrono::year{year}.is_leap());
@@ -156,7 +159,7 @@ TEST_CASE("SunPath, FiniteAndUnitOverItsWholeDomain") {
   for (const int year : {-2000, -1, 0, 1, 1582, 2000, 6000})
     for (int day = 1; day <= 366; day += 5)
       for (const double latitude_deg : {-90.0, -66.5, 0.0, 23.4, 90.0}) {
-        const LightPath path = sunPathFromPlace(latitude_deg, 180.0, -14.0, year, day);
+        const model::LightPath path = model::sunPathFromPlace(latitude_deg, 180.0, -14.0, year, day);
         REQUIRE(std::abs(path.declination_rad) < 24.0 * kDegree);  // the obliquity was 23.93 degrees
         for (double t = 0.0; t < 24.0; t += 2.3) {
           const Number3 d = path.directionAt(t);
@@ -168,18 +171,18 @@ TEST_CASE("SunPath, FiniteAndUnitOverItsWholeDomain") {
 TEST_CASE("SunPath, LatitudeEndsAtThePolesToTheLastDigit") {
   constexpr double kPastPole = std::numeric_limits<double>::infinity();
   for (const double pole_deg : {90.0, -90.0}) {
-    const LightPath at = sunPathFromPlace(pole_deg, 0.0, 0.0, 2000, 172);
-    requireSame(at, sunPathFromPlace(std::nextafter(pole_deg, 0.0), 0.0, 0.0, 2000, 172));
+    const model::LightPath at = model::sunPathFromPlace(pole_deg, 0.0, 0.0, 2000, 172);
+    requireSame(at, model::sunPathFromPlace(std::nextafter(pole_deg, 0.0), 0.0, 0.0, 2000, 172));
     CHECK(std::abs(at.latitude_rad) <= M_PI / 2.0);
     char past[64];
     std::snprintf(past, sizeof past, "latitude_deg = %.17g\nday_of_year = 172",
                   std::nextafter(pole_deg, std::copysign(kPastPole, pole_deg)));
-    CHECK_THROWS_AS(sunOf(past), Error);
+    CHECK_THROWS_AS(sunOf(past), base::Error);
     std::snprintf(past, sizeof past, "latitude_deg = %.17g\nday_of_year = 172", std::nextafter(pole_deg, 0.0));
     CHECK_NOTHROW(sunOf(past));
   }
-  requireSame(sunPathFromPlace(0.0, 0.0, 0.0, 2000, 172), sunPathFromPlace(-0.0, -0.0, -0.0, 2000, 172));
-  requireSame(sunPathFromPlace(0.0, 0.0, 0.0, 2000, 172), sunPathFromPlace(5e-324, 0.0, 0.0, 2000, 172));
+  requireSame(model::sunPathFromPlace(0.0, 0.0, 0.0, 2000, 172), model::sunPathFromPlace(-0.0, -0.0, -0.0, 2000, 172));
+  requireSame(model::sunPathFromPlace(0.0, 0.0, 0.0, 2000, 172), model::sunPathFromPlace(5e-324, 0.0, 0.0, 2000, 172));
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sun and moon: the almanac, hand-drawn paths, colour.
-#include "sky/light.h"
+#include "sky/model/light.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -13,13 +15,13 @@ constexpr double kDegree = M_PI / 180.0;
 TEST_CASE("SunPath, MeeusExample") {
   // Meeus (1998), examples 25.a and 28.b: 13 October 1992, 0 h TD: declination -7.78507 degrees, equation of time
   // 13 min 42.7 s. Clock time 12 h is 0 h UT with an offset of 12 h.
-  const LightPath path = sunPathFromPlace(40.0, 0.0, 12.0, 1992, 287);
+  const model::LightPath path = model::sunPathFromPlace(40.0, 0.0, 12.0, 1992, 287);
   CHECK(path.declination_rad / kDegree == Approx(-7.78507).margin(0.003));  // aberration and nutation are left out
   CHECK(path.transit_h == Approx(24.0 - (13.0 + 42.7 / 60.0) / 60.0).margin(3.0 / 3600.0));
 }
 
 TEST_CASE("SunPath, CulminatesAndRisesWhereGeometrySays") {
-  const LightPath path = sunPathFromPlace(48.0, 11.0, 1.0, 2020, 172);
+  const model::LightPath path = model::sunPathFromPlace(48.0, 11.0, 1.0, 2020, 172);
   const auto noon = path.directionAt(path.transit_h);
   CHECK(det::elevationOf(noon) == Approx(M_PI / 2 - 48.0 * kDegree + path.declination_rad).margin(1e-12));
   CHECK(noon.z > 0.0);  // in the south
@@ -33,13 +35,13 @@ TEST_CASE("SunPath, CulminatesAndRisesWhereGeometrySays") {
 }
 
 TEST_CASE("SunPath, TransitFollowsLongitudeAndClock") {
-  const double greenwich = sunPathFromPlace(10.0, 0.0, 0.0, 2012, 172).transit_h;
-  CHECK(sunPathFromPlace(10.0, 30.0, 0.0, 2012, 172).transit_h == Approx(greenwich - 2.0).margin(1e-3));
-  CHECK(sunPathFromPlace(10.0, 30.0, 2.0, 2012, 172).transit_h == Approx(greenwich).margin(1e-3));
+  const double greenwich = model::sunPathFromPlace(10.0, 0.0, 0.0, 2012, 172).transit_h;
+  CHECK(model::sunPathFromPlace(10.0, 30.0, 0.0, 2012, 172).transit_h == Approx(greenwich - 2.0).margin(1e-3));
+  CHECK(model::sunPathFromPlace(10.0, 30.0, 2.0, 2012, 172).transit_h == Approx(greenwich).margin(1e-3));
 }
 
 TEST_CASE("SunPath, NorthOffsetTurnsClockwise") {
-  LightPath path = sunPathFromPlace(20.0, 0.0, 0.0, 2000, 100);
+  model::LightPath path = model::sunPathFromPlace(20.0, 0.0, 0.0, 2000, 100);
   const auto before = path.directionAt(9.0);
   path.north_offset_rad = 0.4;
   const auto after = path.directionAt(9.0);
@@ -49,7 +51,7 @@ TEST_CASE("SunPath, NorthOffsetTurnsClockwise") {
 }
 
 TEST_CASE("HandPath, GoesTheShortWayAndWraps") {
-  LightPath path;
+  model::LightPath path;
   path.key_time_h = {6.0, 18.0};
   path.key_azimuth_rad = {350.0 * kDegree, 10.0 * kDegree};
   path.key_elevation_rad = {0.2, 0.4};
@@ -63,7 +65,7 @@ TEST_CASE("HandPath, GoesTheShortWayAndWraps") {
 }
 
 TEST_CASE("HandPath, HalfATurnGoesClockwise") {
-  LightPath path;
+  model::LightPath path;
   path.key_time_h = {0.0, 12.0};
   path.key_azimuth_rad = {0.0, M_PI};
   path.key_elevation_rad = {0.0, 0.0};
@@ -74,7 +76,7 @@ TEST_CASE("HandPath, HalfATurnGoesClockwise") {
 TEST_CASE("HandPath, HalfATurnGoesClockwiseWhateverItsRounding") {
   for (int from_deg = 0; from_deg < 360; ++from_deg)
     for (const double north_deg : {0.0, 20.0, -33.3}) {
-      LightPath path;
+      model::LightPath path;
       path.key_time_h = {0.0, 12.0};
       for (const double azimuth_deg : {from_deg + 0.0, std::fmod(from_deg + 180.0, 360.0)})
         path.key_azimuth_rad.push_back(azimuth_deg * kDegree + north_deg * kDegree);
@@ -86,16 +88,16 @@ TEST_CASE("HandPath, HalfATurnGoesClockwiseWhateverItsRounding") {
 }
 
 TEST_CASE("Light, IlluminanceIsTheLuminanceOfItsIrradiance") {
-  Light light;
-  light.illuminance = Curve::constant(3.0);
-  light.colour = Curve::constant(Number3(2.0, 0.5, 0.25));
+  model::Light light;
+  light.illuminance = base::Curve::constant(3.0);
+  light.colour = base::Curve::constant(Number3(2.0, 0.5, 0.25));
   const auto e = light.normalIrradianceAt(5.0);
   CHECK(det::luminanceOf(e) == Approx(3.0).epsilon(1e-14));
   CHECK(e.x / e.z == Approx(8.0).epsilon(1e-14));
 }
 
 TEST_CASE("Curve, PiecewiseLinearAndPeriodic") {
-  const Curve curve{1, {6.0, 12.0, 20.0}, {1.0, 4.0, 2.0}};
+  const base::Curve curve{1, {6.0, 12.0, 20.0}, {1.0, 4.0, 2.0}};
   CHECK(curve.at(6.0) == 1.0);
   CHECK(curve.at(8.0) == Approx(2.0));
   CHECK(curve.at(16.0) == Approx(3.0));
@@ -107,4 +109,4 @@ TEST_CASE("Curve, PiecewiseLinearAndPeriodic") {
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests

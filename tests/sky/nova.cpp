@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace welkin::test {
+namespace welkin::tests {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -64,7 +64,7 @@ double hourAngleOf_deg(const Equatorial& place, double julian_day_ut, double lon
                         360.0);
 }
 
-sky::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg) {
+det::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg) {
   ln_equ_posn object{place.right_ascension_deg, place.declination_deg};
   ln_lnlat_posn observer{longitude_deg, latitude_deg};
   ln_hrz_posn horizontal;
@@ -85,4 +85,4 @@ double eclipticLongitudeOf_deg(const Equatorial& place, double julian_day_ut) {
   return ln_range_degrees(ecliptic.lng);
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

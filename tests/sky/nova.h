@@ -2,9 +2,9 @@
 // The sun and the moon by libnova (VSOP87, ELP 2000-82B): what the almanac is compared with.
 #pragma once
 
-#include "sky/light.h"
+#include "sky/model/light.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// Mean equatorial coordinates of date.
 struct Equatorial {
@@ -25,7 +25,7 @@ Equatorial novaMoon(double julian_day_ut);
 double hourAngleOf_deg(const Equatorial& place, double julian_day_ut, double longitude_deg);
 
 /// Unit direction on the world's axes, by libnova's horizontal coordinates, without refraction.
-sky::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg);
+det::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg);
 
 /// Seconds by which dynamical time is ahead of UT.
 double deltaT_s(double julian_day_ut);
@@ -33,4 +33,4 @@ double deltaT_s(double julian_day_ut);
 /// Ecliptic longitude of mean equatorial coordinates of date, in [0, 360).
 double eclipticLongitudeOf_deg(const Equatorial& place, double julian_day_ut);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

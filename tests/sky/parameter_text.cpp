@@ -5,10 +5,10 @@
 
 #include <map>
 
-namespace welkin::test {
+namespace welkin::tests {
 
-using sky::Kind;
-using sky::Parameter;
+using base::Kind;
+using base::Parameter;
 
 std::string numberText(double value) {
   return fmt::format("{}", value);
@@ -62,4 +62,4 @@ std::string fileText(const Parameter& p, const std::string& value) {
   return text;
 }
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -4,18 +4,18 @@
 
 #include <string>
 
-#include "sky/domain.h"
+#include "sky/base/domain.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 /// A number as TOML reads it back to the last bit; whole numbers without a point.
 std::string numberText(double value);
 
 /// A value of the parameter's kind in which its number is `number`: alone, in a colour, or in a row of a path.
-std::string valueText(const sky::Parameter& parameter, const std::string& number);
+std::string valueText(const base::Parameter& parameter, const std::string& number);
 
 /// A sky file with the parameter, or the key that it is a part of, at `value`: everything else is a default or stands
 /// still. A star map is the file stars.ppm beside it.
-std::string fileText(const sky::Parameter& parameter, const std::string& value);
+std::string fileText(const base::Parameter& parameter, const std::string& value);
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

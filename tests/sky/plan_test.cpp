@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans of the day's table: budgets are met, at fewer bytes for looser ones, and what the file fixes stays.
-#include "sky/plan.h"
+#include "sky/table/plan.h"
 
 #include <tbb/global_control.h>
 
@@ -11,11 +11,10 @@
 #include "sampled_day.h"
 #include "some_skies.h"
 
-namespace welkin::sky {
-namespace {
+namespace welkin::tests {
 
-using test::OpenedTable;
-using test::SampledDay;
+using det::Number3;
+namespace {
 
 std::vector<double> everyHours(double step_h) {
   std::vector<double> hours;
@@ -23,25 +22,25 @@ std::vector<double> everyHours(double step_h) {
   return hours;
 }
 
-PlanRequest within(double max_error) {
-  PlanRequest request;
+table::PlanRequest within(double max_error) {
+  table::PlanRequest request;
   request.max_error = max_error;
   return request;
 }
 
 /// The largest error of a plan's table, read by the runtime from a file and compared with direct integration at every
 /// `stride`-th instant that was planned with.
-double measured(const SampledDay& day, const DayPlan& plan, std::size_t stride) {
+double measured(const SampledDay& day, const table::DayPlan& plan, std::size_t stride) {
   const OpenedTable opened(day.sky, plan.table, plan.encoding);
-  const SkyProjector direct(day.sky.luminance, 1, 1e-5);
+  const model::SkyProjector direct(day.sky.luminance, 1, 1e-5);
   double worst = 0.0;
   for (std::size_t i = 0; i < day.fields.instant.size(); i += stride) {
-    const DayInstant& at = day.fields.instant[i];
-    const SkyInstant instant(day.sky, at.time_h);
+    const table::DayInstant& at = day.fields.instant[i];
+    const model::SkyInstant instant(day.sky, at.time_h);
     const WelkinSkySample sample = opened.at(at.time_h);
     for (const double y : {-1.0, -0.3, 0.0, 0.1, 0.5, 0.8, 1.0})
       for (const double alpha : {0.1, -1.5, 2.8}) {
-        const Number3 normal = test::normalAt(instant, y, alpha);
+        const Number3 normal = normalAt(instant, y, alpha);
         const Number3 want = det::desaturate(direct.irradiance(instant, normal) * at.intensity, at.saturation);
         const Number3 off = opened.irradiance(sample, normal) - want;
         for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(off[c]) / at.divisor[c]);
@@ -51,13 +50,13 @@ double measured(const SampledDay& day, const DayPlan& plan, std::size_t stride) 
 }
 
 /// Bytes of a plan's table as they are stored, counted.
-std::size_t storedBytes(const DayPlan& plan) {
-  std::size_t bytes = encodeNumbers(plan.table, plan.encoding).bytes() + 8 * plan.table.key_time_h.size();
+std::size_t storedBytes(const table::DayPlan& plan) {
+  std::size_t bytes = table::encodeNumbers(plan.table, plan.encoding).bytes() + 8 * plan.table.key_time_h.size();
   if (plan.table.modes) bytes += 2 * plan.table.modes->texels.size() + 4 * plan.table.modes->polar_sh.size();
   return bytes;
 }
 
-bool same(const DayPlan& a, const DayPlan& b) {
+bool same(const table::DayPlan& a, const table::DayPlan& b) {
   if (a.table.modes.has_value() != b.table.modes.has_value()) return false;
   if (a.table.modes &&
       (a.table.modes->texels != b.table.modes->texels || a.table.modes->polar_sh != b.table.modes->polar_sh))
@@ -73,7 +72,7 @@ TEST_CASE("PlanDay, BudgetsAreMetAndLooserOnesCostLess") {
     const SampledDay day(someSkies()[which].sky, everyHours(0.5));
     std::size_t before = SIZE_MAX;
     for (const double budget : {0.01, 0.03, 0.1}) {
-      const DayPlan plan = planDay(day.values, within(budget));
+      const table::DayPlan plan = table::planDay(day.values, within(budget));
       CAPTURE(someSkies()[which].name, budget, plan.representation.name(), plan.bytes, plan.predicted_error);
       CHECK(plan.met);
       CHECK(plan.predicted_error <= budget);
@@ -82,7 +81,7 @@ TEST_CASE("PlanDay, BudgetsAreMetAndLooserOnesCostLess") {
       CHECK(plan.bytes <= before);
       before = plan.bytes;
       const auto best = std::find_if(plan.considered.begin(), plan.considered.end(),
-                                     [&](const PlanChoice& c) { return c.bytes == plan.bytes; });
+                                     [&](const table::PlanChoice& c) { return c.bytes == plan.bytes; });
       REQUIRE(best != plan.considered.end());
       CHECK(best->name == plan.representation.name());
     }
@@ -93,30 +92,30 @@ TEST_CASE("PlanDay, SameForAnyNumberOfThreads") {
   const auto planned = [](std::size_t threads) {
     const tbb::global_control most(tbb::global_control::max_allowed_parallelism, threads);
     const SampledDay day(someSkies()[1].sky, everyHours(1.0));
-    return planDay(day.values, within(0.03));
+    return table::planDay(day.values, within(0.03));
   };
   CHECK(same(planned(1), planned(2)));
 }
 
 TEST_CASE("PlanDay, KeepsWhatIsFixed") {
   const SampledDay day(someSkies()[0].sky, everyHours(0.5));
-  PlanRequest request = within(0.2);
+  table::PlanRequest request = within(0.2);
   request.bands = 4;
-  request.reconstruction = Reconstruction::fitted;
-  request.encoding = Encoding::float16;
+  request.reconstruction = table::Reconstruction::fitted;
+  request.encoding = table::Encoding::float16;
   request.key_time_h = {0.0,  4.5,  5.0,  5.5,  6.0,  6.5,  7.0,  8.0,  10.0,
                         12.0, 14.0, 16.0, 17.0, 17.5, 18.0, 18.5, 19.0, 21.0};
-  const DayPlan plan = planDay(day.values, request);
+  const table::DayPlan plan = table::planDay(day.values, request);
   CHECK(plan.table.bands == 4);
   CHECK(!plan.table.modes);
-  CHECK(plan.representation.reconstruction == Reconstruction::fitted);
-  CHECK(plan.encoding == Encoding::float16);
+  CHECK(plan.representation.reconstruction == table::Reconstruction::fitted);
+  CHECK(plan.encoding == table::Encoding::float16);
   CHECK(plan.table.key_time_h == request.key_time_h);
 
-  PlanRequest modes = within(0.05);
-  modes.reconstruction = Reconstruction::modes;
+  table::PlanRequest modes = within(0.05);
+  modes.reconstruction = table::Reconstruction::modes;
   modes.bands = 2;
-  const DayPlan of_modes = planDay(day.values, modes);
+  const table::DayPlan of_modes = table::planDay(day.values, modes);
   CHECK(of_modes.met);
   CHECK(of_modes.table.modes);
   CHECK(of_modes.table.bands == 2);
@@ -124,32 +123,32 @@ TEST_CASE("PlanDay, KeepsWhatIsFixed") {
 
 TEST_CASE("PlanDay, AnImpossibleBudgetGetsTheLeastError") {
   const SampledDay day(someSkies()[0].sky, everyHours(1.0));
-  PlanRequest request = within(1e-5);
+  table::PlanRequest request = within(1e-5);
   request.bands = 2;
-  request.reconstruction = Reconstruction::fitted;
-  const DayPlan plan = planDay(day.values, request);
+  request.reconstruction = table::Reconstruction::fitted;
+  const table::DayPlan plan = table::planDay(day.values, request);
   CHECK(!plan.met);
-  const Representation fitted = coefficientsOf(day.values, 2, true);
+  const table::Representation fitted = table::coefficientsOf(day.values, 2, true);
   double least = 0.0;
   for (std::size_t i = 0; i < day.fields.instant.size(); ++i)
-    least =
-        std::max(least, errorOf(day.values, fitted, i, {fitted.weight.data() + i * fitted.rows, fitted.rows}).value);
+    least = std::max(
+        least, table::errorOf(day.values, fitted, i, {fitted.weight.data() + i * fitted.rows, fitted.rows}).value);
   CHECK(plan.predicted_error == Approx(least).epsilon(1e-4));
   CHECK(plan.predicted_error > 0.02);
 }
 
 TEST_CASE("PlanDay, OnePercentInEightNumbersForEveryModel") {
   // The sun from 18 degrees below the horizon to the zenith; colours that change all over the day.
-  for (const NamedLuminance& named : namedLuminances()) {
-    Sky sky = someSkies()[0].sky;
+  for (const model::NamedLuminance& named : model::namedLuminances()) {
+    model::Sky sky = someSkies()[0].sky;
     sky.luminance = named.model;
     sky.sun.path.key_time_h = {0.0, 5.0, 12.0, 19.0};
     sky.sun.path.key_azimuth_rad = {0.3, 1.2, 3.0, 4.9};
     sky.sun.path.key_elevation_rad = {-18.0 / 180.0 * M_PI, -0.1, M_PI / 2.0, -0.1};
     const SampledDay day(sky, everyHours(1.5));
-    PlanRequest request = within(0.01);
-    request.reconstruction = Reconstruction::modes;
-    const DayPlan plan = planDay(day.values, request);
+    table::PlanRequest request = within(0.01);
+    request.reconstruction = table::Reconstruction::modes;
+    const table::DayPlan plan = table::planDay(day.values, request);
     CAPTURE(named.name, plan.representation.name(), plan.predicted_error);
     CHECK(plan.met);
     CHECK(plan.predicted_error < 0.01);
@@ -158,4 +157,4 @@ TEST_CASE("PlanDay, OnePercentInEightNumbersForEveryModel") {
   }
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -9,7 +9,7 @@
 
 #include "sh/quadrature.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 namespace {
 
 void accumulate(Reference& sum, const Number3& d, const Number3& normal, const Number3& radiance) {
@@ -20,7 +20,7 @@ void accumulate(Reference& sum, const Number3& d, const Number3& normal, const N
 
 }  // namespace
 
-Reference referenceAboutSun(const SkyInstant& instant, int bands) {
+Reference referenceAboutSun(const model::SkyInstant& instant, int bands) {
   const Number3 sun = instant.sunDirection();
   Number3 highest = Number3(0.0, 1.0, 0.0) - sun * sun.y;  // where the circle about the sun is highest
   const double tilt = std::sqrt(dot(highest, highest));
@@ -62,7 +62,7 @@ Reference referenceAboutSun(const SkyInstant& instant, int bands) {
   return sum;
 }
 
-Reference referenceOverWorld(const SkyInstant& instant, int bands, int n, const Number3& normal) {
+Reference referenceOverWorld(const model::SkyInstant& instant, int bands, int n, const Number3& normal) {
   const auto count = static_cast<std::size_t>(bands * bands);
   std::vector<Reference> row(static_cast<std::size_t>(n), {std::vector<Number3>(count), Number3(0.0)});
   tbb::parallel_for(0, n, [&](int i) {
@@ -82,4 +82,4 @@ Reference referenceOverWorld(const SkyInstant& instant, int bands, int n, const 
   return sum;
 }
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -4,9 +4,11 @@
 
 #include <vector>
 
-#include "sky/sky.h"
+#include "sky/model/sky.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 
 struct Reference {
   std::vector<Number3> radiance_sh;
@@ -16,10 +18,11 @@ struct Reference {
 /// In polar coordinates about the sun, composite Gauss-Legendre graded to the cusps and to the horizon's clip. For
 /// skies of one colour: the gradients' bends are circles about the zenith. Converged to 2e-8 of c0, 1e-6 with the sun
 /// on the horizon, where clip and cusp meet.
-Reference referenceAboutSun(const SkyInstant& instant, int bands);
+Reference referenceAboutSun(const model::SkyInstant& instant, int bands);
 
 /// The midpoint rule over elevation and azimuth in the world's frame, `n` x 4 n nodes; `normal` adds the irradiance of
 /// a surface in `horizontal_irradiance`'s place. For any sky; error falls with the square of n.
-Reference referenceOverWorld(const SkyInstant& instant, int bands, int n, const Number3& normal = {0.0, 1.0, 0.0});
+Reference referenceOverWorld(const model::SkyInstant& instant, int bands, int n,
+                             const Number3& normal = {0.0, 1.0, 0.0});
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

@@ -18,11 +18,13 @@
 
 #include "sh/arithmetic.h"
 #include "sh/environment.h"
-#include "sky/encode.h"
-#include "sky/exr.h"
-#include "sky/plan.h"
+#include "sky/bake/encode.h"
+#include "sky/cubemap/exr.h"
+#include "sky/table/plan.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
+
+using det::Number3;
 namespace {
 
 constexpr const char* kHeader =
@@ -65,7 +67,7 @@ class Numbers {
   std::uint64_t state_ = 2012;
 };
 
-Gradient gradient(Numbers& numbers, int width, int height, float largest) {
+model::Gradient gradient(Numbers& numbers, int width, int height, float largest) {
   return {width, height, numbers.list(static_cast<std::size_t>(width * height) * 3, largest)};
 }
 
@@ -76,96 +78,99 @@ std::vector<double> spread(int count) {
 }
 
 /// Everything that can be set, with colours all over the day.
-SkyFile colourful() {
-  SkyFile file;
+bake::SkyFile colourful() {
+  bake::SkyFile file;
   Numbers numbers;
-  Sky& sky = file.sky;
+  model::Sky& sky = file.sky;
   sky.intensity = {1, {4.5, 6.5, 12.0, 18.9}, {0.004, 0.8, 2.0, 0.08}};
   sky.gradient_sun = gradient(numbers, 7, 5, 1.0F);
   sky.gradient_anti = gradient(numbers, 4, 9, 0.3F);
-  normalise(sky.gradient_sun, sky.gradient_anti);
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
   sky.polarising_tint = {3, {6.0, 15.0}, {0.9, 1.0, 1.1, 1.0, 0.95, 0.8}};
   sky.ambient_saturation = {1, {3.0, 14.0}, {0.4, 0.9}};
   sky.ground_albedo = {0.1, 0.12, 0.07};
   sky.luminance_unit = 4000.0;
-  sky.sun.path = sunPathFromPlace(17.0, -3.5, 1.0, 2012, 172);
+  sky.sun.path = model::sunPathFromPlace(17.0, -3.5, 1.0, 2012, 172);
   sky.sun.path.north_offset_rad = 0.3;
   sky.sun.illuminance = {1, {5.4, 12.0, 18.8}, {0.0, 3.0, 0.0}};
   sky.sun.colour = {3, {7.0, 18.0}, {1.0, 0.8, 0.6, 1.0, 0.7, 0.45}};
   sky.sun.disc_radius_rad = 0.00465;
-  Light moon;
+  model::Light moon;
   moon.path.key_time_h = {0.0, 6.0, 12.0, 18.5};
   moon.path.key_azimuth_rad = {3.1, 4.7, 0.0, 1.6};
   moon.path.key_elevation_rad = {1.1, -0.1, -1.0, -0.05};
   moon.illuminance = {1, {4.0, 20.5}, {0.012, 0.008}};
-  moon.colour = Curve::constant(Number3(0.75, 0.85, 1.0));
+  moon.colour = base::Curve::constant(Number3(0.75, 0.85, 1.0));
   sky.moon = moon;
   file.bake = {5, spread(24), 16, {6.25, 19.0}};
   return file;
 }
 
 /// The other branches: a standard type normalised to the zenith, gradients that fade out, a sun drawn by hand.
-SkyFile faded() {
-  SkyFile file;
+bake::SkyFile faded() {
+  bake::SkyFile file;
   Numbers numbers;
-  Sky& sky = file.sky;
-  sky.luminance = *findLuminance("cie-12");
+  model::Sky& sky = file.sky;
+  sky.luminance = *model::findLuminance("cie-12");
   sky.normalise_to_sun = false;
   sky.gradient_sun = gradient(numbers, 3, 6, 1e-4F);
   sky.gradient_sun.rgb[0] = 1.0F;  // of the whole only this is bright: elsewhere colours are below kGradientDelta
   sky.gradient_anti = gradient(numbers, 5, 3, 3e-5F);
-  normalise(sky.gradient_sun, sky.gradient_anti);
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
   sky.sun.path.key_time_h = {2.0, 9.0, 13.0, 21.0};
   sky.sun.path.key_azimuth_rad = {0.4, 2.0, 3.9, 5.5};
   sky.sun.path.key_elevation_rad = {-0.9, 0.02, 1.5, -0.3};
-  sky.sun.illuminance = Curve::constant(1.0);
+  sky.sun.illuminance = base::Curve::constant(1.0);
   file.bake = {5, spread(23), 8, {9.0, 13.0}};
   return file;
 }
 
-void bake(SkyFile file, const std::string& name, Products& products) {
+void bake(bake::SkyFile file, const std::string& name, Products& products) {
   file.settings = "{}";
   file.inputs = {{name + ".toml", {}, 1, 2}};
-  const DayTable table = bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [] { return true; });
+  const table::DayTable table =
+      table::bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [] { return true; });
   add(products.lines, name + ".day", table.number);
-  for (const Encoding encoding : {Encoding::float32, Encoding::float16, Encoding::fixed16, Encoding::fixed8})
-    add(products.lines, name + "." + nameOf(encoding), encodeNumbers(table, encoding).numbers);
-  const SkyProjector projector(file.sky.luminance, 1);
-  std::vector<Cubemap> cubemaps;
+  for (const table::Encoding encoding :
+       {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16, table::Encoding::fixed8})
+    add(products.lines, name + "." + nameOf(encoding), table::encodeNumbers(table, encoding).numbers);
+  const model::SkyProjector projector(file.sky.luminance, 1);
+  std::vector<cubemap::Cubemap> cubemaps;
   for (const double time_h : file.bake.cubemap_time_h) {
-    const SkyInstant instant(file.sky, time_h);
+    const model::SkyInstant instant(file.sky, time_h);
     const Number3 ground = instant.groundRadiance(projector.project(instant).horizontal_irradiance);
     const std::string at = name + "." + std::to_string(static_cast<int>(time_h)) + "h.";
-    for (const auto& [layout, layout_name] : {std::pair(Layout::vulkan_cube, "vulkan_cube"),
-                                              {Layout::exr_cube, "exr_cube"},
-                                              {Layout::exr_latlong, "exr_latlong"}}) {
-      const DomeImage image = renderDome(instant, ground, layout, file.bake.cubemap_size);
+    for (const auto& [layout, layout_name] : {std::pair(cubemap::Layout::vulkan_cube, "vulkan_cube"),
+                                              {cubemap::Layout::exr_cube, "exr_cube"},
+                                              {cubemap::Layout::exr_latlong, "exr_latlong"}}) {
+      const cubemap::DomeImage image = cubemap::renderDome(instant, ground, layout, file.bake.cubemap_size);
       add(products.lines, at + layout_name, image.rgb_half);
-      if (layout != Layout::vulkan_cube)
-        add(products.others, at + layout_name, encodeExr(image, layout, file.sky.luminance_unit));
+      if (layout != cubemap::Layout::vulkan_cube)
+        add(products.others, at + layout_name, cubemap::encodeExr(image, layout, file.sky.luminance_unit));
     }
     for (const auto packed : {format::CubemapFormat::rgb9e5, format::CubemapFormat::b10g11r11})
       add(products.lines, at + format::nameOf(packed),
-          renderCubemap(instant, ground, file.bake.cubemap_size, packed).texels);
-    cubemaps.push_back(renderCubemap(instant, ground, file.bake.cubemap_size, file.bake.cubemap_format));
+          cubemap::renderCubemap(instant, ground, file.bake.cubemap_size, packed).texels);
+    cubemaps.push_back(cubemap::renderCubemap(instant, ground, file.bake.cubemap_size, file.bake.cubemap_format));
   }
-  add(products.lines, name + ".welkin", encodeSky(file, table, cubemaps));
+  add(products.lines, name + ".welkin", bake::encodeSky(file, table, cubemaps));
 }
 
 /// A budget's plan, from a look every hour.
-void plan(const Sky& sky, const std::string& name, Products& products) {
-  const DayFields fields = sampleDay(sky, hoursOfInterest(sky, 1.0), brightestOf(sky), [] { return true; });
-  const ErrorGrid grid;
-  PlanRequest request;
+void plan(const model::Sky& sky, const std::string& name, Products& products) {
+  const table::DayFields fields =
+      table::sampleDay(sky, table::hoursOfInterest(sky, 1.0), table::brightestOf(sky), [] { return true; });
+  const table::ErrorGrid grid;
+  table::PlanRequest request;
   for (const auto& [reconstruction, of, budget] :
-       {std::tuple(Reconstruction::fitted, "fitted", 0.1), {Reconstruction::modes, "modes", 0.03}}) {
+       {std::tuple(table::Reconstruction::fitted, "fitted", 0.1), {table::Reconstruction::modes, "modes", 0.03}}) {
     request.reconstruction = reconstruction;
     request.max_error = budget;
-    const DayPlan chosen = planDay(DayValues(fields, grid), request);
+    const table::DayPlan chosen = table::planDay(table::DayValues(fields, grid), request);
     const std::string at = name + ".plan." + of;
     add(products.lines, at + ".keys", chosen.table.key_time_h);
     add(products.lines, at + ".numbers", chosen.table.number);
-    add(products.lines, at + ".stored", encodeNumbers(chosen.table, chosen.encoding).numbers);
+    add(products.lines, at + ".stored", table::encodeNumbers(chosen.table, chosen.encoding).numbers);
     if (!chosen.table.modes) continue;
     add(products.lines, at + ".map", chosen.table.modes->texels);
     add(products.lines, at + ".polar_sh", chosen.table.modes->polar_sh);
@@ -181,7 +186,7 @@ void project(Products& products) {
        {std::pair(sh::TexelRule::half_texel, "half_texel"), {sh::TexelRule::edge_centres, "edge_centres"}}) {
     std::array<sh::CubeFace, 6> faces;
     for (int f = 0; f < 6; ++f) {
-      const FaceAxes axes = faceAxes(Layout::exr_cube, f);
+      const cubemap::FaceAxes axes = cubemap::faceAxes(cubemap::Layout::exr_cube, f);
       faces[static_cast<std::size_t>(f)] = {cube.data() + f * kSize * kSize * 3, kSize * 3, axes.right, axes.down,
                                             axes.normal};
     }
@@ -230,8 +235,8 @@ int run(const char* golden) {
 }
 
 }  // namespace
-}  // namespace welkin::sky
+}  // namespace welkin::tests
 
 int main(int argc, char** argv) {
-  return welkin::sky::run(argc > 1 ? argv[1] : nullptr);
+  return welkin::tests::run(argc > 1 ? argv[1] : nullptr);
 }

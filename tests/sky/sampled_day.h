@@ -9,30 +9,30 @@
 #include <vector>
 #include <welkin/welkin.hpp>
 
-#include "sky/encode.h"
-#include "sky/representation.h"
-#include "sky/toml_table.h"
+#include "sky/bake/encode.h"
+#include "sky/base/toml_table.h"
+#include "sky/table/representation.h"
 
-namespace welkin::test {
+namespace welkin::tests {
 
 struct SampledDay {
-  sky::Sky sky;
-  sky::DayFields fields;
-  sky::ErrorGrid grid;
-  sky::DayValues values;
+  model::Sky sky;
+  table::DayFields fields;
+  table::ErrorGrid grid;
+  table::DayValues values;
 
-  SampledDay(sky::Sky sky_, const std::vector<double>& time_h)
+  SampledDay(model::Sky sky_, const std::vector<double>& time_h)
       : sky(std::move(sky_)),
-        fields(sky::sampleDay(sky, time_h, sky::brightestOf(sky), [] { return true; })),
+        fields(table::sampleDay(sky, time_h, table::brightestOf(sky), [] { return true; })),
         values(fields, grid) {}
   SampledDay(const SampledDay&) = delete;
   SampledDay& operator=(const SampledDay&) = delete;
 };
 
 /// The sun stands still at an elevation and azimuth 40 degrees; grey, intensity 1.
-inline sky::Sky stillSky(const sky::LuminanceModel& model, double elevation_deg) {
+inline model::Sky stillSky(const model::LuminanceModel& model, double elevation_deg) {
   constexpr double kDegree = M_PI / 180.0;
-  sky::Sky sky;
+  model::Sky sky;
   sky.luminance = model;
   sky.sun.path.key_time_h = {0.0};
   sky.sun.path.key_azimuth_rad = {40.0 * kDegree};
@@ -41,7 +41,7 @@ inline sky::Sky stillSky(const sky::LuminanceModel& model, double elevation_deg)
 }
 
 /// The world's direction of a normal of component y, at an azimuth from that of the instant's sun.
-inline sky::Number3 normalAt(const sky::SkyInstant& instant, double y, double alpha) {
+inline det::Number3 normalAt(const model::SkyInstant& instant, double y, double alpha) {
   const double across = std::sqrt(std::max(1.0 - y * y, 0.0));
   const double azimuth = std::atan2(instant.sunDirection().x, -instant.sunDirection().z) + alpha;
   return {across * std::sin(azimuth), y, -across * std::cos(azimuth)};
@@ -52,12 +52,13 @@ struct OpenedTable {
   std::vector<std::byte> bytes;
   welkin::Sky sky;
 
-  OpenedTable(const sky::Sky& model, const sky::DayTable& table, sky::Encoding encoding = sky::Encoding::float32) {
-    sky::SkyFile file;
+  OpenedTable(const model::Sky& model, const table::DayTable& table,
+              table::Encoding encoding = table::Encoding::float32) {
+    bake::SkyFile file;
     file.sky = model;
     file.settings = "{}";
     file.bake.key_time_h = table.key_time_h;
-    bytes = sky::encodeSky(file, table, {}, encoding);
+    bytes = bake::encodeSky(file, table, {}, encoding);
     const Status status = sky.open(bytes.data(), bytes.size());
     if (!status) throw std::runtime_error(std::string("the runtime refuses the table: ") + status.message);
   }
@@ -67,7 +68,7 @@ struct OpenedTable {
     if (!sky.sample(time_h, sample)) throw std::runtime_error("the runtime cannot sample the table");
     return sample;
   }
-  sky::Number3 irradiance(const WelkinSkySample& sample, const sky::Number3& normal) const {
+  det::Number3 irradiance(const WelkinSkySample& sample, const det::Number3& normal) const {
     const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
     float e[3];
     if (welkin_sky_irradiance(sky.get(), &sample, n, e) != WELKIN_OK)
@@ -76,4 +77,4 @@ struct OpenedTable {
   }
 };
 
-}  // namespace welkin::test
+}  // namespace welkin::tests

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "sky/sky.h"
+#include "sky/model/sky.h"
 
-namespace welkin::sky {
+namespace welkin::tests {
 
 struct NamedSky {
   std::string name;
-  Sky sky;
+  model::Sky sky;
   std::vector<double> time_h;  ///< of cubemaps that suit it
 };
 
 std::vector<NamedSky> someSkies();
 
-}  // namespace welkin::sky
+}  // namespace welkin::tests

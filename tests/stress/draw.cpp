@@ -7,14 +7,15 @@
 #include <limits>
 #include <set>
 
-#include "sky/luminance.h"
+#include "sky/bake/sky_domain.h"
+#include "sky/model/luminance.h"
 
 namespace welkin::stress {
 namespace {
 
-using sky::Kind;
-using sky::Parameter;
-using sky::Range;
+using base::Kind;
+using base::Parameter;
+using base::Range;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostKeys = 4;
@@ -40,12 +41,13 @@ std::string drawKeys(Random& random, Value&& value) {
 
 /// A named model's coefficients moved a little, or any of the domain.
 std::string drawCoefficients(Random& random) {
-  const auto& named = sky::namedLuminances();
-  const sky::LuminanceModel& m = named[static_cast<std::size_t>(random.below(static_cast<int>(named.size())))].model;
+  const auto& named = model::namedLuminances();
+  const model::LuminanceModel& m = named[static_cast<std::size_t>(random.below(static_cast<int>(named.size())))].model;
   double value[5] = {m.a, m.b, m.c, m.d, m.e};
   std::string text;
   for (std::size_t i = 0; i < 5; ++i) {
-    const Range& range = sky::parameterOf("sky", "luminance", std::string_view("abcde").substr(i, 1)).range;
+    const Range& range =
+        base::parameterOf(bake::skyDomain(), "sky", "luminance", std::string_view("abcde").substr(i, 1)).range;
     double v = value[i] * (random.once(2) ? 1.0 : random.magnitude(0.5, 2.0));
     if (random.once(4)) v = drawNumber(random, range);
     text += fmt::format("{}{}", i == 0 ? "" : ", ", range.contains(v) ? v : value[i]);
@@ -93,8 +95,10 @@ std::string drawValue(Random& random, const Parameter& p) {
       for (const double time_h : drawTimes(random))
         text += fmt::format(
             "{}[{}, {}, {}]", text.empty() ? "" : ", ", time_h,
-            drawNumber(random, sky::parameterOf(p.section, p.key, "azimuth_deg").range),
-            random.once(4) ? 0.0 : drawNumber(random, sky::parameterOf(p.section, p.key, "elevation_deg").range));
+            drawNumber(random, base::parameterOf(bake::skyDomain(), p.section, p.key, "azimuth_deg").range),
+            random.once(4)
+                ? 0.0
+                : drawNumber(random, base::parameterOf(bake::skyDomain(), p.section, p.key, "elevation_deg").range));
       return "[" + text + "]";
     }
     case Kind::hours: {
@@ -116,7 +120,7 @@ bool isDrawn(Random& random, const Parameter& p, bool by_hand) {
   if (p.kind == Kind::part || (by_hand && p.without_path)) return false;
   if (p.key == "path") return by_hand;
   if (p.section == "bake" && p.key == "keys") return true;  // "auto" has more keys than a draw has time for
-  return std::holds_alternative<sky::Required>(p.otherwise) || p.key == "latitude_deg" || random.once(2);
+  return std::holds_alternative<base::Required>(p.otherwise) || p.key == "latitude_deg" || random.once(2);
 }
 
 }  // namespace
@@ -137,7 +141,7 @@ double drawNumber(Random& random, const Range& range) {
   return std::clamp(negative ? -size : size, range.low, range.high);
 }
 
-sky::Number3 drawDirection(Random& random) {
+det::Number3 drawDirection(Random& random) {
   const double azimuth = random.between(0.0, det::kTwoPi);
   if (random.once(4)) {
     const double near = random.once(3) ? 0.0 : random.magnitude(1e-18, 0.1) * (random.once(2) ? -1.0 : 1.0);
@@ -153,7 +157,7 @@ std::string drawSkyFile(Random& random) {
   std::string_view section;
   bool drawn = false;
   bool by_hand = false;
-  for (const Parameter& p : sky::domain()) {
+  for (const Parameter& p : bake::skyDomain()) {
     if (p.section.empty()) continue;
     if (p.section != section) {
       section = p.section;
@@ -166,8 +170,8 @@ std::string drawSkyFile(Random& random) {
   return text;
 }
 
-sky::Gradient drawGradient(Random& random) {
-  sky::Gradient gradient{1 + random.below(4), 1 + random.below(4), {}};
+model::Gradient drawGradient(Random& random) {
+  model::Gradient gradient{1 + random.below(4), 1 + random.below(4), {}};
   const bool wide = random.once(2);
   for (int i = 0; i < gradient.width * gradient.height; ++i) {
     const bool black = random.once(8);

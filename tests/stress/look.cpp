@@ -9,17 +9,17 @@
 
 #include "draw.h"
 #include "sensitivity.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/error.h"
 #include "steps.h"
 
 namespace welkin::stress {
 namespace {
 
-using sky::Number3;
-using sky::SkyInstant;
-using test::Baked;
-using test::Fault;
+using det::Number3;
+using model::SkyInstant;
+using tests::Baked;
+using tests::Fault;
 
 constexpr double kFloat = 1e-6;  ///< what floats leave of a radiance, relative
 
@@ -31,7 +31,7 @@ constexpr double kFloat = 1e-6;  ///< what floats leave of a radiance, relative
 /// The sky under test and everything that is drawn for it.
 class Look {
  public:
-  Look(Random& random, sky::SkyFile file, Outcome& outcome)
+  Look(Random& random, bake::SkyFile file, Outcome& outcome)
       : random_(random), file_(std::move(file)), outcome_(outcome), keys_(keysOf(file_)) {
     if (random_.once(2)) drawGradients();
     baked_.emplace(file_.sky, file_.bake.bands, keys_);
@@ -49,7 +49,7 @@ class Look {
   }
 
  private:
-  static std::vector<double> keysOf(const sky::SkyFile& file) {
+  static std::vector<double> keysOf(const bake::SkyFile& file) {
     constexpr std::size_t kMost = 6;
     std::vector<double> keys = file.bake.key_time_h;
     if (keys.size() > kMost) keys = {keys[0], keys[keys.size() / 2]};
@@ -78,13 +78,13 @@ class Look {
     const SkyInstant instant(file_.sky, time_h);
     WelkinSkySample sample{};
     if (!baked_->sky.sample(time_h, sample)) return fmt::format("no sample at {} h", time_h);
-    if (const Fault fault = test::faultOfSample(sample); !fault.empty()) return at(time_h) + fault;
-    std::vector<Number3> looked = test::specialDirections(instant.sunDirection());
+    if (const Fault fault = tests::faultOfSample(sample); !fault.empty()) return at(time_h) + fault;
+    std::vector<Number3> looked = tests::specialDirections(instant.sunDirection());
     while (static_cast<int>(looked.size()) < directions) looked.push_back(drawDirection(random_));
     for (const Number3& d : looked) {
       ++outcome_.evaluations;
-      Fault fault = test::faultOfModel(instant, d);
-      if (fault.empty()) fault = test::faultOfDirection(baked_->sky, sample, d);
+      Fault fault = tests::faultOfModel(instant, d);
+      if (fault.empty()) fault = tests::faultOfDirection(baked_->sky, sample, d);
       if (fault.empty()) fault = domeError(instant, sample, rounded(d));
       if (!fault.empty()) return at(time_h) + fmt::format("direction ({}, {}, {}): ", d.x, d.y, d.z) + fault;
     }
@@ -100,7 +100,7 @@ class Look {
     const float f[3] = {float(d.x), float(d.y), float(d.z)};
     float got[3];
     welkin_dome_radiance(baked_->sky.get(), &sample, f, got);
-    const double size = test::domeOf(instant, d).size;
+    const double size = tests::domeOf(instant, d).size;
     for (int c = 0; c < 3; ++c) {
       const double expected = std::min(wanted[c], double{std::numeric_limits<float>::max()});
       const double error = std::abs(double{got[c]} - expected) / (allowed * size + 1e-36);
@@ -133,7 +133,8 @@ class Look {
   Fault cubemap() {
     constexpr int kSize = 4;
     const SkyInstant instant(file_.sky, drawTime());
-    const auto image = sky::renderDome(instant, instant.groundRadiance(Number3(1.0)), sky::Layout::vulkan_cube, kSize);
+    const auto image =
+        cubemap::renderDome(instant, instant.groundRadiance(Number3(1.0)), cubemap::Layout::vulkan_cube, kSize);
     for (const std::uint16_t half : image.rgb_half)
       if (half >= 0x7c00) return at(instant.time_h()) + fmt::format("a texel's half float is {:#x}", half);
     return {};
@@ -143,7 +144,7 @@ class Look {
     const SkyInstant instant(file_.sky, keys_[0]);
     WelkinSkySample sample{};
     if (instant.intensity() < 1e-12 || !baked_->sky.sample(keys_[0], sample)) return {};
-    const auto exact = sky::SkyProjector(file_.sky.luminance, file_.bake.bands, 1e-12).project(instant);
+    const auto exact = model::SkyProjector(file_.sky.luminance, file_.bake.bands, 1e-12).project(instant);
     const Number3 c0 = exact.radiance_sh[0] * instant.intensity();
     if (std::max({c0.x, c0.y, c0.z}) > 1e37) return {};
     const float* g = sample.ground_radiance;
@@ -158,14 +159,15 @@ class Look {
         outcome_.bake_error = std::max(outcome_.bake_error, error);
       }
     }
-    if (outcome_.bake_error < sky::kTolerance) return {};
-    return fmt::format("the key at {} h is {} of c0 off, more than {}", keys_[0], outcome_.bake_error, sky::kTolerance);
+    if (outcome_.bake_error < model::kTolerance) return {};
+    return fmt::format("the key at {} h is {} of c0 off, more than {}", keys_[0], outcome_.bake_error,
+                       model::kTolerance);
   }
 
   static std::string at(double time_h) { return fmt::format("{} h: ", time_h); }
 
   Random& random_;
-  sky::SkyFile file_;
+  bake::SkyFile file_;
   Outcome& outcome_;
   std::vector<double> keys_;
   std::optional<Baked> baked_;
@@ -178,21 +180,21 @@ std::string skyFileOf(std::uint64_t seed, std::uint64_t index) {
   return drawSkyFile(random);
 }
 
-Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const test::Folder& folder) {
+Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const tests::Folder& folder) {
   Outcome outcome;
   Random random(seed, index);
   const std::string path = folder.write("sky.toml", drawSkyFile(random));
-  std::optional<sky::SkyFile> file;
+  std::optional<bake::SkyFile> file;
   try {
-    file = sky::readSkyFile(path);
-  } catch (const Error& e) {
+    file = bake::readSkyFile(path);
+  } catch (const base::Error& e) {
     outcome.refused = true;
     // Numbers are drawn inside their ranges, so only what coefficients make of the sky, or black light, is refused.
     const std::string why = e.what();
     const bool expected =
         why.find("makes the luminance") != std::string::npos || why.find("must not be black") != std::string::npos ||
         why.find("bytes; at most") != std::string::npos || why.find("cubemap_size") != std::string::npos;
-    if (!expected || e.status() != ExitStatus::content) outcome.fault = "refused: " + why;
+    if (!expected || e.status() != base::ExitStatus::content) outcome.fault = "refused: " + why;
     return outcome;
   }
   try {

@@ -28,7 +28,7 @@ struct Effort {
 };
 
 /// The sky of a seed and an index. `folder` is for its files.
-Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const test::Folder& folder);
+Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const tests::Folder& folder);
 
 /// The text of its sky file.
 std::string skyFileOf(std::uint64_t seed, std::uint64_t index);

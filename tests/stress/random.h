@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdint>
 
-#include "probes/random.h"
+#include "probes/geometry/random.h"
 
 namespace welkin::stress {
 
 class Random {
  public:
-  Random(std::uint64_t seed, std::uint64_t index) : key_(probes::mixed(probes::mixed(seed) ^ index)) {}
+  Random(std::uint64_t seed, std::uint64_t index) : key_(geometry::mixed(geometry::mixed(seed) ^ index)) {}
 
   /// Uniform in [0, 1), 53 bits.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
@@ -24,7 +24,7 @@ class Random {
   double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
  private:
-  std::uint64_t next() { return probes::mixed(key_ ^ probes::mixed(++counter_)); }
+  std::uint64_t next() { return geometry::mixed(key_ ^ geometry::mixed(++counter_)); }
 
   std::uint64_t key_;
   std::uint64_t counter_ = 0;

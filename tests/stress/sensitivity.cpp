@@ -7,8 +7,8 @@
 namespace welkin::stress {
 namespace {
 
-using sky::LuminanceModel;
-using sky::Number3;
+using det::Number3;
+using model::LuminanceModel;
 
 /// |f'| / f: a |b| exp(b / y) / y^2, which is largest, 4 exp(-2) |a / b|, at y = |b| / 2.
 double ofGradation(const LuminanceModel& m, double y) {
@@ -23,7 +23,7 @@ double ofIndicatrix(const LuminanceModel& m, double angle_rad) {
 }
 
 /// Change of a chromaticity for one of a texel's components: (c + y) / y^2 for c up to y / 0.0722.
-double ofColour(const sky::SkyInstant& instant, const Number3& direction) {
+double ofColour(const model::SkyInstant& instant, const Number3& direction) {
   double low = instant.sunColumn().row[0].x;
   double high = low;
   for (const auto* column : {&instant.sunColumn(), &instant.antiColumn()})
@@ -34,12 +34,12 @@ double ofColour(const sky::SkyInstant& instant, const Number3& direction) {
   const double elevation = det::elevationOf(direction);
   const double y = det::luminanceOf(mix(instant.antiColumn().at(elevation), instant.sunColumn().at(elevation),
                                         det::azimuthWeight(direction, instant.sunDirection())));
-  return 30.0 * (high - low) / std::max(y, sky::kGradientDelta);
+  return 30.0 * (high - low) / std::max(y, model::kGradientDelta);
 }
 
 }  // namespace
 
-double sensitivityAt(const sky::SkyInstant& instant, const Number3& direction) {
+double sensitivityAt(const model::SkyInstant& instant, const Number3& direction) {
   const LuminanceModel& m = instant.sky().luminance;
   const Number3& sun = instant.sunDirection();
   const double rows = static_cast<double>(instant.sunColumn().row.size() + instant.antiColumn().row.size());

@@ -2,7 +2,7 @@
 // How steep a sky is: what its dome can change by when the sun or the direction moves a little.
 #pragma once
 
-#include "sky/sky.h"
+#include "sky/model/sky.h"
 
 namespace welkin::stress {
 
@@ -11,6 +11,6 @@ inline constexpr double kFloatDirection = 2e-7;
 
 /// Bound of the relative change of the dome's radiance in unit `direction`, y >= 0, a radian that the sun or the
 /// direction moves; for moves that are small beside the lobe's width and the layer's height.
-double sensitivityAt(const sky::SkyInstant& instant, const sky::Number3& direction);
+double sensitivityAt(const model::SkyInstant& instant, const det::Number3& direction);
 
 }  // namespace welkin::stress

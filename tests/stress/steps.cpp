@@ -13,10 +13,10 @@
 namespace welkin::stress {
 namespace {
 
-using sky::Number3;
-using sky::SkyInstant;
-using test::Shown;
-using test::Step;
+using det::Number3;
+using model::SkyInstant;
+using tests::Shown;
+using tests::Step;
 
 constexpr double kSlack = 1e-5;  // rounding of float results
 /// Part of what the lights give the ground that counts as its radiance at least: it starts from 0 as they rise.
@@ -26,7 +26,7 @@ double largestOf(const Number3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-Shown groundOf(const sky::Sky& model, const WelkinSkySample& sample) {
+Shown groundOf(const model::Sky& model, const WelkinSkySample& sample) {
   double lights = largestOf(model.sun.normalIrradianceAt(sample.time_h));
   if (model.moon) lights += largestOf(model.moon->normalIrradianceAt(sample.time_h));
   const float* g = sample.ground_radiance;
@@ -37,19 +37,19 @@ Shown groundOf(const sky::Sky& model, const WelkinSkySample& sample) {
 /// dome has; the model, which has the same, knows how bright it is.
 std::vector<Shown> shownTowards(const SkyInstant& instant, const welkin::Sky& baked, const WelkinSkySample& sample,
                                 const Number3& direction) {
-  const Shown dome = test::domeOf(instant, direction);
-  std::vector<Shown> values = test::seen(baked, sample, direction);
+  const Shown dome = tests::domeOf(instant, direction);
+  std::vector<Shown> values = tests::seen(baked, sample, direction);
   values[0].size = std::max(values[0].size, dome.size);
   values.push_back(dome);
   return values;
 }
 
-double moveOf(const sky::LightPath& path, const Step& step) {
+double moveOf(const model::LightPath& path, const Step& step) {
   return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
 }
 
 /// What the artist's curves change by over a step, relative: that much a sky may change too.
-double changeOfCurves(const sky::Sky& s, const Step& step) {
+double changeOfCurves(const model::Sky& s, const Step& step) {
   const auto change = [](const Number3& a, const Number3& b) {
     return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
   };
@@ -63,8 +63,8 @@ double changeOfCurves(const sky::Sky& s, const Step& step) {
 }
 
 /// Curves themselves change by no more than their largest key in the second that keys are apart, or by one denormal.
-test::Fault steepCurve(const sky::Sky& s, const Step& step) {
-  for (const sky::Curve* curve : {&s.intensity, &s.ambient_saturation, &s.sun.illuminance}) {
+tests::Fault steepCurve(const model::Sky& s, const Step& step) {
+  for (const base::Curve* curve : {&s.intensity, &s.ambient_saturation, &s.sun.illuminance}) {
     const double largest = *std::max_element(curve->value.begin(), curve->value.end());
     const double change = std::abs(curve->at(step.high) - curve->at(step.low));
     constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
@@ -85,10 +85,10 @@ Searched judge(const Step& step, double allowed, const std::string& unit) {
 
 }  // namespace
 
-Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from_h, double to_h,
+Searched searchTime(const model::Sky& model, const welkin::Sky& baked, double from_h, double to_h,
                     const Number3& direction) {
   constexpr double kResolution_h = 1e-9;
-  constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / sky::kGradientDelta;  // of chromaticities, an hour
+  constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / model::kGradientDelta;  // of chromaticities, an hour
   const Number3 directions[] = {{0, 1, 0}, {0.6, 0.0, -0.8}, direction};
   const auto shown = [&](double time_h) {
     const SkyInstant instant(model, time_h);
@@ -103,8 +103,8 @@ Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from
     }
     return values;
   };
-  const Step step = test::largestStep(shown, from_h, to_h, kResolution_h);
-  if (const test::Fault fault = steepCurve(model, step); !fault.empty()) return {fault, true};
+  const Step step = tests::largestStep(shown, from_h, to_h, kResolution_h);
+  if (const tests::Fault fault = steepCurve(model, step); !fault.empty()) return {fault, true};
   const SkyInstant before(model, step.low);
   const SkyInstant after(model, step.high);
   double slope = 0.0;
@@ -122,15 +122,15 @@ Searched searchTime(const sky::Sky& model, const welkin::Sky& baked, double from
                "h");
 }
 
-Searched searchArc(const sky::Sky& model, const welkin::Sky& baked, double time_h, double azimuth_rad,
+Searched searchArc(const model::Sky& model, const welkin::Sky& baked, double time_h, double azimuth_rad,
                    double from_rad) {
   constexpr double kResolution_rad = 1e-6;
   const SkyInstant instant(model, time_h);
   WelkinSkySample sample{};
   baked.sample(time_h, sample);
   const auto towards = [&](double e) { return det::directionOf(azimuth_rad, e); };
-  const Step step = test::largestStep([&](double e) { return shownTowards(instant, baked, sample, towards(e)); },
-                                      from_rad, det::kPi - 1e-6, kResolution_rad);
+  const Step step = tests::largestStep([&](double e) { return shownTowards(instant, baked, sample, towards(e)); },
+                                       from_rad, det::kPi - 1e-6, kResolution_rad);
   const double slope = std::max(sensitivityAt(instant, towards(step.low)), sensitivityAt(instant, towards(step.high)));
   return judge(step, kSlack + (step.high - step.low + kFloatDirection) * slope, fmt::format("rad at {} h", time_h));
 }

@@ -81,7 +81,7 @@ struct Sum {
 int run(const Options& options) {
   using Clock = std::chrono::steady_clock;
   constexpr double kReport_s = 60.0;
-  const test::Folder folder;
+  const tests::Folder folder;
   folder.write("stars.ppm", "P3 2 2 255  0 0 0  255 255 255  9 99 9  1 2 3");
   if (options.one) fmt::print("{}", skyFileOf(options.seed, options.first));
   const auto start = Clock::now();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "study/chart_axis.h"
 
 namespace welkin::study {
@@ -90,9 +90,9 @@ TEST_CASE("AxisScale, OneValueIsShown") {
 
 TEST_CASE("AxisScale, RefusesWhatHasNoPlace") {
   CHECK_THROWS_WITH(AxisScale({"error"}, {1.0, std::nan("")}), Catch::Contains("nan along 'error'"));
-  CHECK_THROWS_AS(AxisScale({"x"}, {std::numeric_limits<double>::infinity()}), Error);
-  CHECK_THROWS_AS(AxisScale({"x", Quantity::number, Scale::log}, {1.0, -1.0}), Error);
-  CHECK_THROWS_AS(AxisScale({"x"}, {}), Error);
+  CHECK_THROWS_AS(AxisScale({"x"}, {std::numeric_limits<double>::infinity()}), base::Error);
+  CHECK_THROWS_AS(AxisScale({"x", Quantity::number, Scale::log}, {1.0, -1.0}), base::Error);
+  CHECK_THROWS_AS(AxisScale({"x"}, {}), base::Error);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <regex>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -97,13 +97,13 @@ TEST_CASE("Chart, RefusesWhatItCannotShow") {
   chart.series[1].points[0].y = std::nan("");
   CHECK_THROWS_WITH(drawChart(chart), Catch::Contains("'worst error'"));
   chart.series[1].points[0].y = -0.1;
-  CHECK_THROWS_AS(drawChart(chart), Error);
+  CHECK_THROWS_AS(drawChart(chart), base::Error);
   chart = sample();
   chart.series.resize(kMostSeries + 1, chart.series[0]);
-  CHECK_THROWS_AS(drawChart(chart), Error);
+  CHECK_THROWS_AS(drawChart(chart), base::Error);
   chart = sample();
   chart.series.clear();
-  CHECK_THROWS_AS(drawChart(chart), Error);
+  CHECK_THROWS_AS(drawChart(chart), base::Error);
 }
 
 }  // namespace

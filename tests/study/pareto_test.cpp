@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -70,8 +70,8 @@ TEST_CASE("ParetoFront, InfinitiesHaveAnOrderNaNHasNot") {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::vector<Trade> trades = {{1.0, kInfinity}, {kInfinity, 0.0}};
   CHECK(paretoFront(trades) == Front{0, 1});
-  CHECK_THROWS_AS(paretoFront(std::vector<Trade>{{1.0, 1.0}, {std::nan(""), 1.0}}), Error);
-  CHECK_THROWS_AS(paretoFront(std::vector<Trade>{{1.0, std::nan("")}}), Error);
+  CHECK_THROWS_AS(paretoFront(std::vector<Trade>{{1.0, 1.0}, {std::nan(""), 1.0}}), base::Error);
+  CHECK_THROWS_AS(paretoFront(std::vector<Trade>{{1.0, std::nan("")}}), base::Error);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "tests/folder.h"
 
 namespace welkin::study {
@@ -28,29 +28,29 @@ StudyReport sample() {
 }
 
 TEST_CASE("WriteReport, WritesEveryFile") {
-  const test::Folder folder;
+  const tests::Folder folder;
   writeReport(sample(), folder / "out");
-  CHECK(test::filesUnder(folder / "out") == std::vector<std::string>{"bands.csv", "bands.json", "bands.png",
-                                                                     "bands.svg", "conclusion.md", "more.csv",
-                                                                     "more.json"});
-  CHECK(test::readBytes(folder / "out/bands.csv") == "bands,error (of 1)\r\n2,0.4\r\n3,0.12\r\n");
-  CHECK(nlohmann::ordered_json::parse(test::readBytes(folder / "out/bands.json"))["rows"][1]["error"] == 0.12);
-  CHECK(test::readBytes(folder / "out/conclusion.md") ==
+  CHECK(tests::filesUnder(folder / "out") == std::vector<std::string>{"bands.csv", "bands.json", "bands.png",
+                                                                      "bands.svg", "conclusion.md", "more.csv",
+                                                                      "more.json"});
+  CHECK(tests::readBytes(folder / "out/bands.csv") == "bands,error (of 1)\r\n2,0.4\r\n3,0.12\r\n");
+  CHECK(nlohmann::ordered_json::parse(tests::readBytes(folder / "out/bands.json"))["rows"][1]["error"] == 0.12);
+  CHECK(tests::readBytes(folder / "out/conclusion.md") ==
         "# A study\n\nTake three bands.\n\n![Bands](bands.png)\n\n## Bands\n\n| bands | error |\n|---:|---:|\n"
         "| 2 | 40 % |\n| 3 | 12 % |\n\nAll figures: [bands.csv](bands.csv), [bands.json](bands.json)\n\n## More\n\n"
         "All figures: [more.csv](more.csv), [more.json](more.json)\n");
 }
 
 TEST_CASE("WriteReport, RefusesBeforeItWrites") {
-  const test::Folder folder;
+  const tests::Folder folder;
   for (const char* name : {"", "../out", "a b", "more"}) {
     StudyReport report = sample();
     report.tables[0].name = name;
-    CHECK_THROWS_AS(writeReport(report, folder / "out"), Error);
+    CHECK_THROWS_AS(writeReport(report, folder / "out"), base::Error);
   }
   StudyReport report = sample();
   report.charts[0].chart.series.clear();
-  CHECK_THROWS_AS(writeReport(report, folder / "out"), Error);
+  CHECK_THROWS_AS(writeReport(report, folder / "out"), base::Error);
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 

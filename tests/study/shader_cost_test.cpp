@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -84,10 +84,10 @@ TEST_CASE("CountShader, AnIndexFromDataIsOneLoad") {
 
 TEST_CASE("CountShader, RefusesWhatHasNoCount") {
   CHECK_THROWS_WITH(countShader(kDataLoop), Catch::Contains("loop whose end depends on data"));
-  CHECK_THROWS_AS(countShader(kDiscarded), Error);
-  CHECK_THROWS_AS(countShader({}), Error);
+  CHECK_THROWS_AS(countShader(kDiscarded), base::Error);
+  CHECK_THROWS_AS(countShader({}), base::Error);
   const std::span<const std::uint32_t> whole = kProduct;
-  CHECK_THROWS_AS(countShader(whole.first(whole.size() - 3)), Error);
+  CHECK_THROWS_AS(countShader(whole.first(whole.size() - 3)), base::Error);
 }
 
 TEST_CASE("MeasuredShaders, MoreBandsCostMore") {

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "sky/error.h"
-#include "sky/key_placement.h"
+#include "sky/base/error.h"
+#include "sky/table/key_placement.h"
 #include "study/cubic_time.h"
 #include "tests/folder.h"
 
@@ -16,15 +16,15 @@ namespace {
 constexpr double kHalfHour = 0.5;
 
 /// A clear sky in colours that change from the horizon to the zenith, without moon and stars.
-sky::SkyFile clearSky() {
-  sky::SkyFile file;
-  sky::Sky& sky = file.sky;
-  sky.luminance = *sky::findLuminance("cie-12");
+bake::SkyFile clearSky() {
+  bake::SkyFile file;
+  model::Sky& sky = file.sky;
+  sky.luminance = *model::findLuminance("cie-12");
   sky.gradient_sun = {1, 2, {1.0F, 0.7F, 0.4F, 0.3F, 0.5F, 0.9F}};
   sky.gradient_anti = {1, 2, {0.8F, 0.6F, 0.6F, 0.2F, 0.4F, 0.9F}};
-  sky::normalise(sky.gradient_sun, sky.gradient_anti);
+  model::normalise(sky.gradient_sun, sky.gradient_anti);
   sky.intensity = {1, {4.0, 9.0, 16.0, 21.0}, {0.1, 1.0, 1.2, 0.1}};
-  sky.sun.path = sky::sunPathFromPlace(48.0, 9.0, 1.0, 2012, 120);
+  sky.sun.path = model::sunPathFromPlace(48.0, 9.0, 1.0, 2012, 120);
   file.settings = "{}";
   return file;
 }
@@ -34,7 +34,7 @@ bool goOn() {
 }
 
 TEST_CASE("StudyDay, MoreBandsAndModesLoseLess") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, kHalfHour, goOn);
   const auto ways = collectWays(day, {.quick = true});
   const auto errorOf = [&](const std::string& name) {
@@ -55,20 +55,20 @@ TEST_CASE("StudyDay, MoreBandsAndModesLoseLess") {
 }
 
 TEST_CASE("StudyDay, BytesOfAWayAreThoseOfItsTable") {
-  sky::SkyFile file = clearSky();
-  file.sky.ground_albedo = sky::Number3(0.1, 0.2, 0.3);
+  bake::SkyFile file = clearSky();
+  file.sky.ground_albedo = det::Number3(0.1, 0.2, 0.3);
   const StudyDay day(file.sky, kHalfHour, goOn);
-  const DayWeights modes = modeWeights(day, sky::DayModes(day.fields(), day.grid()), 3);
+  const DayWeights modes = modeWeights(day, table::DayModes(day.fields(), day.grid()), 3);
   for (const Way& way : {coefficientsWay(day, 3, Fit::projected), modesWay(day, modes, kSmallMap, Fit::projected)})
-    for (const auto encoding : {sky::Encoding::float32, sky::Encoding::float16, sky::Encoding::fixed8}) {
+    for (const auto encoding : {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed8}) {
       const auto keys = evenKeys(day, 12);
-      const sky::DayTable table = sky::tableAt(day.values(), way.representation, keys);
-      CHECK(way.bytes(day.sky(), keys.size(), encoding) == sky::bytesOf(way.representation, table, encoding));
+      const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
+      CHECK(way.bytes(day.sky(), keys.size(), encoding) == table::bytesOf(way.representation, table, encoding));
     }
 }
 
 TEST_CASE("StudyKeys, MoreEvenKeysErrLessAndPlacedOnesLeast") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, 0.25, goOn);
   const Way way = coefficientsWay(day, 5, Fit::projected);
   double before = 1e9;
@@ -76,13 +76,13 @@ TEST_CASE("StudyKeys, MoreEvenKeysErrLessAndPlacedOnesLeast") {
     const auto even = evenKeys(day, keys);
     REQUIRE(even.size() == keys);
     const double error = linearError(day.values(), way.representation, even);
-    const sky::DayTable table = sky::tableAt(day.values(), way.representation, even);
-    CHECK(error == Approx(sky::errorOf(day.values(), way.representation, table, sky::Encoding::float32).value)
+    const table::DayTable table = table::tableAt(day.values(), way.representation, even);
+    CHECK(error == Approx(table::errorOf(day.values(), way.representation, table, table::Encoding::float32).value)
                        .epsilon(1e-4));  // float32 rounds by 6e-8
     CHECK(error < before);
     before = error;
   }
-  const auto placed = sky::placeKeys(day.values(), way.representation, before);
+  const auto placed = table::placeKeys(day.values(), way.representation, before);
   REQUIRE(!placed.empty());
   CHECK(placed.size() < 48);
   CHECK(placeHermiteKeys(day.values(), way.representation, before).size() <= placed.size());
@@ -90,11 +90,11 @@ TEST_CASE("StudyKeys, MoreEvenKeysErrLessAndPlacedOnesLeast") {
 
 /// The largest error of interpolating a day whose irradiance is the same in all directions, `value` of the hour.
 double errorBetween(const StudyDay& day, double (*value)(double time_h), bool cubic) {
-  sky::Representation r = coefficientsWay(day, 2, Fit::projected).representation;
-  sky::DayValues values = day.values();
+  table::Representation r = coefficientsWay(day, 2, Fit::projected).representation;
+  table::DayValues values = day.values();
   for (std::size_t i = 0; i < day.count(); ++i) {
     for (std::size_t k = 0; k < r.rows; ++k)
-      r.weight[i * r.rows + k] = sky::Number3(k == 0 ? value(day.fields().instant[i].time_h) : 0.0);
+      r.weight[i * r.rows + k] = det::Number3(k == 0 ? value(day.fields().instant[i].time_h) : 0.0);
     for (std::size_t p = 0; p < day.grid().count(); ++p)
       values.value[i * day.grid().count() + p] = r.weight[i * r.rows] * r.values[p * r.functions];
   }
@@ -103,7 +103,7 @@ double errorBetween(const StudyDay& day, double (*value)(double time_h), bool cu
 }
 
 TEST_CASE("CubicTime, FollowsASmoothDayAndNotABend") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, 0.25, goOn);
   const auto smooth = [](double t) { return 2.0 + det::cos(det::kTwoPi * t / format::kDay_h); };
   CHECK(errorBetween(day, smooth, true) < 0.1 * errorBetween(day, smooth, false));
@@ -112,7 +112,7 @@ TEST_CASE("CubicTime, FollowsASmoothDayAndNotABend") {
 }
 
 TEST_CASE("Pareto, TheFrontFallsAndNothingLiesBelowIt") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, kHalfHour, goOn);
   TableStudy study;
   study.tables = measureTables(day, collectWays(day, {.quick = true}), {.quick = true});
@@ -131,7 +131,7 @@ TEST_CASE("Pareto, TheFrontFallsAndNothingLiesBelowIt") {
 }
 
 TEST_CASE("Study, QuadratureKeepsItsTolerances") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, kHalfHour, goOn);
   const QuadratureStudy study = measureQuadrature(day, {.quick = true});
   REQUIRE(study.quadrature.size() == 4);
@@ -139,19 +139,19 @@ TEST_CASE("Study, QuadratureKeepsItsTolerances") {
     CHECK(study.quadrature[i].error <= study.quadrature[i].tolerance);
     CHECK(study.quadrature[i].evaluations < study.quadrature[i + 1].evaluations);
   }
-  CHECK(study.irradiance.front().error < sky::IrradianceProjector::kError);
+  CHECK(study.irradiance.front().error < model::IrradianceProjector::kError);
 }
 
 TEST_CASE("Study, WritesWhatItMeasured") {
-  const test::Folder folder;
+  const tests::Folder folder;
   std::size_t axes = 0;
   const StudyReport report = studySky(clearSky(), {.quick = true, .progress = [&] { return ++axes > 0; }});
   CHECK(axes == kAxes);
   writeReport(report, folder / "out");
-  const auto files = test::filesUnder(folder / "out");
+  const auto files = tests::filesUnder(folder / "out");
   CHECK(files.size() == 2 * report.tables.size() + 2 * report.charts.size() + 1);
   for (const StudyTable& table : report.tables) {
-    const auto json = nlohmann::json::parse(test::readBytes(folder / ("out/" + table.name + ".json")));
+    const auto json = nlohmann::json::parse(tests::readBytes(folder / ("out/" + table.name + ".json")));
     CHECK(json["rows"].size() == table.table.rows().size());
     CHECK(json["rows"].size() > 0);
   }
@@ -163,10 +163,10 @@ TEST_CASE("Study, WritesWhatItMeasured") {
 }
 
 TEST_CASE("Study, StopsWhenTold") {
-  const sky::SkyFile file = clearSky();
+  const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, 2.0, goOn);
   std::size_t axes = 0;
-  CHECK_THROWS_AS(measureSky(day, {.quick = true, .progress = [&] { return ++axes < 2; }}), Error);
+  CHECK_THROWS_AS(measureSky(day, {.quick = true, .progress = [&] { return ++axes < 2; }}), base::Error);
   CHECK(axes == 2);
 }
 

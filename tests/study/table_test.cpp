@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -58,12 +58,12 @@ TEST_CASE("Table, MarkdownIsInWords") {
 }
 
 TEST_CASE("Table, RefusesWhatItCannotHold") {
-  CHECK_THROWS_AS(Table(std::vector<Column>{}), Error);
-  CHECK_THROWS_AS(Table(std::vector<Column>{{"x", ""}, {"x", "m"}}), Error);
+  CHECK_THROWS_AS(Table(std::vector<Column>{}), base::Error);
+  CHECK_THROWS_AS(Table(std::vector<Column>{{"x", ""}, {"x", "m"}}), base::Error);
   Table table({{"x", ""}, {"y", ""}});
-  CHECK_THROWS_AS(table.addRow({1.0}), Error);
+  CHECK_THROWS_AS(table.addRow({1.0}), base::Error);
   CHECK_THROWS_WITH(table.addRow({1.0, std::nan("")}), Catch::Contains("'y' of row 0 is nan"));
-  CHECK_THROWS_AS(table.addRow({std::numeric_limits<double>::infinity(), 1.0}), Error);
+  CHECK_THROWS_AS(table.addRow({std::numeric_limits<double>::infinity(), 1.0}), base::Error);
   CHECK(table.rows().empty());
 }
 

@@ -48,14 +48,14 @@ double flatIrradiance(const WelkinSkySample& sample, int channel) {
 TEST_CASE("VulkanAmbient, EqualsRuntime", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const std::vector<Number3> normals = spiral(642);
   std::vector<float> input;
   for (const Number3& n : normals)
     input.insert(input.end(), {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), 0.0F});
   Worst worst;
   {
-    tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+    render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
     for (const double time_h : {0.5, 12.2, 21.0}) {
       views.setTime(time_h);
       const auto results = runCompute(device, kAmbientComp, input, 16 * normals.size(), 16,
@@ -87,19 +87,19 @@ TEST_CASE("VulkanSpheres, RadianceIsAlbedoTimesIrradianceOverPi", "[vulkan]") {
   constexpr uint32_t kWidth = kCell * WELKIN_SPHERE_COUNT;
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(15.0);
-  const tools::Camera camera{0.7, 0.0, 0.9};
+  const render::Camera camera{0.7, 0.0, 0.9};
   const Number3 forward = f64::directionOf(camera.yaw_rad, 0.0);
   const Number3 right = f64::directionOf(camera.yaw_rad + f64::kHalfPi, 0.0);
   const double radius = WELKIN_SPHERE_RADIUS * kCell;  // pixels
-  for (const auto light : {tools::SkyLight::flat, tools::SkyLight::sh, tools::SkyLight::both}) {
-    const tools::FloatImage image = views.spheres(kWidth, kHeight, camera, light);
+  for (const auto light : {render::SkyLight::flat, render::SkyLight::sh, render::SkyLight::both}) {
+    const render::FloatImage image = views.spheres(kWidth, kHeight, camera, light);
     for (uint32_t sphere = 0; sphere < WELKIN_SPHERE_COUNT; ++sphere) {
       const bool left_half = sphere < WELKIN_SPHERE_COUNT / 2;
       const double albedo = WELKIN_SPHERE_ALBEDO;
-      const bool flat = light == tools::SkyLight::flat || (light == tools::SkyLight::both && left_half);
+      const bool flat = light == render::SkyLight::flat || (light == render::SkyLight::both && left_half);
       for (const auto& [dx, dy] : {std::pair{0, 0}, std::pair{15, -10}, std::pair{-8, 17}}) {
         const uint32_t x = static_cast<uint32_t>(static_cast<int>(sphere * kCell + kCell / 2) + dx);
         const uint32_t y = static_cast<uint32_t>(static_cast<int>(kHeight / 2) + dy);

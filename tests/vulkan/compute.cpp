@@ -8,10 +8,10 @@
 
 namespace welkin::tests {
 
-using tools::Buffer;
-using tools::require;
+using render::Buffer;
+using render::require;
 
-std::vector<float> runCompute(tools::VulkanDevice& device, std::span<const uint32_t> spirv,
+std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint32_t> spirv,
                               std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
                               VkDescriptorSetLayout sky_layout, VkDescriptorSet sky) {
   const VkDevice vk = device.device();
@@ -27,7 +27,7 @@ std::vector<float> runCompute(tools::VulkanDevice& device, std::span<const uint3
   set_info.bindingCount = 2;
   set_info.pBindings = bindings;
   VkDescriptorSetLayout layouts[2] = {VK_NULL_HANDLE, sky_layout};
-  require(vkCreateDescriptorSetLayout(vk, &set_info, nullptr, &layouts[0]), "vkCreateDescriptorSetLayout");
+  render::require(vkCreateDescriptorSetLayout(vk, &set_info, nullptr, &layouts[0]), "vkCreateDescriptorSetLayout");
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
   VkDescriptorPoolCreateInfo pool_info{};
   pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -35,14 +35,14 @@ std::vector<float> runCompute(tools::VulkanDevice& device, std::span<const uint3
   pool_info.poolSizeCount = 1;
   pool_info.pPoolSizes = &size;
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  require(vkCreateDescriptorPool(vk, &pool_info, nullptr, &pool), "vkCreateDescriptorPool");
+  render::require(vkCreateDescriptorPool(vk, &pool_info, nullptr, &pool), "vkCreateDescriptorPool");
   VkDescriptorSetAllocateInfo allocate{};
   allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
   allocate.descriptorPool = pool;
   allocate.descriptorSetCount = 1;
   allocate.pSetLayouts = layouts;
   VkDescriptorSet sets[2] = {VK_NULL_HANDLE, sky};
-  require(vkAllocateDescriptorSets(vk, &allocate, sets), "vkAllocateDescriptorSets");
+  render::require(vkAllocateDescriptorSets(vk, &allocate, sets), "vkAllocateDescriptorSets");
   const VkDescriptorBufferInfo buffers[2] = {{in.handle(), 0, VK_WHOLE_SIZE}, {out.handle(), 0, VK_WHOLE_SIZE}};
   VkWriteDescriptorSet write{};
   write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -58,13 +58,13 @@ std::vector<float> runCompute(tools::VulkanDevice& device, std::span<const uint3
   layout_info.setLayoutCount = set_count;
   layout_info.pSetLayouts = layouts;
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  require(vkCreatePipelineLayout(vk, &layout_info, nullptr, &layout), "vkCreatePipelineLayout");
+  render::require(vkCreatePipelineLayout(vk, &layout_info, nullptr, &layout), "vkCreatePipelineLayout");
   VkShaderModuleCreateInfo module_info{};
   module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
   module_info.codeSize = spirv.size_bytes();
   module_info.pCode = spirv.data();
   VkShaderModule module = VK_NULL_HANDLE;
-  require(vkCreateShaderModule(vk, &module_info, nullptr, &module), "vkCreateShaderModule");
+  render::require(vkCreateShaderModule(vk, &module_info, nullptr, &module), "vkCreateShaderModule");
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -73,7 +73,8 @@ std::vector<float> runCompute(tools::VulkanDevice& device, std::span<const uint3
   info.stage.pName = "main";
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  require(vkCreateComputePipelines(vk, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateComputePipelines");
+  render::require(vkCreateComputePipelines(vk, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                  "vkCreateComputePipelines");
 
   device.execute([&](VkCommandBuffer commands) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);

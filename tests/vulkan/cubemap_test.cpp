@@ -7,7 +7,7 @@
 #include "compute.h"
 #include "object.h"
 #include "shared.h"
-#include "sky/cubemap_filter.h"
+#include "sky/cubemap/cubemap_filter.h"
 #include "spirv/kCubemapComp.h"
 #include "test_sky.h"
 #include "worst.h"
@@ -52,7 +52,7 @@ Mip nextMip(const Mip& mip) {
 
 Number3 filtered(const Mip& mip, const Number3& direction) {
   Number3 sum(0.0);
-  for (const auto& share : sky::footprintOf(mip.size, {direction.x, direction.y, direction.z}))
+  for (const auto& share : cubemap::footprintOf(mip.size, {direction.x, direction.y, direction.z}))
     sum += mip.texel[share.texel] * share.weight;
   return sum;
 }
@@ -82,7 +82,7 @@ double roundingOf(CubemapFormat format, int mip) {
 }  // namespace
 
 TEST_CASE("VulkanCubemap, EveryFormatAndMipIsTheFilesTexelsFiltered", "[vulkan]") {
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   // A filtering unit may round its two weights to 8 bits: 2^-9 of the difference of texels (here below 2) for each.
   const double filtering = device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1e-5 : 2.0 * 2.0 / 512.0;
   constexpr double kLargest = 2.0;

@@ -15,7 +15,7 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D16_UNORM;  // every device can draw
 /// An attachment of kSize x kSize with its own memory.
 class Attachment {
  public:
-  Attachment(const tools::VulkanDevice& device, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect,
+  Attachment(const render::VulkanDevice& device, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect,
              VkSampleCountFlagBits samples)
       : device_(device.device()), aspect_(aspect) {
     VkImageCreateInfo info{};
@@ -27,22 +27,22 @@ class Attachment {
     info.arrayLayers = 1;
     info.samples = samples;
     info.usage = usage;
-    tools::require(vkCreateImage(device_, &info, nullptr, &image), "vkCreateImage");
+    render::require(vkCreateImage(device_, &info, nullptr, &image), "vkCreateImage");
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device_, image, &needs);
     VkMemoryAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     allocate.allocationSize = needs.size;
     allocate.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, 0);
-    tools::require(vkAllocateMemory(device_, &allocate, nullptr, &memory_), "vkAllocateMemory");
-    tools::require(vkBindImageMemory(device_, image, memory_, 0), "vkBindImageMemory");
+    render::require(vkAllocateMemory(device_, &allocate, nullptr, &memory_), "vkAllocateMemory");
+    render::require(vkBindImageMemory(device_, image, memory_, 0), "vkBindImageMemory");
     VkImageViewCreateInfo view_info{};
     view_info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view_info.image = image;
     view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
     view_info.format = format;
     view_info.subresourceRange = {aspect, 0, 1, 0, 1};
-    tools::require(vkCreateImageView(device_, &view_info, nullptr, &view), "vkCreateImageView");
+    render::require(vkCreateImageView(device_, &view_info, nullptr, &view), "vkCreateImageView");
   }
   ~Attachment() {
     vkDestroyImageView(device_, view, nullptr);
@@ -83,9 +83,9 @@ class Attachment {
 };
 
 /// Alpha of the middle pixel after the dome was drawn at `depth` with 4 samples over depth 0.5: 1 where it was drawn.
-float drawnAlpha(tools::VulkanDevice& device, const Sky& sky, VkCompareOp compare, float depth) {
+float drawnAlpha(render::VulkanDevice& device, const Sky& sky, VkCompareOp compare, float depth) {
   constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-  WelkinVulkanCreateInfo info = tools::createInfo(device, 1);
+  WelkinVulkanCreateInfo info = render::createInfo(device, 1);
   info.colour_format = kFormat;
   info.depth_format = kDepthFormat;
   info.depth_compare = compare;
@@ -106,7 +106,7 @@ float drawnAlpha(tools::VulkanDevice& device, const Sky& sky, VkCompareOp compar
                             VK_IMAGE_ASPECT_COLOR_BIT, VK_SAMPLE_COUNT_1_BIT);
   const Attachment depths(device, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_ASPECT_DEPTH_BIT,
                           VK_SAMPLE_COUNT_4_BIT);
-  const tools::Buffer readback(device, VkDeviceSize{16} * kSize * kSize, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  const render::Buffer readback(device, VkDeviceSize{16} * kSize * kSize, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   device.execute([&](VkCommandBuffer commands) {
     CHECK(welkin_vulkan_record_upload(object, commands) == WELKIN_OK);
     colour.transition(commands, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -158,7 +158,7 @@ float drawnAlpha(tools::VulkanDevice& device, const Sky& sky, VkCompareOp compar
 TEST_CASE("VulkanDome, IsDepthTestedUnderMultisampling", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   CHECK(drawnAlpha(device, sky, VK_COMPARE_OP_LESS_OR_EQUAL, 1.0F) == 0.0F);
   CHECK(drawnAlpha(device, sky, VK_COMPARE_OP_LESS_OR_EQUAL, 0.25F) == 1.0F);
   CHECK(drawnAlpha(device, sky, VK_COMPARE_OP_GREATER_OR_EQUAL, 1.0F) == 1.0F);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDiscRadius = 0.1;
 
-tools::Camera towards(const float direction[3], double fov_rad) {
+render::Camera towards(const float direction[3], double fov_rad) {
   const f64::Number3 d{double{direction[0]}, double{direction[1]}, double{direction[2]}};
   return {std::atan2(d.x, -d.z), f64::elevationOf(d), fov_rad};
 }
@@ -29,14 +29,14 @@ TEST_CASE("VulkanDiscs, GiveTheirLightsNormalIrradiance", "[vulkan]") {
   constexpr double kEdgeTolerance = 2e-3;
   const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(11.0);
   const WelkinLight& sun = views.sample().sun;
   REQUIRE(sun.direction[1] > 0.5F);
-  const tools::Camera camera = towards(sun.direction, kFov);
-  const tools::FloatImage with = views.perspective(kSize, kSize, camera, true);
-  const tools::FloatImage without = views.perspective(kSize, kSize, camera, false);
+  const render::Camera camera = towards(sun.direction, kFov);
+  const render::FloatImage with = views.perspective(kSize, kSize, camera, true);
+  const render::FloatImage without = views.perspective(kSize, kSize, camera, false);
   const double pixel = 2.0 * std::tan(0.5 * kFov) / kSize;
   double irradiance[3] = {};
   for (uint32_t y = 0; y < kSize; ++y)
@@ -56,15 +56,15 @@ TEST_CASE("VulkanDiscs, EndAtTheHorizon", "[vulkan]") {
   constexpr uint32_t kSize = 64;
   const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(2.0 + 12.0 * 0.7 / 1.3);  // the moon's elevation goes from 0.7 at 2 h to -0.6 at 14 h
   const WelkinLight& moon = views.sample().moon;
   REQUIRE(std::abs(moon.direction[1]) < 1e-3F);
-  tools::Camera camera = towards(moon.direction, 0.5);
+  render::Camera camera = towards(moon.direction, 0.5);
   camera.pitch_rad = 0.0;
-  const tools::FloatImage with = views.perspective(kSize, kSize, camera, true);
-  const tools::FloatImage without = views.perspective(kSize, kSize, camera, false);
+  const render::FloatImage with = views.perspective(kSize, kSize, camera, true);
+  const render::FloatImage without = views.perspective(kSize, kSize, camera, false);
   double above = 0.0;
   double below = 0.0;
   for (uint32_t y = 0; y < kSize; ++y)
@@ -80,8 +80,8 @@ TEST_CASE("VulkanDiscs, EqualTheRuntimePerPixel", "[vulkan]") {
   constexpr double kFov = 0.3;
   const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   // The edge is a ramp over a pixel: an error of the angle counts by its share of that.
   const double tolerance = shaderTolerance(device) * (1.0 + kDiscRadius * kSize / kFov);
   for (const double time_h : {8.0, 11.0, 20.0, 23.0})
@@ -89,7 +89,7 @@ TEST_CASE("VulkanDiscs, EqualTheRuntimePerPixel", "[vulkan]") {
       views.setTime(time_h);
       const WelkinLight& light = moon ? views.sample().moon : views.sample().sun;
       if (light.direction[1] < 0.2F) continue;
-      const tools::Camera camera = towards(light.direction, kFov);
+      const render::Camera camera = towards(light.direction, kFov);
       const auto with = views.perspective(kSize, kSize, camera, true);
       const auto without = views.perspective(kSize, kSize, camera, false);
       const f64::Number3 forward = f64::directionOf(camera.yaw_rad, camera.pitch_rad);

@@ -4,7 +4,7 @@
 
 #include "render/views.h"
 #include "shared.h"
-#include "sky/cubemap_filter.h"
+#include "sky/cubemap/cubemap_filter.h"
 #include "test_sky.h"
 #include "worst.h"
 
@@ -12,7 +12,7 @@ namespace welkin::tests {
 namespace {
 
 using f64::Number3;
-using tools::FloatImage;
+using render::FloatImage;
 
 constexpr double kHours[] = {0.0, 0.3, 5.9, 6.6, 12.0, 17.35, 19.0, 23.99};
 
@@ -49,10 +49,10 @@ TEST_CASE("VulkanDome, AnalyticFisheyeEqualsRuntime", "[vulkan]") {
   for (const bool to_sun : {true, false}) {
     const auto bytes = testSkyFile({.normalise_to_sun = to_sun});
     const Sky sky = openTestSky(bytes);
-    tools::VulkanDevice device(true);
+    render::VulkanDevice device(true);
     Worst worst;
     {
-      tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+      render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
       for (const double time_h : kHours) {
         views.setTime(time_h);
         const FloatImage image = views.dome(kSize, kSize, false);
@@ -76,12 +76,12 @@ TEST_CASE("VulkanDome, PerspectiveEqualsRuntime", "[vulkan]") {
   constexpr uint32_t kHeight = 60;
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   Worst worst;
   {
-    tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+    render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
     views.setTime(8.2);
-    const tools::Camera camera{0.8, 0.25, 1.2};
+    const render::Camera camera{0.8, 0.25, 1.2};
     const FloatImage image = views.perspective(kWidth, kHeight, camera, false);
     // By rotating a ray: pitch about east, then yaw about down, for a camera that starts out looking north.
     const double half = std::tan(0.5 * camera.fov_rad);
@@ -110,8 +110,8 @@ TEST_CASE("VulkanDome, FisheyeLooksUpWithNorthUpAndEastLeft", "[vulkan]") {
   constexpr uint32_t kSize = 64;
   const auto bytes = testSkyFile({.disc_radius_rad = 0.1});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(9.0);  // the sun stands in the north-east, turned by the path's north offset
   const float* sun = views.sample().sun.direction;
   REQUIRE(sun[0] > 0.2F);
@@ -139,9 +139,9 @@ TEST_CASE("VulkanDome, FisheyeLooksUpWithNorthUpAndEastLeft", "[vulkan]") {
 namespace {
 
 Number3 filtered(const WelkinCubemap& cube, const Number3& d) {
-  const auto value =
-      sky::filterTexels(static_cast<const unsigned char*>(cube.texels), static_cast<format::CubemapFormat>(cube.format),
-                        sky::footprintOf(static_cast<int>(cube.size), {d.x, d.y, d.z}));
+  const auto value = cubemap::filterTexels(static_cast<const unsigned char*>(cube.texels),
+                                           static_cast<format::CubemapFormat>(cube.format),
+                                           cubemap::footprintOf(static_cast<int>(cube.size), {d.x, d.y, d.z}));
   return {value.x, value.y, value.z};
 }
 
@@ -153,12 +153,12 @@ TEST_CASE("VulkanDome, CubemapsAreFilteredAndBlended", "[vulkan]") {
       GENERATE(format::CubemapFormat::rgba16f, format::CubemapFormat::rgb9e5, format::CubemapFormat::b10g11r11);
   const auto bytes = testSkyFile({.cubemap_format = format});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   // A filtering unit may round its two weights to 8 bits: 2^-9 of the texel difference (here below 2) for each.
   const double tolerance = device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 2e-5 : 2.0 * 2.0 / 512.0;
   Worst worst;
   {
-    tools::Views views(device, sky, WELKIN_VULKAN_CUBEMAP);
+    render::Views views(device, sky, WELKIN_VULKAN_CUBEMAP);
     const auto compareAt = [&](const FloatImage& image, uint32_t x, uint32_t y, Number3 direction) {
       const WelkinSkySample& sample = views.sample();
       WelkinCubemap first;
@@ -176,7 +176,7 @@ TEST_CASE("VulkanDome, CubemapsAreFilteredAndBlended", "[vulkan]") {
       views.setTime(time_h);
       const FloatImage dome = views.dome(kSize, kSize, false);
       const FloatImage below = views.perspective(kSize, kSize, {time_h, -1.2, 1.7}, false);
-      const auto matrix = tools::inverseViewProjection({time_h, -1.2, 1.7}, 1.0);
+      const auto matrix = render::inverseViewProjection({time_h, -1.2, 1.7}, 1.0);
       for (uint32_t y = 0; y < kSize; ++y)
         for (uint32_t x = 0; x < kSize; ++x) {
           Number3 direction;

@@ -47,7 +47,7 @@ std::string refusal(const WelkinVulkanCreateInfo& info, const Sky& sky, WelkinRe
 TEST_CASE("VulkanSky, RefusesBadCreateInfo", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const WelkinVulkanCreateInfo good = createInfo(device, 2);
   WelkinVulkanCreateInfo info = good;
   info.struct_size = 8;
@@ -80,12 +80,12 @@ TEST_CASE("VulkanSky, FramesInFlightAreIndependent", "[vulkan]") {
   constexpr uint32_t kSize = 16;
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const double hours[3] = {4.0, 12.0, 21.5};  // three different pairs of cubemaps
   for (const auto source : {WELKIN_VULKAN_ANALYTIC, WELKIN_VULKAN_CUBEMAP}) {
-    std::vector<tools::FloatImage> expected;
+    std::vector<render::FloatImage> expected;
     {
-      tools::Views views(device, sky, source);
+      render::Views views(device, sky, source);
       for (const double time_h : hours) {
         views.setTime(time_h);
         expected.push_back(views.dome(kSize, kSize, false));
@@ -102,10 +102,10 @@ TEST_CASE("VulkanSky, FramesInFlightAreIndependent", "[vulkan]") {
       REQUIRE(sky.sample(hours[frame], sample));
       REQUIRE(welkin_vulkan_update(object, frame, &sample) == WELKIN_OK);
     }
-    tools::Offscreen target(device, kSize, kSize);
+    render::Offscreen target(device, kSize, kSize);
     const WelkinVulkanView view = fisheye(source);
     for (uint32_t frame = 0; frame < 3; ++frame) {
-      const tools::FloatImage image = target.render([&](VkCommandBuffer commands) {
+      const render::FloatImage image = target.render([&](VkCommandBuffer commands) {
         CHECK(welkin_vulkan_draw_dome(object, commands, frame, &view) == WELKIN_OK);
       });
       CHECK(image.rgba == expected[frame].rgba);
@@ -120,14 +120,14 @@ TEST_CASE("VulkanSky, FramesInFlightAreIndependent", "[vulkan]") {
 TEST_CASE("VulkanSky, RefusesCallsOutOfOrder", "[vulkan]") {
   const auto bytes = testSkyFile({.cubemaps = false});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const WelkinVulkanCreateInfo info = createInfo(device, 2);
   WelkinVulkanSky* object = nullptr;
   REQUIRE(welkin_vulkan_create(&info, sky.get(), &object, nullptr) == WELKIN_OK);
   WelkinSkySample sample;
   REQUIRE(sky.sample(12.0, sample));
   const WelkinVulkanView view = fisheye(WELKIN_VULKAN_ANALYTIC);
-  tools::Offscreen target(device, 4, 4);
+  render::Offscreen target(device, 4, 4);
   const auto draw = [&](uint32_t frame, const WelkinVulkanView& v) {
     WelkinResult result = WELKIN_OK;
     target.render([&](VkCommandBuffer commands) { result = welkin_vulkan_draw_dome(object, commands, frame, &v); });
@@ -170,11 +170,11 @@ TEST_CASE("VulkanSky, RefusesCallsOutOfOrder", "[vulkan]") {
 TEST_CASE("VulkanSky, FrameAllocatesNothing", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(false);  // the validation layer allocates in every call
-  tools::Views views(device, sky, WELKIN_VULKAN_CUBEMAP);
+  render::VulkanDevice device(false);  // the validation layer allocates in every call
+  render::Views views(device, sky, WELKIN_VULKAN_CUBEMAP);
   const WelkinVulkanView view = fisheye(WELKIN_VULKAN_CUBEMAP);
   auto* object = const_cast<WelkinVulkanSky*>(views.runtime());
-  tools::Offscreen target(device, 4, 4);
+  render::Offscreen target(device, 4, 4);
   std::size_t during = 1;
   target.render([&](VkCommandBuffer commands) {
     const std::size_t before = allocations;

@@ -7,8 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "probes/random.h"
-#include "probes/transfer_basis.h"
+#include "probes/geometry/random.h"
+#include "probes/loader/read_scene.h"
+#include "probes/transfer/transfer_basis.h"
 #include "render/level_view.h"
 #include "test_sky.h"
 #include "tests/folder.h"
@@ -19,11 +20,10 @@ namespace welkin::tests {
 namespace {
 
 using f64::Number3;
-using probes::kDirections;
-using test::GltfText;
-using tools::Camera;
-using tools::FloatImage;
-using tools::ProbeSphere;
+using render::Camera;
+using render::FloatImage;
+using render::ProbeSphere;
+using transfer::kDirections;
 
 /// Where the CPU's ray and the device's meet the sphere differs by rounding: of the ray, 2e-7, times the distance over
 /// the radius, 10, times the slope of the normal, below 5 inside of kInside. The four irradiances differ by as much as
@@ -36,14 +36,14 @@ const Camera kNorth{0.0, 0.0, 0.5};
 const Number3 kEye(0.2, 2.0, 3.0);
 
 /// A wall of 2 x 2 m in the plane z = -3, before what is north of it.
-probes::Scene wall() {
-  const test::Folder folder;
+level::Scene wall() {
+  const Folder folder;
   GltfText gltf;
-  gltf.addNode(gltf.addMesh(test::boxMesh(), gltf.addMaterial({0.5, 0.5, 0.5})),
+  gltf.addNode(gltf.addMesh(boxMesh(), gltf.addMaterial({0.5, 0.5, 0.5})),
                {{"scale", {1, 1, 0.1}}, {"translation", {0, 2, -3}}});
-  probes::LevelFile level;
-  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, probes::Role::fixed, {}});
-  return probes::readScene(level);
+  level::LevelFile level;
+  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, geometry::Role::fixed, {}});
+  return loader::readScene(level);
 }
 
 struct Stage {
@@ -51,8 +51,8 @@ struct Stage {
 
   FloatImage draw(const std::vector<ProbeSphere>& probes, const Camera& camera = kNorth, const Number3& eye = kEye) {
     if (!view)
-      view = std::make_unique<tools::LevelView>(
-          device, sky, scene, tools::LevelOptions{.waves = false, .mist_per_m = 0.0, .shadow_size = 64});
+      view = std::make_unique<render::LevelView>(
+          device, sky, scene, render::LevelOptions{.waves = false, .mist_per_m = 0.0, .shadow_size = 64});
     view->setTime(10.0);
     view->setProbes(probes);
     return view->draw(kSize, kSize, camera, eye);
@@ -60,9 +60,9 @@ struct Stage {
 
   std::vector<std::byte> bytes;
   Sky sky;
-  tools::VulkanDevice device;
-  probes::Scene scene;
-  std::unique_ptr<tools::LevelView> view;
+  render::VulkanDevice device;
+  level::Scene scene;
+  std::unique_ptr<render::LevelView> view;
 };
 
 /// Every direction and channel of its own.
@@ -76,14 +76,14 @@ Number3 vectorOf(const float v[3]) {
 }
 
 Number3 radianceOf(const ProbeSphere& probe, const Number3& normal) {
-  const auto weight = probes::shadingWeights(normal);
+  const auto weight = transfer::shadingWeights(normal);
   Number3 sum;
   for (std::size_t b = 0; b < kDirections; ++b) sum += vectorOf(probe.irradiance[b]) * weight[b];
   return Number3(std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)) / f64::kPi;
 }
 
 Number3 rayAt(const Camera& camera, uint32_t x, uint32_t y) {
-  const auto m = tools::inverseViewProjection(camera, 1.0);
+  const auto m = render::inverseViewProjection(camera, 1.0);
   const double ndc[2] = {2.0 * (x + 0.5) / kSize - 1.0, 2.0 * (y + 0.5) / kSize - 1.0};
   Number3 ray;
   for (int i = 0; i < 3; ++i) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "probes/loader/read_scene.h"
 #include "render/level_view.h"
 #include "render/views.h"
 #include "test_sky.h"
@@ -16,21 +17,20 @@
 namespace welkin::tests {
 
 using f64::Number3;
-using probes::Scene;
-using test::GltfText;
-using tools::Camera;
-using tools::FloatImage;
-using tools::LevelOptions;
+using level::Scene;
+using render::Camera;
+using render::FloatImage;
+using render::LevelOptions;
 
 /// Albedo and normal are kept as half floats, which a device may truncate: each loses up to 2^-10 = 9.8e-4 of itself.
 /// Positions, from a 32-bit depth, and the series of the sky are off by far less.
 inline constexpr double kSurfaceTolerance = 1.2e-3;
 
 inline Scene sceneOf(const GltfText& gltf) {
-  const test::Folder folder;
-  probes::LevelFile level;
-  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, probes::Role::fixed, {}});
-  return probes::readScene(level);
+  const Folder folder;
+  level::LevelFile level;
+  level.geometry.push_back({folder.write("a.gltf", gltf.text()), {}, geometry::Role::fixed, {}});
+  return loader::readScene(level);
 }
 
 inline std::vector<double> listOf(const Number3& v) {
@@ -58,7 +58,7 @@ struct Pixel {
 /// Calls `visit` for every pixel with its unit ray.
 inline void forEachPixel(const FloatImage& image, const Camera& camera,
                          const std::function<void(const Pixel&)>& visit) {
-  const auto m = tools::inverseViewProjection(camera, static_cast<double>(image.width) / image.height);
+  const auto m = render::inverseViewProjection(camera, static_cast<double>(image.width) / image.height);
   for (uint32_t y = 0; y < image.height; ++y)
     for (uint32_t x = 0; x < image.width; ++x) {
       const double ndc[2] = {2.0 * (x + 0.5) / image.width - 1.0, 2.0 * (y + 0.5) / image.height - 1.0};
@@ -97,22 +97,22 @@ inline void compare(Worst& worst, const FloatImage& image, const Pixel& p, const
     });
 }
 
-inline constexpr LevelOptions kPlain{.waves = false, .mist_per_m = 0.0, .shadow_size = 2048};
+inline constexpr render::LevelOptions kPlain{.waves = false, .mist_per_m = 0.0, .shadow_size = 2048};
 
 /// A sky, a device, a scene and its view, in the order in which they must be made.
 struct Stage {
-  explicit Stage(Scene made, const LevelOptions& options = kPlain, const TestSkyOptions& sky_options = {})
+  explicit Stage(Scene made, const render::LevelOptions& options = kPlain, const TestSkyOptions& sky_options = {})
       : bytes(testSkyFile(sky_options)),
         sky(openTestSky(bytes)),
         device(true),
         scene(std::move(made)),
-        view(std::make_unique<tools::LevelView>(device, sky, scene, options)) {}
+        view(std::make_unique<render::LevelView>(device, sky, scene, options)) {}
 
   std::vector<std::byte> bytes;
   Sky sky;
-  tools::VulkanDevice device;
+  render::VulkanDevice device;
   Scene scene;
-  std::unique_ptr<tools::LevelView> view;
+  std::unique_ptr<render::LevelView> view;
 };
 
 }  // namespace welkin::tests

@@ -15,8 +15,8 @@ constexpr double kBoxHeight = 4.0;
 /// Ground at y = 0, 40 m wide, with a box of 2 x 4 x 3 m in its middle.
 Scene groundAndBox() {
   GltfText gltf;
-  gltf.addNode(gltf.addMesh(test::squareMesh(), gltf.addMaterial(listOf(kGroundAlbedo))), {{"scale", {20, 1, 20}}});
-  gltf.addNode(gltf.addMesh(test::boxMesh(), gltf.addMaterial({0.8, 0.1, 0.1})),
+  gltf.addNode(gltf.addMesh(squareMesh(), gltf.addMaterial(listOf(kGroundAlbedo))), {{"scale", {20, 1, 20}}});
+  gltf.addNode(gltf.addMesh(boxMesh(), gltf.addMaterial({0.8, 0.1, 0.1})),
                {{"scale", {1, kBoxHeight / 2, 1.5}}, {"translation", {0, kBoxHeight / 2, 0}}});
   return sceneOf(gltf);
 }
@@ -56,13 +56,13 @@ TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
   };
   for (const auto& [name, flat, mode_count] :
        {Light{"sh", false, 0}, Light{"flat", true, 0}, Light{"modes", false, 7}}) {
-    LevelOptions options = kPlain;
+    render::LevelOptions options = kPlain;
     options.flat_light = flat;
     Stage stage(groundAndBox(), options, {.mode_count = mode_count});
     for (const double time_h : {8.5, 12.3, 15.0, 19.0, 2.0}) {
       stage.view->setTime(time_h);
       const WelkinSkySample& sample = stage.view->sample();
-      const WelkinLight* light = tools::lightOf(sample);
+      const WelkinLight* light = render::lightOf(sample);
       const Number3 towards = light != nullptr ? vectorOf(light->direction) : Number3(0.0, -1.0, 0.0);
       const Number3 direct = light != nullptr ? vectorOf(light->normal_irradiance) * towards.y : Number3(0.0);
       CHECK((light == &sample.sun) == (time_h > 6.0 && time_h < 18.0));
@@ -102,7 +102,7 @@ TEST_CASE("LevelView, NormalsFollowRotationMirrorAndUnevenScale", "[vulkan]") {
     GltfText gltf;
     const double s = std::sin(0.3);
     const double c = std::cos(0.3);
-    gltf.addNode(gltf.addMesh(test::squareMesh(), gltf.addMaterial({0.5, 0.5, 0.5})),
+    gltf.addNode(gltf.addMesh(squareMesh(), gltf.addMaterial({0.5, 0.5, 0.5})),
                  {{"rotation", {s, 0, 0, c}}, {"scale", {30 * mirror, 1, 9}}});
     // The scale of a child is in its parent's axes: the normal then needs the cofactor matrix.
     gltf.json["nodes"].push_back({{"scale", {1, 0.5, 1}}, {"children", {0}}});
@@ -132,7 +132,7 @@ TEST_CASE("LevelView, FarPixelsAreTheDome", "[vulkan]") {
   Stage stage(groundAndBox(), kPlain, {.disc_radius_rad = 0.1});
   stage.view->setTime(9.0);
   const FloatImage image = stage.view->draw(96, 64, camera, {0.0, 8.0, 0.0});
-  tools::Views views(stage.device, stage.sky, WELKIN_VULKAN_ANALYTIC);
+  render::Views views(stage.device, stage.sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(9.0);
   CHECK(image.rgba == views.perspective(96, 64, camera, true).rgba);
   CHECK(stage.device.messageCount() == 0);
@@ -140,7 +140,7 @@ TEST_CASE("LevelView, FarPixelsAreTheDome", "[vulkan]") {
 
 TEST_CASE("LevelView, TintCanBeLeftOut", "[vulkan]") {
   const Camera camera{2.0, 0.6, 0.8};
-  LevelOptions options = kPlain;
+  render::LevelOptions options = kPlain;
   options.tint = false;
   Stage stage(groundAndBox(), options);
   stage.view->setTime(12.0);
@@ -157,7 +157,7 @@ TEST_CASE("LevelView, TintCanBeLeftOut", "[vulkan]") {
 }
 
 TEST_CASE("LevelView, MistTakesAndGivesBack", "[vulkan]") {
-  LevelOptions options = kPlain;
+  render::LevelOptions options = kPlain;
   options.mist_per_m = 0.02;
   Stage stage(groundAndBox(), options);
   stage.view->setTime(19.0);  // no light, so no shadow

@@ -8,13 +8,13 @@ namespace welkin::tests {
 TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
   constexpr double kSea = 1.5;
   GltfText gltf;
-  gltf.addNode(gltf.addMesh(test::squareMesh()),
+  gltf.addNode(gltf.addMesh(squareMesh()),
                {{"scale", {100, 1, 100}}, {"translation", {0, kSea, 0}}, {"extras", {{"role", "water"}}}});
   // A box that floats in the air, so that what is seen through the water is water alone.
   const Number3 low(-2.0, kSea + 0.5, -12.0);
   const Number3 high(2.0, kSea + 3.5, -10.0);
   const Number3 albedo(0.8, 0.1, 0.4);
-  gltf.addNode(gltf.addMesh(test::boxMesh(), gltf.addMaterial(listOf(albedo))),
+  gltf.addNode(gltf.addMesh(boxMesh(), gltf.addMaterial(listOf(albedo))),
                {{"scale", {2, 1.5, 1}}, {"translation", {0, kSea + 2.0, -11}}});
   for (const uint8_t mode_count : {0, 7}) {
     Stage stage(sceneOf(gltf), kPlain, {.mode_count = mode_count});
@@ -64,10 +64,10 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
   // With the view level, the sea's pixel mirrors the sky's pixel above it: what changes in one between the formulas and
   // the cubemaps of noise changes in the other by the share that is mirrored.
   GltfText gltf;
-  gltf.addNode(gltf.addMesh(test::squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
   const Camera camera{0.3, 0.0, 1.0};
   const auto drawn = [&](bool cubemaps) {
-    LevelOptions options = kPlain;
+    render::LevelOptions options = kPlain;
     options.cubemaps = cubemaps;
     Stage stage(sceneOf(gltf), options);
     stage.view->setTime(15.5);
@@ -100,8 +100,8 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
 
 TEST_CASE("LevelView, WavesDependOnTheHourAlone", "[vulkan]") {
   GltfText gltf;
-  gltf.addNode(gltf.addMesh(test::squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
-  LevelOptions options = kPlain;
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
+  render::LevelOptions options = kPlain;
   options.waves = true;
   Stage stage(sceneOf(gltf), options);
   const auto drawAt = [&](double time_h) {

@@ -8,7 +8,7 @@
 #include "object.h"
 #include "render/views.h"
 #include "shared.h"
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 #include "spirv/kLightComp.h"
 #include "test_sky.h"
 #include "worst.h"
@@ -37,7 +37,7 @@ TEST_CASE("VulkanLight, KeyLightAndReflectionEqualTheRuntime", "[vulkan]") {
   constexpr double kHalf = 1.0 / 512.0;  // three blits, each rounded to a half float
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const float axes[6][4] = {{1, 0, 0, 0}, {-1, 0, 0, 0}, {0, 1, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}, {0, 0, -1, 0}};
   const std::vector<float> input(&axes[0][0], &axes[0][0] + 24);
   {
@@ -95,27 +95,27 @@ TEST_CASE("VulkanDome, CubemapsAgreeWithTheFormulas", "[vulkan]") {
   // that.
   constexpr double kBound = 0.008;
   constexpr uint32_t kSize = 192;
-  sky::SkyFile file;
-  file.sky.luminance = *sky::findLuminance("far-cry-3");
+  bake::SkyFile file;
+  file.sky.luminance = *model::findLuminance("far-cry-3");
   file.sky.sun.path.key_time_h = {0.0};
   file.sky.sun.path.key_azimuth_rad = {0.7};
   file.sky.sun.path.key_elevation_rad = {0.6};
-  file.sky.gradient_sun = sky::Gradient{1, 3, {1.0F, 0.6F, 0.3F, 0.5F, 0.6F, 0.8F, 0.2F, 0.4F, 0.9F}};
-  file.sky.gradient_anti = sky::Gradient{1, 2, {0.4F, 0.5F, 0.7F, 0.2F, 0.4F, 0.9F}};
-  sky::normalise(file.sky.gradient_sun, file.sky.gradient_anti);
+  file.sky.gradient_sun = model::Gradient{1, 3, {1.0F, 0.6F, 0.3F, 0.5F, 0.6F, 0.8F, 0.2F, 0.4F, 0.9F}};
+  file.sky.gradient_anti = model::Gradient{1, 2, {0.4F, 0.5F, 0.7F, 0.2F, 0.4F, 0.9F}};
+  model::normalise(file.sky.gradient_sun, file.sky.gradient_anti);
   file.settings = "{}";
   file.bake.key_time_h = {0.0};
   file.bake.cubemap_size = 128;
   file.bake.cubemap_time_h = {9.0};
-  const sky::SkyInstant instant(file.sky, 9.0);
-  const auto cube = sky::renderCubemap(instant, Number3(0.0), 128, format::CubemapFormat::rgba16f);
-  const auto bytes = sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, {0.0}, [] { return true; }), {cube});
+  const model::SkyInstant instant(file.sky, 9.0);
+  const auto cube = cubemap::renderCubemap(instant, Number3(0.0), 128, format::CubemapFormat::rgba16f);
+  const auto bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, 2, {0.0}, [] { return true; }), {cube});
   Sky sky;
   REQUIRE(sky.open(bytes.data(), bytes.size()));
-  tools::VulkanDevice device(true);
-  std::vector<tools::FloatImage> images;
+  render::VulkanDevice device(true);
+  std::vector<render::FloatImage> images;
   for (const auto source : {WELKIN_VULKAN_ANALYTIC, WELKIN_VULKAN_CUBEMAP}) {
-    tools::Views views(device, sky, source);
+    render::Views views(device, sky, source);
     views.setTime(9.0);
     images.push_back(views.dome(kSize, kSize, false));
   }

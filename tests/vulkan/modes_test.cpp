@@ -27,7 +27,7 @@ using Vector = std::array<float, 3>;
 constexpr double kSoftware = 56.0 / 16777216.0;
 
 /// What Vulkan promises of a filter beside: its weights are rounded to subTexelPrecisionBits bits, along both axes.
-double tolerance(const tools::VulkanDevice& device) {
+double tolerance(const render::VulkanDevice& device) {
   const auto& properties = device.properties();
   if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) return kSoftware;
   return kSoftware + std::ldexp(2.0, -static_cast<int>(properties.limits.subTexelPrecisionBits));
@@ -61,7 +61,7 @@ std::vector<Vector> normals() {
   return all;
 }
 
-std::vector<float> shade(tools::VulkanDevice& device, std::span<const uint32_t> shader, const WelkinVulkanSky* object,
+std::vector<float> shade(render::VulkanDevice& device, std::span<const uint32_t> shader, const WelkinVulkanSky* object,
                          const std::vector<Vector>& directions) {
   std::vector<float> input;
   for (const Vector& n : directions) input.insert(input.end(), {n[0], n[1], n[2], 0.0F});
@@ -81,7 +81,7 @@ struct Comparison {
 };
 
 /// The shader's light at three hours against the runtime's.
-Comparison compare(tools::VulkanDevice& device, const Sky& sky, std::span<const uint32_t> shader) {
+Comparison compare(render::VulkanDevice& device, const Sky& sky, std::span<const uint32_t> shader) {
   const std::vector<Vector> directions = normals();
   const SkyObject object(device, sky, createInfo(device, 1));
   Comparison result;
@@ -111,7 +111,7 @@ Comparison compare(tools::VulkanDevice& device, const Sky& sky, std::span<const 
 }  // namespace
 
 TEST_CASE("VulkanModes, EqualRuntime", "[vulkan]") {
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   for (const uint8_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 12}) {
     CAPTURE(int{count});
     const auto bytes = testSkyFile({.mode_count = count});
@@ -134,7 +134,7 @@ TEST_CASE("VulkanModes, EqualRuntime", "[vulkan]") {
 TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
   const auto bytes = testSkyFile({.mode_count = 5});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const SkyObject object(device, sky, createInfo(device, 1));
   WelkinSkySample sample{};
   REQUIRE(sky.sample(12.2, sample));
@@ -153,7 +153,7 @@ TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
 
 TEST_CASE("VulkanModes, WithoutModesTheFirstTwoBandsAreShown", "[vulkan]") {
   const std::vector<Vector> directions = normals();
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const auto with_bytes = testSkyFile({.mode_count = 5});
   const auto without_bytes = testSkyFile({});
   const Sky with = openTestSky(with_bytes);
@@ -219,14 +219,14 @@ TEST_CASE("VulkanModes, SpheresShowWhatTheRuntimeSays", "[vulkan]") {
   constexpr uint32_t kCell = 60;  // pixels from one sphere to the next
   const auto bytes = testSkyFile({.mode_count = 6});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
-  tools::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
+  render::VulkanDevice device(true);
+  render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
   views.setTime(15.0);
-  const tools::Camera camera{0.7, 0.0, 0.9};
+  const render::Camera camera{0.7, 0.0, 0.9};
   const Number3 forward = f64::directionOf(camera.yaw_rad, 0.0);
   const Number3 right = f64::directionOf(camera.yaw_rad + f64::kHalfPi, 0.0);
   const double radius = WELKIN_SPHERE_RADIUS * kCell;  // pixels
-  const auto image = views.spheres(kCell * WELKIN_SPHERE_COUNT, kHeight, camera, tools::SkyLight::sh);
+  const auto image = views.spheres(kCell * WELKIN_SPHERE_COUNT, kHeight, camera, render::SkyLight::sh);
   double difference = 0.0;
   for (uint32_t sphere = 0; sphere < WELKIN_SPHERE_COUNT; ++sphere)
     for (const auto& [dx, dy] : {std::pair{0, 0}, std::pair{15, -10}, std::pair{-8, 17}, std::pair{9, -19}}) {

@@ -23,7 +23,7 @@ inline WelkinVulkanView fisheye(WelkinVulkanSource source) {
 /// Uploads at once.
 class SkyObject {
  public:
-  SkyObject(tools::VulkanDevice& device, const Sky& sky, const WelkinVulkanCreateInfo& info) {
+  SkyObject(render::VulkanDevice& device, const Sky& sky, const WelkinVulkanCreateInfo& info) {
     WelkinMessage message{};
     const WelkinResult result = welkin_vulkan_create(&info, sky.get(), &object_, &message);
     INFO(message.text);

@@ -10,7 +10,7 @@ namespace {
 
 /// Hands out one VkDeviceMemory for each allocation, at an offset of one alignment, and counts.
 struct Arena {
-  tools::VulkanDevice& device;
+  render::VulkanDevice& device;
   int live = 0;
   int total = 0;
 
@@ -40,12 +40,12 @@ struct Arena {
   }
 };
 
-std::vector<float> draw(tools::VulkanDevice& device, const Sky& sky, const WelkinVulkanCreateInfo& info) {
+std::vector<float> draw(render::VulkanDevice& device, const Sky& sky, const WelkinVulkanCreateInfo& info) {
   const SkyObject object(device, sky, info);
   WelkinSkySample sample{};
   REQUIRE(sky.sample(10.0, sample));
   REQUIRE(welkin_vulkan_update(object.get(), 0, &sample) == WELKIN_OK);
-  tools::Offscreen target(device, 16, 16);
+  render::Offscreen target(device, 16, 16);
   std::vector<float> pixels;
   for (const auto source : {WELKIN_VULKAN_ANALYTIC, WELKIN_VULKAN_CUBEMAP}) {
     const auto view = fisheye(source);
@@ -61,7 +61,7 @@ std::vector<float> draw(tools::VulkanDevice& device, const Sky& sky, const Welki
 TEST_CASE("VulkanOwnership, CallersMemory", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   Arena arena{device};
   const WelkinVulkanMemoryCallbacks callbacks{&arena, Arena::allocate, Arena::free};
   auto info = createInfo(device, 1);
@@ -76,7 +76,7 @@ TEST_CASE("VulkanOwnership, CallersMemory", "[vulkan]") {
 TEST_CASE("VulkanOwnership, FailingMemoryIsReportedAndGivenBack", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   for (int successes = 0; successes < 3; ++successes) {
     struct Limited {
       Arena arena;
@@ -105,7 +105,7 @@ TEST_CASE("VulkanOwnership, FailingMemoryIsReportedAndGivenBack", "[vulkan]") {
 TEST_CASE("VulkanOwnership, CallersImages", "[vulkan]") {
   const auto bytes = testSkyFile({});
   const Sky sky = openTestSky(bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   auto info = createInfo(device, 1);
   const auto expected = draw(device, sky, info);
   uint32_t count = 0;
@@ -116,15 +116,15 @@ TEST_CASE("VulkanOwnership, CallersImages", "[vulkan]") {
   std::vector<VkImage> images(count);
   std::vector<VkDeviceMemory> memory(count);
   for (uint32_t i = 0; i < count; ++i) {
-    tools::require(vkCreateImage(device.device(), &infos[i], nullptr, &images[i]), "vkCreateImage");
+    render::require(vkCreateImage(device.device(), &infos[i], nullptr, &images[i]), "vkCreateImage");
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.device(), images[i], &needs);
     VkMemoryAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     allocate.allocationSize = needs.size;
     allocate.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, 0);
-    tools::require(vkAllocateMemory(device.device(), &allocate, nullptr, &memory[i]), "vkAllocateMemory");
-    tools::require(vkBindImageMemory(device.device(), images[i], memory[i], 0), "vkBindImageMemory");
+    render::require(vkAllocateMemory(device.device(), &allocate, nullptr, &memory[i]), "vkAllocateMemory");
+    render::require(vkBindImageMemory(device.device(), images[i], memory[i], 0), "vkBindImageMemory");
   }
   info.images = images.data();
   info.image_count = count - 1;

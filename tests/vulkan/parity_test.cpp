@@ -64,7 +64,7 @@ std::vector<float> parityArguments(std::size_t count) {
 /// Of each call, relative to the larger of 1 and the value. Software: 16 units in the last place, 2^-24 each; where an
 /// angle comes from atan, Mesa's 4e-6 rad, twice that for angleBetween, times |d| = 3 for the indicatrix. A GPU:
 /// Vulkan's 4096 units of atan, through 30 theta exp(-3 theta), at most 3.7 times 4.9e-4.
-double tolerance(const tools::VulkanDevice& device, std::size_t call) {
+double tolerance(const render::VulkanDevice& device, std::size_t call) {
   if (device.properties().deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU) return 2e-3;
   const bool indicatrix_of_angle = call == 3 || call == 4 || call == 9 || call == 10;
   const bool angle = call == 5 || call == 6 || call == 7 || call == 22;
@@ -76,7 +76,7 @@ double tolerance(const tools::VulkanDevice& device, std::size_t call) {
 TEST_CASE("SharedFormulas, GpuEqualsDouble", "[vulkan]") {
   constexpr std::size_t kInvocations = 2048;
   const std::vector<float> arguments = parityArguments(kInvocations);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const auto results = runCompute(device, kParityComp, arguments, kInvocations * WELKIN_PARITY_COUNT,
                                   WELKIN_PARITY_COUNT, VK_NULL_HANDLE, VK_NULL_HANDLE);
   std::vector<Worst> worst(WELKIN_PARITY_COUNT);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "object.h"
-#include "sky/encode.h"
+#include "sky/bake/encode.h"
 #include "worst.h"
 
 namespace welkin::tests {
@@ -13,11 +13,11 @@ constexpr double kLatitude = 0.6;
 
 /// A dark sky with a smooth, asymmetric map, and a little light in the east that fades it.
 std::vector<std::byte> starrySky(int bright_column, int bright_row) {
-  sky::SkyFile file;
-  file.sky.luminance = *sky::findLuminance("cie-12");
-  file.sky.sun.path = sky::LightPath{kLatitude, -0.2, 12.0, 0.3, {}, {}, {}};
-  file.sky.intensity = sky::Curve::constant(2e-3);
-  sky::Stars stars;
+  bake::SkyFile file;
+  file.sky.luminance = *model::findLuminance("cie-12");
+  file.sky.sun.path = model::LightPath{kLatitude, -0.2, 12.0, 0.3, {}, {}, {}};
+  file.sky.intensity = base::Curve::constant(2e-3);
+  model::Stars stars;
   stars.width = 32;
   stars.height = 16;
   stars.intensity = 0.02;
@@ -37,7 +37,7 @@ std::vector<std::byte> starrySky(int bright_column, int bright_row) {
   file.sky.stars = stars;
   file.settings = "{}";
   file.bake.key_time_h = {0.0};
-  return sky::encodeSky(file, sky::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
+  return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
 }
 
 }  // namespace
@@ -79,9 +79,9 @@ TEST_CASE("VulkanStars, EqualTheRuntimePerPixel", "[vulkan]") {
   const auto bytes = starrySky(-1, 0);
   Sky sky;
   REQUIRE(sky.open(bytes.data(), bytes.size()));
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const SkyObject object(device, sky, createInfo(device, 1));
-  tools::Offscreen target(device, kSize, kSize);
+  render::Offscreen target(device, kSize, kSize);
   // The filter's weights have 8 bits on a GPU, and lavapipe decodes sRGB within half a code: of the map's white.
   const double tolerance = device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 4e-3 : 1e-2;
   for (const double time_h : {0.5, 7.0, 21.3}) {

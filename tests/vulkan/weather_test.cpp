@@ -15,7 +15,7 @@ TEST_CASE("VulkanWeather, OpacityMixesTheDomes", "[vulkan]") {
   const auto second_bytes = testSkyFile({.normalise_to_sun = false});
   const Sky first = openTestSky(first_bytes);
   const Sky second = openTestSky(second_bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const SkyObject a(device, first, createInfo(device, 1));
   const SkyObject b(device, second, createInfo(device, 1));
   WelkinSkySample s{}, t{};
@@ -23,7 +23,7 @@ TEST_CASE("VulkanWeather, OpacityMixesTheDomes", "[vulkan]") {
   REQUIRE(second.sample(9.5, t));
   REQUIRE(welkin_vulkan_update(a.get(), 0, &s) == WELKIN_OK);
   REQUIRE(welkin_vulkan_update(b.get(), 0, &t) == WELKIN_OK);
-  tools::Offscreen target(device, kSize, kSize);
+  render::Offscreen target(device, kSize, kSize);
   WelkinVulkanView view = fisheye(WELKIN_VULKAN_ANALYTIC);
   const auto draw = [&](const SkyObject& object, float opacity) {
     view.opacity = opacity;
@@ -56,10 +56,10 @@ TEST_CASE("VulkanWeather, TwoThousandFramesOfADayAreSilent", "[vulkan]") {
   const auto second_bytes = testSkyFile({.normalise_to_sun = false});
   const Sky first = openTestSky(first_bytes);
   const Sky second = openTestSky(second_bytes);
-  tools::VulkanDevice device(true);
+  render::VulkanDevice device(true);
   const SkyObject a(device, first, createInfo(device, 2));
   const SkyObject b(device, second, createInfo(device, 2));
-  tools::Offscreen target(device, 8, 8);
+  render::Offscreen target(device, 8, 8);
   WelkinSkySample s{}, t{}, blended{};
   for (uint32_t i = 0; i < kFrames; ++i) {
     const double time_h = 24.0 * i / kFrames;

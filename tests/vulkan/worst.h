@@ -15,7 +15,7 @@ namespace welkin::tests {
 /// about 1). Vulkan ("Precision and Operation of SPIR-V Instructions") allows atan 4096 units in the last place, 4.9e-4
 /// of the angle, and cos 2^-11: 1e-3 + 2e-3. Mesa's atan, a polynomial, is off by up to 4e-6 rad: 2.4e-5 + 1e-5, and
 /// the software rasteriser is held to that, so that a slip in a formula cannot hide behind the specification.
-inline double shaderTolerance(const tools::VulkanDevice& device) {
+inline double shaderTolerance(const render::VulkanDevice& device) {
   return device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 4e-5 : 4e-3;
 }
 

@@ -13,11 +13,11 @@ namespace welkin::picture {
 namespace {
 
 using f64::Number3;
-using probes::kCell_m;
-using probes::kCells;
-using probes::kNoProbe;
-using probes::kSector_m;
-using probes::PlacedSector;
+using geometry::kCell_m;
+using geometry::kCells;
+using geometry::kNoProbe;
+using geometry::kSector_m;
+using geometry::PlacedSector;
 using study::Colour;
 using study::Corner;
 using study::Pen;
@@ -56,14 +56,15 @@ Frame frameOf(const std::vector<PlacedSector>& sectors) {
   return frame;
 }
 
-void drawRelief(Pen& pen, const Frame& frame, const probes::Tracer& tracer, const PlacedSector& sector) {
+void drawRelief(Pen& pen, const Frame& frame, const geometry::Tracer& tracer, const PlacedSector& sector) {
   constexpr double kStep_m = 0.5;
-  const double top_y = probes::topOver(tracer.surfaces(), sector.id).value_or(0.0);
+  const double top_y = placement::topOver(tracer.surfaces(), sector.id).value_or(0.0);
   const double height = kCells * sector.cell_height_m;
   for (double x = 0.5 * kStep_m; x < kSector_m; x += kStep_m)
     for (double z = 0.5 * kStep_m; z < kSector_m; z += kStep_m) {
       const Number3 from{kSector_m * sector.id.x + x, top_y, kSector_m * sector.id.z + z};
-      const auto hit = tracer.closest(from, {0, -1, 0}, std::numeric_limits<double>::infinity(), probes::Meets::fixed);
+      const auto hit =
+          tracer.closest(from, {0, -1, 0}, std::numeric_limits<double>::infinity(), geometry::Meets::fixed);
       if (!hit) continue;
       const double rise = std::clamp((hit->position.y - sector.low_y) / height, 0.0, 1.0);
       const Colour colour = grey((0.55 + 0.4 * std::sqrt(rise)) * (0.6 + 0.4 * hit->normal.y));
@@ -86,7 +87,7 @@ void drawProbe(Pen& pen, const Corner& at, std::size_t probe) {
 
 }  // namespace
 
-std::string drawFromAbove(const probes::Tracer& tracer, const std::vector<PlacedSector>& sectors) {
+std::string drawFromAbove(const geometry::Tracer& tracer, const std::vector<PlacedSector>& sectors) {
   const Frame frame = frameOf(sectors);
   Pen pen(Pen::Target::png, frame.width(), frame.height());
   for (const PlacedSector& s : sectors) drawRelief(pen, frame, tracer, s);
@@ -110,28 +111,28 @@ std::string drawFromAbove(const probes::Tracer& tracer, const std::vector<Placed
   return pen.finish();
 }
 
-std::string drawSection(const probes::Tracer& tracer, const std::vector<PlacedSector>& sectors, double z) {
+std::string drawSection(const geometry::Tracer& tracer, const std::vector<PlacedSector>& sectors, double z) {
   std::vector<PlacedSector> row;
   for (const PlacedSector& s : sectors)
-    if (s.id.z == probes::sectorAt({0, 0, z}).z) row.push_back(s);
+    if (s.id.z == geometry::sectorAt({0, 0, z}).z) row.push_back(s);
   Frame frame = frameOf(row);
   double low_y = row.empty() ? 0.0 : row.front().low_y;
   double high_y = low_y + kCell_m;
   for (const PlacedSector& s : row) {
     low_y = std::min(low_y, s.low_y);
-    for (const probes::Probe& p : s.probe) high_y = std::max(high_y, p.position.y + 8.0);
+    for (const geometry::Probe& p : s.probe) high_y = std::max(high_y, p.position.y + 8.0);
   }
   frame.top = -high_y;
   frame.bottom = -low_y;
   Pen pen(Pen::Target::png, frame.width(), frame.height());
   for (const PlacedSector& s : row) {
     constexpr double kStep_m = 0.125;
-    const double top_y = probes::topOver(tracer.surfaces(), s.id).value_or(0.0);
+    const double top_y = placement::topOver(tracer.surfaces(), s.id).value_or(0.0);
     const double middle_x = kSector_m * (s.id.x + 0.5);
     pen.line({frame.at(middle_x, -low_y), frame.at(middle_x, -high_y)}, grey(0.75), kSector_m * frame.scale());
     for (double x = kSector_m * s.id.x + 0.5 * kStep_m; x < kSector_m * (s.id.x + 1.0); x += kStep_m) {
       const double width = kStep_m * frame.scale() + 0.5;
-      for (const probes::Span& span : probes::spansAt(tracer, x, z, top_y))
+      for (const placement::Span& span : placement::spansAt(tracer, x, z, top_y))
         if (!span.inside && span.high_y > low_y && span.low_y < high_y)
           pen.line({frame.at(x, -std::max(span.low_y, low_y)), frame.at(x, -std::min(span.high_y, high_y))}, grey(1.0),
                    width);
@@ -143,7 +144,7 @@ std::string drawSection(const probes::Tracer& tracer, const std::vector<PlacedSe
         const double y = s.low_y + (j + 0.5) * s.cell_height_m;
         if (y > high_y) continue;
         const Corner middle = frame.at(kSector_m * s.id.x + (i + 0.5) * kCell_m, -y);
-        const std::uint8_t probe = s.grid[probes::cellIndex(i, j, k)];
+        const std::uint8_t probe = s.grid[placement::cellIndex(i, j, k)];
         if (probe == kNoProbe) {
           drawCross(pen, middle);
           continue;

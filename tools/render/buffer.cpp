@@ -2,7 +2,7 @@
 // Creates and maps a buffer.
 #include "render/buffer.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 Buffer::Buffer(const VulkanDevice& device, VkDeviceSize bytes, VkBufferUsageFlags usage)
     : device_(device.device()), bytes_(bytes) {
@@ -28,4 +28,4 @@ Buffer::~Buffer() {
   vkFreeMemory(device_, memory_, nullptr);
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

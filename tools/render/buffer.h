@@ -4,7 +4,7 @@
 
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class Buffer {
  public:
@@ -28,4 +28,4 @@ class Buffer {
   void* mapped_ = nullptr;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -6,7 +6,7 @@
 
 #include "shared.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 std::array<float, 16> inverseViewProjection(const Camera& camera, double aspect) {
   const f64::Number3 forward = f64::directionOf(camera.yaw_rad, camera.pitch_rad);
@@ -21,4 +21,4 @@ std::array<float, 16> inverseViewProjection(const Camera& camera, double aspect)
   return matrix;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace welkin::tools {
+namespace welkin::render {
 
 struct Camera {
   double yaw_rad = 0.0;    ///< clockwise from north
@@ -15,4 +15,4 @@ struct Camera {
 /// Column-major matrix from device coordinates (x right, y down, any depth) to a world direction, for WelkinVulkanView.
 std::array<float, 16> inverseViewProjection(const Camera& camera, double aspect);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

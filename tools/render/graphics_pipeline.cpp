@@ -2,7 +2,7 @@
 // Creates graphics pipelines.
 #include "render/graphics_pipeline.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 /// A shader module for as long as its pipeline is being made.
@@ -106,4 +106,4 @@ VkPipeline createGraphicsPipeline(VkDevice device, const PipelineDescription& d)
   return pipeline;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -8,7 +8,7 @@
 
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Viewport and scissor are dynamic. One sample, no blending, triangles; no vertex inputs unless they are given.
 struct PipelineDescription {
@@ -29,4 +29,4 @@ struct PipelineDescription {
 /// Throws Error(file) when the device refuses.
 VkPipeline createGraphicsPipeline(VkDevice device, const PipelineDescription& description);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

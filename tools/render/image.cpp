@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 Image::Image(const VulkanDevice& device, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage)
     : device_(device.device()), format_(format), extent_(extent) {
@@ -15,9 +15,9 @@ Image::Image(const VulkanDevice& device, VkFormat format, VkExtent2D extent, VkI
   const uint32_t limit =
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
   if (extent.width < 1 || extent.height < 1 || extent.width > limit || extent.height > limit)
-    throw Error(ExitStatus::usage, "a picture of " + std::to_string(extent.width) + "x" +
-                                       std::to_string(extent.height) + ": each side must be 1 to " +
-                                       std::to_string(limit) + " on this device");
+    throw base::Error(base::ExitStatus::usage, "a picture of " + std::to_string(extent.width) + "x" +
+                                                   std::to_string(extent.height) + ": each side must be 1 to " +
+                                                   std::to_string(limit) + " on this device");
   try {
     create(device, usage);
   } catch (...) {
@@ -96,4 +96,4 @@ VkRenderingAttachmentInfo attachmentOf(const Image& image, VkImageLayout layout,
   return info;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -5,7 +5,7 @@
 
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// What a pass does with an image: the stages and accesses that touch it, and the layout they need.
 struct ImageUse {
@@ -71,4 +71,4 @@ class Image {
 /// An attachment that is cleared to 0 or loaded, then kept.
 VkRenderingAttachmentInfo attachmentOf(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -8,34 +8,34 @@
 
 #include "render/waves.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 using f64::Number3;
 
 constexpr double kNear = 0.05;  // metres
 
-Number3 middle(const probes::Bounds& bounds) {
+Number3 middle(const level::Bounds& bounds) {
   return (bounds.low + bounds.high) * 0.5;
 }
 
-Number3 corner(const probes::Bounds& b, int i) {
+Number3 corner(const level::Bounds& b, int i) {
   return {(i & 1) != 0 ? b.high.x : b.low.x, (i & 2) != 0 ? b.high.y : b.low.y, (i & 4) != 0 ? b.high.z : b.low.z};
 }
 
-void setVector(LevelVector& to, const Number3& v, double w) {
+void setVector(render::shaders::LevelVector& to, const Number3& v, double w) {
   for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(v[i]);
   to[3] = static_cast<float>(w);
 }
 
 /// Row `row` of a column-major matrix: the dot product with `v`, plus `offset`.
-void setRow(LevelMatrix& matrix, int row, const Number3& v, double offset) {
+void setRow(render::shaders::LevelMatrix& matrix, int row, const Number3& v, double offset) {
   for (int i = 0; i < 3; ++i) matrix[4 * i + row] = static_cast<float>(v[i]);
   matrix[12 + row] = static_cast<float>(offset);
 }
 
 /// World to device coordinates by the axes of the ray matrix: column c of it is the direction that device axis c adds.
-void setViewProjection(LevelConstants& constants, const Number3& position) {
+void setViewProjection(render::shaders::LevelConstants& constants, const Number3& position) {
   const auto axis = [&](int column) {
     const float* c = constants.rays + 4 * column;
     return Number3(double{c[0]}, double{c[1]}, double{c[2]});
@@ -50,7 +50,8 @@ void setViewProjection(LevelConstants& constants, const Number3& position) {
 }
 
 /// An orthographic map that holds the whole level, as seen from the light. Returns the edge of a texel in metres.
-double setShadow(LevelConstants& constants, const probes::Bounds& bounds, const Number3& towards, uint32_t size) {
+double setShadow(render::shaders::LevelConstants& constants, const level::Bounds& bounds, const Number3& towards,
+                 uint32_t size) {
   const Number3 side = std::abs(towards.y) > 0.9 ? Number3(1.0, 0.0, 0.0) : Number3(0.0, 1.0, 0.0);
   Number3 right = cross(side, towards);
   right = right / std::sqrt(dot(right, right));
@@ -83,10 +84,10 @@ const WelkinLight* lightOf(const WelkinSkySample& sample) {
   return nullptr;
 }
 
-LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample& sample, const Camera& camera,
-                              const Number3& position, uint32_t width, uint32_t height, const LevelOptions& options,
-                              bool mirrored) {
-  LevelConstants constants{};
+render::shaders::LevelConstants levelConstants(const level::Scene& scene, const WelkinSkySample& sample,
+                                               const Camera& camera, const Number3& position, uint32_t width,
+                                               uint32_t height, const LevelOptions& options, bool mirrored) {
+  render::shaders::LevelConstants constants{};
   const bool sea = !scene.water.empty();
   const double level = scene.water.high.y;
   const auto rays = inverseViewProjection(camera, static_cast<double>(width) / height);
@@ -106,7 +107,7 @@ LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample&
     towards = {double{d[0]}, double{d[1]}, double{d[2]}};
     setVector(constants.light_irradiance, {double{e[0]}, double{e[1]}, double{e[2]}}, 0.0);
   }
-  const probes::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
+  const level::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
   const double texel = setShadow(constants, bounds, towards, options.shadow_size);
   setVector(constants.light, light != nullptr ? towards : Number3(0.0, -1.0, 0.0), texel);
   constants.light_irradiance[3] = static_cast<float>(1.0 / options.shadow_size);
@@ -120,19 +121,19 @@ LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample&
     const auto waves = wavesAt(sample.time_h);
     std::memcpy(constants.waves, waves.data(), sizeof(constants.waves));
   } else {
-    for (LevelVector& wave : constants.waves) wave[0] = 1.0F;  // no slope, but a direction
+    for (render::shaders::LevelVector& wave : constants.waves) wave[0] = 1.0F;  // no slope, but a direction
   }
   return constants;
 }
 
-void lookAtMiddle(const probes::Scene& scene, const Number3& position, Camera& camera) {
+void lookAtMiddle(const level::Scene& scene, const Number3& position, Camera& camera) {
   const Number3 to = middle(scene.bounds.empty() ? scene.water : scene.bounds) - position;
   camera.yaw_rad = std::atan2(to.x, -to.z);
   camera.pitch_rad = std::atan2(to.y, std::hypot(to.x, to.z));
 }
 
-PlacedCamera overview(const probes::Scene& scene, double fov_rad) {
-  const probes::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
+PlacedCamera overview(const level::Scene& scene, double fov_rad) {
+  const level::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
   const Number3 size = bounds.high - bounds.low;
   const double radius = 0.5 * std::hypot(size.x, size.z);
   PlacedCamera placed{{0.0, 0.0, fov_rad}, middle(bounds)};
@@ -142,4 +143,4 @@ PlacedCamera overview(const probes::Scene& scene, double fov_rad) {
   return placed;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

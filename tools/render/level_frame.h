@@ -8,7 +8,7 @@
 #include "render/camera.h"
 #include "render/shaders/level_constants.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// How a level is drawn.
 struct LevelOptions {
@@ -25,18 +25,18 @@ const WelkinLight* lightOf(const WelkinSkySample& sample);
 
 /// Constants of a view of `width` x `height` pixels. With `mirrored` the camera is below the sea, which is the mirror,
 /// and what is under the sea is left out.
-LevelConstants levelConstants(const probes::Scene& scene, const WelkinSkySample& sample, const Camera& camera,
-                              const f64::Number3& position, uint32_t width, uint32_t height,
-                              const LevelOptions& options, bool mirrored);
+render::shaders::LevelConstants levelConstants(const level::Scene& scene, const WelkinSkySample& sample,
+                                               const Camera& camera, const f64::Number3& position, uint32_t width,
+                                               uint32_t height, const LevelOptions& options, bool mirrored);
 
 /// A camera that sees the whole level from the south-east, a little above.
 struct PlacedCamera {
   Camera camera;
   f64::Number3 position;
 };
-PlacedCamera overview(const probes::Scene& scene, double fov_rad);
+PlacedCamera overview(const level::Scene& scene, double fov_rad);
 
 /// Turns a camera towards the middle of the level.
-void lookAtMiddle(const probes::Scene& scene, const f64::Number3& position, Camera& camera);
+void lookAtMiddle(const level::Scene& scene, const f64::Number3& position, Camera& camera);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

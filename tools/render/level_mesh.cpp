@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 /// Never empty: a level may hold nothing but the sea.
@@ -22,7 +22,7 @@ void fill(const Buffer& buffer, const std::vector<T>& list) {
 
 }  // namespace
 
-LevelMesh::LevelMesh(const VulkanDevice& device, const probes::Scene& scene)
+LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene)
     : scene_(scene),
       vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
       indices_(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
@@ -34,9 +34,9 @@ LevelMesh::LevelMesh(const VulkanDevice& device, const probes::Scene& scene)
 
 std::span<const VkVertexInputAttributeDescription> LevelMesh::attributes() {
   static constexpr VkVertexInputAttributeDescription kAttributes[3] = {
-      {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(probes::Vertex, position)},
-      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(probes::Vertex, normal)},
-      {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(probes::Vertex, colour)}};
+      {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(level::Vertex, position)},
+      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(level::Vertex, normal)},
+      {2, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(level::Vertex, colour)}};
   return kAttributes;
 }
 
@@ -45,8 +45,8 @@ void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const
   const VkBuffer vertices = vertices_.handle();
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-  for (const probes::Draw& draw : scene_.draws) {
-    if (draw.role == probes::Role::water) continue;
+  for (const level::Draw& draw : scene_.draws) {
+    if (draw.role == geometry::Role::water) continue;
     if (cull) {
       // Device coordinates are y-down, so that glTF's counter-clockwise front stays counter-clockwise on the screen.
       vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
@@ -58,4 +58,4 @@ void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const
   }
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

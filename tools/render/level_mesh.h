@@ -8,12 +8,12 @@
 #include "probes/level/scene.h"
 #include "render/buffer.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class LevelMesh {
  public:
   /// `scene` outlives the object.
-  LevelMesh(const VulkanDevice& device, const probes::Scene& scene);
+  LevelMesh(const VulkanDevice& device, const level::Scene& scene);
 
   VkBuffer instances() const { return instances_.handle(); }
 
@@ -24,10 +24,10 @@ class LevelMesh {
   static std::span<const VkVertexInputAttributeDescription> attributes();
 
  private:
-  const probes::Scene& scene_;
+  const level::Scene& scene_;
   Buffer vertices_;
   Buffer indices_;
   Buffer instances_;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -20,7 +20,7 @@
 #include "spirv/kLevelWaterOfModesFrag.h"
 #include "spirv/kLevelWaterVert.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes)
     : device_(device.device()) {
@@ -88,7 +88,7 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
   shadow = createGraphicsPipeline(device_, {.layout = layout_,
                                             .vertex = kLevelShadowVert,
                                             .attributes = attributes.first(1),
-                                            .vertex_bytes = sizeof(probes::Vertex),
+                                            .vertex_bytes = sizeof(level::Vertex),
                                             .depth = kDepthFormat,
                                             .depth_compare = VK_COMPARE_OP_LESS,
                                             .depth_write = true,
@@ -97,7 +97,7 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                              .vertex = kLevelSurfaceVert,
                                              .fragment = kLevelSurfaceFrag,
                                              .attributes = attributes,
-                                             .vertex_bytes = sizeof(probes::Vertex),
+                                             .vertex_bytes = sizeof(level::Vertex),
                                              .colours = {kSurfaceFormat, kSurfaceFormat},
                                              .depth = kDepthFormat,
                                              .depth_compare = VK_COMPARE_OP_GREATER,
@@ -130,4 +130,4 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                   .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -5,7 +5,7 @@
 #include "render/shaders/level_constants.h"
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class LevelPipelines {
  public:
@@ -42,4 +42,4 @@ class LevelPipelines {
   VkSampler sampler_ = VK_NULL_HANDLE;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

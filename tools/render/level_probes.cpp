@@ -5,26 +5,26 @@
 #include <optional>
 #include <string>
 
-#include "probes/level/bake_section.h"
+#include "probes/build/bake_section.h"
+#include "probes/geometry/sector_name.h"
 #include "probes/level/level_file.h"
-#include "probes/sector_name.h"
-#include "sky/atomic_file.h"
-#include "sky/error.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 namespace fs = std::filesystem;
-using probes::SectorFile;
-using probes::SectorId;
+using geometry::SectorId;
+using sectors::SectorFile;
 
 /// The sector that a file of this name holds; nothing for a file that a bake does not make.
 std::optional<SectorId> sectorOf(const std::string& name) {
   const std::string head = "sector_";
   const std::string tail = ".welkin";
   if (!name.starts_with(head) || !name.ends_with(tail) || name.size() < head.size() + tail.size()) return std::nullopt;
-  return probes::sectorOf(name.substr(head.size(), name.size() - head.size() - tail.size()));
+  return geometry::sectorOf(name.substr(head.size(), name.size() - head.size() - tail.size()));
 }
 
 std::map<SectorId, fs::path> sectorPaths(const fs::path& folder) {
@@ -32,30 +32,31 @@ std::map<SectorId, fs::path> sectorPaths(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator i(folder, error); !error && i != fs::directory_iterator(); i.increment(error))
     if (const auto id = sectorOf(i->path().filename().string())) paths.emplace(*id, i->path());
-  if (error) throw Error(ExitStatus::file, "--probes: " + folder.string() + ": " + error.message());
+  if (error) throw base::Error(base::ExitStatus::file, "--probes: " + folder.string() + ": " + error.message());
   if (paths.empty())
-    throw Error(ExitStatus::file, "--probes: " + folder.string() + ": holds no sector; bake the level into its folder");
+    throw base::Error(base::ExitStatus::file,
+                      "--probes: " + folder.string() + ": holds no sector; bake the level into its folder");
   return paths;
 }
 
 }  // namespace
 
 LevelProbes::LevelProbes(const fs::path& level, const fs::path& folder)
-    : sky_(sky::readSkyFile(probes::readLevelFile(level).sky).sky), scale_(probes::readBakeSection(level).scale) {
+    : sky_(bake::readSkyFile(level::readLevelFile(level).sky).sky), scale_(build::readBakeSection(level).scale) {
   constexpr std::size_t kLargestSector = std::size_t{16} << 20;
   for (const auto& [id, path] : sectorPaths(folder / "sectors")) {
-    sectors_.push_back(probes::decodeSector(readFile(path, kLargestSector), path.string()));
+    sectors_.push_back(sectors::decodeSector(base::readFile(path, kLargestSector), path.string()));
     if (sectors_.back().id != id)
-      throw Error(ExitStatus::content, path.string() + ": holds the sector " + probes::nameOf(sectors_.back().id));
+      throw base::Error(base::ExitStatus::content, path.string() + ": holds the sector " + nameOf(sectors_.back().id));
   }
 }
 
 std::vector<ProbeSphere> LevelProbes::at(double time_h) const {
-  const probes::LevelLight light(sectors_, sky_, time_h, scale_);
+  const sectors::LevelLight light(sectors_, sky_, time_h, scale_);
   std::vector<ProbeSphere> spheres;
   for (const SectorFile& sector : sectors_) {
-    const std::vector<f64::Number3> position = probes::decodedProbes(sector.probes, sector.id).position;
-    const std::vector<probes::ProbeIrradiance>& irradiance = light.probesOf(sector.id);
+    const std::vector<f64::Number3> position = transfer::decodedProbes(sector.probes, sector.id).position;
+    const std::vector<transfer::ProbeIrradiance>& irradiance = light.probesOf(sector.id);
     for (std::size_t i = 0; i < position.size(); ++i) {
       const auto total = irradiance[i].total();
       ProbeSphere sphere{};
@@ -69,4 +70,4 @@ std::vector<ProbeSphere> LevelProbes::at(double time_h) const {
   return spheres;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "probes/level_light.h"
+#include "probes/sectors/level_light.h"
 #include "render/probe_sphere.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class LevelProbes {
  public:
@@ -21,9 +21,9 @@ class LevelProbes {
   std::vector<ProbeSphere> at(double time_h) const;
 
  private:
-  sky::Sky sky_;
-  probes::RelightScale scale_;
-  std::vector<probes::SectorFile> sectors_;
+  model::Sky sky_;
+  transfer::RelightScale scale_;
+  std::vector<sectors::SectorFile> sectors_;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -5,18 +5,19 @@
 #include <algorithm>
 #include <cstring>
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// The images and the constants of one view; the set points at them.
 struct LevelView::Target {
-  Target(const VulkanDevice& device, VkExtent2D extent, VkDescriptorSet descriptor_set, const LevelConstants& c)
+  Target(const VulkanDevice& device, VkExtent2D extent, VkDescriptorSet descriptor_set,
+         const render::shaders::LevelConstants& c)
       : albedo(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
         normal(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
         depth(device, LevelPipelines::kDepthFormat, extent,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
-        constants(device, sizeof(LevelConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+        constants(device, sizeof(render::shaders::LevelConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
         set(descriptor_set) {
-    *constants.as<LevelConstants>() = c;
+    *constants.as<render::shaders::LevelConstants>() = c;
   }
 
   static constexpr VkImageUsageFlags kSurfaceUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -100,7 +101,7 @@ void recordCopy(VkCommandBuffer commands, Image& from, Image& to) {
 
 }  // namespace
 
-LevelView::LevelView(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const LevelOptions& options)
+LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options)
     : device_(device),
       scene_(scene),
       options_(options),
@@ -226,7 +227,7 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
   WelkinVulkanView dome{};
   dome.source = options_.cubemaps ? WELKIN_VULKAN_CUBEMAP : WELKIN_VULKAN_ANALYTIC;
   dome.projection = WELKIN_VULKAN_PERSPECTIVE;
-  std::copy_n(target.constants.as<LevelConstants>()->rays, 16, dome.inverse_view_projection);
+  std::copy_n(target.constants.as<render::shaders::LevelConstants>()->rays, 16, dome.inverse_view_projection);
   dome.depth = 0.0F;
   dome.discs = 1;
   return radiance.read([&](VkCommandBuffer commands) {
@@ -237,4 +238,4 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
   });
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -13,12 +13,12 @@
 #include "render/probe_sphere.h"
 #include "render/runtime_sky.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class LevelView {
  public:
   /// `device`, `sky` and `scene` outlive the object.
-  LevelView(VulkanDevice& device, const Sky& sky, const probes::Scene& scene, const LevelOptions& options);
+  LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options);
   ~LevelView();
   LevelView(const LevelView&) = delete;
   LevelView& operator=(const LevelView&) = delete;
@@ -49,7 +49,7 @@ class LevelView {
   void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
 
   VulkanDevice& device_;
-  const probes::Scene& scene_;
+  const level::Scene& scene_;
   LevelOptions options_;
   RuntimeSky sky_;
   LevelMesh mesh_;
@@ -60,4 +60,4 @@ class LevelView {
   VkDescriptorSet sets_[2] = {};  ///< of the picture and of its mirror image
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 void recordHostRead(VkCommandBuffer commands) {
@@ -73,4 +73,4 @@ void beginRendering(VkCommandBuffer commands, VkExtent2D extent, uint32_t colour
   vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -9,7 +9,7 @@
 #include "render/buffer.h"
 #include "render/image.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Radiance, rows from the top, four floats a pixel.
 struct FloatImage {
@@ -45,4 +45,4 @@ class Offscreen {
 void beginRendering(VkCommandBuffer commands, VkExtent2D extent, uint32_t colour_count,
                     const VkRenderingAttachmentInfo* colours, const VkRenderingAttachmentInfo* depth);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <span>
 
-#include "sky/atomic_file.h"
-#include "sky/image.h"
+#include "sky/base/atomic_file.h"
+#include "sky/image/image.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,9 +75,9 @@ Picture contactSheet(const std::vector<SheetColumn>& columns) {
   if (font.empty()) return sheet;
 
   for (uint32_t i = 0; i < count; ++i)
-    sky::drawCaption(static_cast<int>(sheet.width), static_cast<int>(sheet.height), sheet.rgb,
-                     {static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2), static_cast<int>(topOf(i) + header / 2),
-                      kLabelSize, columns[i].label, font});
+    image::drawCaption(static_cast<int>(sheet.width), static_cast<int>(sheet.height), sheet.rgb,
+                       {static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2),
+                        static_cast<int>(topOf(i) + header / 2), kLabelSize, columns[i].label, font});
   return sheet;
 }
 
@@ -90,7 +90,7 @@ std::string clockLabel(double time_h) {
 
 void writePng(const Picture& picture, const std::string& path) {
   const std::span<const uint8_t> rgb(picture.rgb);
-  writeFile(path, sky::encodePng(static_cast<int>(picture.width), static_cast<int>(picture.height), rgb));
+  base::writeFile(path, image::encodePng(static_cast<int>(picture.width), static_cast<int>(picture.height), rgb));
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -7,7 +7,7 @@
 
 #include "render/tone.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// A column of a contact sheet: pictures from the top, all columns alike, under a label.
 struct SheetColumn {
@@ -25,4 +25,4 @@ std::string clockLabel(double time_h);
 /// Writes a PNG that is there whole or not at all. Throws Error(file).
 void writePng(const Picture& picture, const std::string& path);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

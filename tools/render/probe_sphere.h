@@ -7,7 +7,7 @@
 
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 struct ProbeSphere {
   float position[3];       ///< metres
@@ -26,4 +26,4 @@ inline constexpr std::array<VkVertexInputAttributeDescription, 5> ProbeSphere::k
 static_assert(offsetof(ProbeSphere, irradiance) == sizeof(ProbeSphere::position));
 static_assert(sizeof(ProbeSphere::irradiance) == 4 * sizeof(ProbeSphere::position));
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "render/offscreen.h"
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 void require(WelkinResult result, const char* call) {
   if (result != WELKIN_OK)
-    throw Error(ExitStatus::internal, std::string(call) + " failed: " + welkin_result_string(result));
+    throw base::Error(base::ExitStatus::internal, std::string(call) + " failed: " + welkin_result_string(result));
 }
 
 WelkinVulkanCreateInfo createInfo(const VulkanDevice& device, uint32_t frames_in_flight) {
@@ -36,7 +36,7 @@ RuntimeSky::RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_form
   WelkinVulkanSky* runtime = nullptr;
   WelkinMessage message{};
   if (welkin_vulkan_create(&info, sky.get(), &runtime, &message) != WELKIN_OK)
-    throw Error(ExitStatus::file, std::string("Vulkan: ") + message.text);
+    throw base::Error(base::ExitStatus::file, std::string("Vulkan: ") + message.text);
   runtime_.reset(runtime);
   device.execute(
       [&](VkCommandBuffer commands) { require(welkin_vulkan_record_upload(runtime, commands), "record_upload"); });
@@ -44,7 +44,8 @@ RuntimeSky::RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_form
 }
 
 void RuntimeSky::setTime(double time_h, bool tint) {
-  if (!sky_.sample(time_h, sample_)) throw Error(ExitStatus::usage, "the time must be a finite number of hours");
+  if (!sky_.sample(time_h, sample_))
+    throw base::Error(base::ExitStatus::usage, "the time must be a finite number of hours");
   if (!tint) std::fill_n(sample_.polarising_tint, 3, 1.0F);
   require(welkin_vulkan_update(runtime_.get(), 0, &sample_), "welkin_vulkan_update");
 }
@@ -53,4 +54,4 @@ void RuntimeSky::recordDome(VkCommandBuffer commands, const WelkinVulkanView& vi
   require(welkin_vulkan_draw_dome(runtime_.get(), commands, 0, &view), "welkin_vulkan_draw_dome");
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

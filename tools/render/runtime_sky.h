@@ -9,7 +9,7 @@
 
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Throws Error(internal) when a runtime call that cannot fail has failed.
 void require(WelkinResult result, const char* call);
@@ -45,4 +45,4 @@ class RuntimeSky {
   WelkinSkySample sample_{};
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

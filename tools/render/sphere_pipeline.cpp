@@ -9,12 +9,12 @@
 #include "spirv/kSpheresFrag.h"
 #include "spirv/kSpheresOfModesFrag.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 SpherePipeline::SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format,
                                bool light_of_modes)
     : device_(device.device()) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(SpheresPush)};
+  const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(render::shaders::SpheresPush)};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   info.setLayoutCount = 1;
@@ -35,11 +35,12 @@ SpherePipeline::~SpherePipeline() {
   vkDestroyPipelineLayout(device_, layout_, nullptr);
 }
 
-void SpherePipeline::record(VkCommandBuffer commands, VkDescriptorSet sky, const SpheresPush& push) const {
+void SpherePipeline::record(VkCommandBuffer commands, VkDescriptorSet sky,
+                            const render::shaders::SpheresPush& push) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &sky, 0, nullptr);
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push), &push);
   vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

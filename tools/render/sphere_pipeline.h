@@ -5,7 +5,7 @@
 #include "render/shaders/spheres_push.h"
 #include "render/vulkan_device.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 class SpherePipeline {
  public:
@@ -15,7 +15,7 @@ class SpherePipeline {
   SpherePipeline(const SpherePipeline&) = delete;
   SpherePipeline& operator=(const SpherePipeline&) = delete;
 
-  void record(VkCommandBuffer commands, VkDescriptorSet sky, const SpheresPush& push) const;
+  void record(VkCommandBuffer commands, VkDescriptorSet sky, const render::shaders::SpheresPush& push) const;
 
  private:
   VkDevice device_;
@@ -23,4 +23,4 @@ class SpherePipeline {
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

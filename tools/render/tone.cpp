@@ -7,7 +7,7 @@
 
 #include "shared.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 constexpr double kMiddleGrey = 0.18;
@@ -68,4 +68,4 @@ Picture tonemap(const FloatImage& image, double exposure, uint32_t samples) {
   return picture;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -8,7 +8,7 @@
 
 #include "render/offscreen.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// sRGB-encoded, rows from the top, three bytes a pixel.
 struct Picture {
@@ -34,4 +34,4 @@ double filmic(double x);
 /// curve, so that edges against the sun are as soft as others; its sides are multiples of `samples`.
 Picture tonemap(const FloatImage& image, double exposure, uint32_t samples = 1);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

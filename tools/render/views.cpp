@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 Views::Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source)
     : device_(device),
       source_(source),
@@ -39,7 +39,7 @@ FloatImage Views::perspective(uint32_t width, uint32_t height, const Camera& cam
 }
 
 FloatImage Views::spheres(uint32_t width, uint32_t height, const Camera& camera, SkyLight light) {
-  SpheresPush push{};
+  render::shaders::SpheresPush push{};
   const auto matrix = inverseViewProjection(camera, static_cast<double>(width) / height);
   std::copy(matrix.begin(), matrix.end(), push.inverse_view_projection);
   push.aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -56,4 +56,4 @@ Camera towardsLight(const WelkinSkySample& sample) {
   return {std::atan2(static_cast<double>(d[0]), -static_cast<double>(d[2])), 0.0, 1.0};
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

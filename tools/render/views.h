@@ -7,7 +7,7 @@
 #include "render/runtime_sky.h"
 #include "render/sphere_pipeline.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Ambient light of the spheres; the values are those of spheres_push.h.
 enum class SkyLight : uint32_t {
@@ -45,4 +45,4 @@ class Views {
 /// A camera that looks towards the sun, or towards the moon when it is up after nautical twilight; horizontal.
 Camera towardsLight(const WelkinSkySample& sample);
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

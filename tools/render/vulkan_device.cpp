@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
@@ -86,7 +86,8 @@ int rankOf(VkPhysicalDeviceType type) {
 
 void require(VkResult result, const char* call) {
   if (result != VK_SUCCESS)
-    throw Error(ExitStatus::file, std::string("Vulkan: ") + call + " failed: VkResult " + std::to_string(result));
+    throw base::Error(base::ExitStatus::file,
+                      std::string("Vulkan: ") + call + " failed: VkResult " + std::to_string(result));
 }
 
 VulkanDevice::VulkanDevice(bool validate) {
@@ -115,12 +116,13 @@ void VulkanDevice::destroy() {
 
 void VulkanDevice::createInstance(bool validate) {
   if (volkInitialize() != VK_SUCCESS)
-    throw Error(ExitStatus::file, "Vulkan: no loader found (libvulkan.so.1); install a Vulkan loader and driver");
+    throw base::Error(base::ExitStatus::file,
+                      "Vulkan: no loader found (libvulkan.so.1); install a Vulkan loader and driver");
   if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
-    throw Error(ExitStatus::file, "Vulkan: the loader is older than 1.3");
+    throw base::Error(base::ExitStatus::file, "Vulkan: the loader is older than 1.3");
   if (validate && !hasValidationLayer())
-    throw Error(ExitStatus::file, std::string("Vulkan: validation was asked for, but the layer ") + kValidationLayer +
-                                      " is not installed");
+    throw base::Error(base::ExitStatus::file, std::string("Vulkan: validation was asked for, but the layer ") +
+                                                  kValidationLayer + " is not installed");
 
   const VkValidationFeatureEnableEXT enabled = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   VkValidationFeaturesEXT validation{};
@@ -154,7 +156,7 @@ void VulkanDevice::createInstance(bool validate) {
   }
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-    throw Error(ExitStatus::file, "Vulkan: no driver found; install one (Mesa's lavapipe needs no GPU)");
+    throw base::Error(base::ExitStatus::file, "Vulkan: no driver found; install one (Mesa's lavapipe needs no GPU)");
   require(result, "vkCreateInstance");
   volkLoadInstance(instance_);
   if (!validate) return;
@@ -183,7 +185,8 @@ void VulkanDevice::chooseDevice() {
     }
   }
   if (physical_ == VK_NULL_HANDLE)
-    throw Error(ExitStatus::file, "Vulkan: no device can be used" + (reasons.empty() ? ": there is none" : reasons));
+    throw base::Error(base::ExitStatus::file,
+                      "Vulkan: no device can be used" + (reasons.empty() ? ": there is none" : reasons));
 }
 
 void VulkanDevice::createDevice() {
@@ -218,7 +221,8 @@ uint32_t VulkanDevice::memoryType(uint32_t allowed, VkMemoryPropertyFlags needed
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
   for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
     if ((allowed & (1U << i)) != 0 && (memory.memoryTypes[i].propertyFlags & needed) == needed) return i;
-  throw Error(ExitStatus::file, std::string("Vulkan: ") + properties_.deviceName + " has no memory of the needed kind");
+  throw base::Error(base::ExitStatus::file,
+                    std::string("Vulkan: ") + properties_.deviceName + " has no memory of the needed kind");
 }
 
 void VulkanDevice::execute(const std::function<void(VkCommandBuffer)>& record) {
@@ -247,4 +251,4 @@ void VulkanDevice::execute(const std::function<void(VkCommandBuffer)>& record) {
   vkFreeCommandBuffers(device_, pool_, 1, &commands);
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

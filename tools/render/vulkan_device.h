@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Throws Error(file) naming the call when `result` is not success.
 void require(VkResult result, const char* call);
@@ -54,4 +54,4 @@ class VulkanDevice {
   VkCommandPool pool_ = VK_NULL_HANDLE;
 };
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

@@ -6,7 +6,7 @@
 
 #include "shared.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 namespace {
 
 constexpr double kGravity = 9.81;      // m/s2
@@ -35,4 +35,4 @@ std::array<std::array<float, 4>, WELKIN_WAVE_COUNT> wavesAt(double time_h) {
   return waves;
 }
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

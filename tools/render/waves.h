@@ -6,7 +6,7 @@
 
 #include "render/shaders/level_constants.h"
 
-namespace welkin::tools {
+namespace welkin::render {
 
 /// Wave vector (east, south; 1/m), slope, phase at the hour; radians. Wave lengths from a quarter of a metre to twenty,
 /// running with a light wind from the east; deep water, so the angular frequency is sqrt(g k).
@@ -16,4 +16,4 @@ std::array<std::array<float, 4>, WELKIN_WAVE_COUNT> wavesAt(double time_h);
 /// of a wind of less than 1 m/s (Cox and Munk 1954: 0.003 + 0.00512 w for both axes).
 inline constexpr double kRippleVariance = 1.2e-3;
 
-}  // namespace welkin::tools
+}  // namespace welkin::render

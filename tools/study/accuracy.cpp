@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -17,21 +17,21 @@ std::string share(double value) {
   return inWords(value, Quantity::share, 2);
 }
 
-ModelRow measureModel(const std::string& name, const sky::Sky& sky, bool grey, double step_h,
-                      const sky::Progress& interrupt) {
+ModelRow measureModel(const std::string& name, const model::Sky& sky, bool grey, double step_h,
+                      const table::Progress& interrupt) {
   ModelRow row{name, grey};
   const StudyDay day(sky, step_h, interrupt);
   for (std::size_t b = 0; b < std::size(kBandCounts); ++b) {
     row.bands[b] = coefficientsWay(day, kBandCounts[b], Fit::projected).error;
     row.fitted_bands[b] = coefficientsWay(day, kBandCounts[b], Fit::fitted).error;
   }
-  const sky::DayModes modes(day.fields(), day.grid());
+  const table::DayModes modes(day.fields(), day.grid());
   for (std::size_t k = 0; k < std::size(kModeCounts); ++k)  // a plain sky has fewer modes, and all of them serve
     row.modes[k] = modesWay(day, modeWeights(day, modes, kModeCounts[k]), kLargestMap, Fit::fitted).error;
   for (std::size_t b = 0; b < std::size(kBudgets); ++b) {
-    sky::PlanRequest request;
+    table::PlanRequest request;
     request.max_error = kBudgets[b];
-    const sky::DayPlan plan = sky::planDay(day.values(), request);
+    const table::DayPlan plan = table::planDay(day.values(), request);
     if (!plan.met) continue;
     row.bytes[b] = plan.bytes;
     row.keys[b] = plan.table.key_time_h.size();
@@ -89,7 +89,7 @@ std::string islandTable(const Study& study) {
                {"predicted error", "", Quantity::share}});
   for (const BudgetRow& row : study.tables.budgets)
     table.addRow({row.max_error, row.plan.met ? row.plan.representation.name() : "cannot be met",
-                  std::string(sky::nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
+                  std::string(nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
                   static_cast<double>(row.plan.bytes), row.plan.predicted_error});
   return table.markdown(3);
 }
@@ -106,7 +106,7 @@ double largest(const Rows& rows, const Wanted& wanted, const Number& number) {
 std::string approximations(const Study& study) {
   Table table({{"approximation"}, {"domain"}, {"largest error"}, {"cost"}, {"slow reference"}, {"test"}});
   const auto add = [&](std::vector<Cell> cells) { table.addRow(std::move(cells)); };
-  const auto encoding = [&](sky::Encoding e) {
+  const auto encoding = [&](table::Encoding e) {
     return largest(
         study.tables.encodings, [&](const EncodingRow& r) { return r.encoding == e; },
         [](const EncodingRow& r) { return r.encoding_error; });
@@ -117,7 +117,7 @@ std::string approximations(const Study& study) {
         [](const CubemapSizeRow& r) { return r.encoding; });
   };
   add({"exp(d theta) of the indicatrix from a table (IndicatrixTable)", "-16 <= d < 0, theta in [0, pi]",
-       fmt::format("{:.0e}, absolute", sky::IndicatrixTable::kError), "half of exp and atan",
+       fmt::format("{:.0e}, absolute", model::IndicatrixTable::kError), "half of exp and atan",
        "det::exp(d det::angleBetween)", "tests/sky/luminance_test.cpp"});
   for (const QuadratureRow& row : study.quadrature.quadrature)
     if (row.tolerance > 1e-12)
@@ -127,22 +127,22 @@ std::string approximations(const Study& study) {
            "tests/sky/projection_test.cpp"});
   if (!study.quadrature.irradiance.empty())
     add({"irradiance of every normal from circles (IrradianceProjector)", "every named model and sun elevation",
-         fmt::format("{} of the mean promised, {} here", share(sky::IrradianceProjector::kError),
+         fmt::format("{} of the mean promised, {} here", share(model::IrradianceProjector::kError),
                      share(study.quadrature.irradiance.front().error)),
          "one quadrature for all normals", "SkyProjector::irradiance, one integral a normal",
          "tests/sky/irradiance_test.cpp"});
-  for (std::size_t i = 1; i < std::size(sky::kIrradianceRules); ++i)
+  for (std::size_t i = 1; i < std::size(model::kIrradianceRules); ++i)
     add({fmt::format("the same in {} panels of elevation, where a plan's budget allows it",
-                     sky::kIrradianceRules[i].panels),
+                     model::kIrradianceRules[i].panels),
          "every named model and sun elevation",
-         fmt::format("{} of the mean promised", share(sky::kIrradianceRules[i].error)),
-         fmt::format("down from {} panels", sky::kIrradianceRules[0].panels), "48 panels",
+         fmt::format("{} of the mean promised", share(model::kIrradianceRules[i].error)),
+         fmt::format("down from {} panels", model::kIrradianceRules[0].panels), "48 panels",
          "tests/sky/irradiance_test.cpp"});
-  for (const auto& [e, bound, bytes] : {std::tuple(sky::Encoding::float32, "2^-24 of a number", 4),
-                                        {sky::Encoding::float16, "2^-11 of a number, 2^-25 of its key's largest", 2},
-                                        {sky::Encoding::fixed16, "1/65534 of key's times row's largest", 2},
-                                        {sky::Encoding::fixed8, "1/254 of key's times row's largest", 1}})
-    add({fmt::format("numbers as {}", sky::nameOf(e)), "finite tables",
+  for (const auto& [e, bound, bytes] : {std::tuple(table::Encoding::float32, "2^-24 of a number", 4),
+                                        {table::Encoding::float16, "2^-11 of a number, 2^-25 of its key's largest", 2},
+                                        {table::Encoding::fixed16, "1/65534 of key's times row's largest", 2},
+                                        {table::Encoding::fixed8, "1/254 of key's times row's largest", 1}})
+    add({fmt::format("numbers as {}", nameOf(e)), "finite tables",
          fmt::format("{}; {} of the irradiance here", bound, share(encoding(e))),
          fmt::format("{} {} a number", bytes, bytes == 1 ? "byte" : "bytes"), "the numbers in double",
          "tests/runtime/day_table_test.cpp"});
@@ -161,7 +161,7 @@ std::string approximations(const Study& study) {
          "tests/sky/cubemap_format_test.cpp"});
   for (const DomeRow& row : study.cubemaps.dome)
     if (row.error > 0.0)
-      add({fmt::format("gradients in {}", sky::nameOf(row.format)), "every gradient",
+      add({fmt::format("gradients in {}", nameOf(row.format)), "every gradient",
            fmt::format("2^-9 of a texel's largest; {} of the dome here", share(row.error)), "4 bytes a texel, for 12",
            "gradients as floats", "tests/sky/dome_error_test.cpp"});
   add({"a GPU's filter of the map of modes", "subTexelPrecisionBits b, 8 on common devices",
@@ -210,8 +210,8 @@ std::string aim(const std::vector<ModelRow>& models) {
 
 }  // namespace
 
-sky::Sky modelSky(const sky::LuminanceModel& model, const sky::Sky& example, bool grey) {
-  sky::Sky sky;
+model::Sky modelSky(const model::LuminanceModel& model, const model::Sky& example, bool grey) {
+  model::Sky sky;
   sky.luminance = model;
   if (!grey) {
     sky.gradient_sun = example.gradient_sun;
@@ -226,13 +226,13 @@ sky::Sky modelSky(const sky::LuminanceModel& model, const sky::Sky& example, boo
   return sky;
 }
 
-std::vector<ModelRow> measureModels(const sky::Sky& example, double step_h, const StudyOptions& options) {
+std::vector<ModelRow> measureModels(const model::Sky& example, double step_h, const StudyOptions& options) {
   std::vector<ModelRow> rows;
   for (const bool grey : {false, true})
-    for (const auto& [name, model] : sky::namedLuminances()) {
-      const sky::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
+    for (const auto& [name, model] : model::namedLuminances()) {
+      const table::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
       rows.push_back(measureModel(std::string(name), modelSky(model, example, grey), grey, step_h, interrupt));
-      if (options.progress && !options.progress()) throw Error(ExitStatus::interrupted, "interrupted");
+      if (options.progress && !options.progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
     }
   return rows;
 }

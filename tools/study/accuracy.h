@@ -21,10 +21,10 @@ struct ModelRow {
 
 /// Measures every named model, in the example's colours and grey, every `step_h` of a day whose sun climbs to the
 /// zenith. Only the gradients are the example's.
-std::vector<ModelRow> measureModels(const sky::Sky& example, double step_h, const StudyOptions& options);
+std::vector<ModelRow> measureModels(const model::Sky& example, double step_h, const StudyOptions& options);
 
 /// The sky of a row: intensity 1 all day, no ground, no desaturation.
-sky::Sky modelSky(const sky::LuminanceModel& model, const sky::Sky& example, bool grey);
+model::Sky modelSky(const model::LuminanceModel& model, const model::Sky& example, bool grey);
 
 /// Markdown; the same for the same measurements.
 std::string accuracyPage(const std::vector<ModelRow>& models, const Study& example, double step_h,

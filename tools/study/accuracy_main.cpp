@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <exception>
 
-#include "sky/atomic_file.h"
-#include "sky/error.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 #include "study/accuracy.h"
 
 namespace {
@@ -19,12 +19,12 @@ int run(const std::string& sky_file, const std::string& page_file, const std::st
   using namespace welkin;
   const double step_min = step.empty() ? kStep_min : std::atof(step.c_str());
   if (!(step_min >= 0.5 && step_min <= 60.0))
-    throw Error(ExitStatus::usage, fmt::format("STEP_MINUTES: {} is not in 0.5 to 60", step));
-  const sky::SkyFile file = sky::readSkyFile(sky_file);
+    throw base::Error(base::ExitStatus::usage, fmt::format("STEP_MINUTES: {} is not in 0.5 to 60", step));
+  const bake::SkyFile file = bake::readSkyFile(sky_file);
   study::StudyOptions options;
   std::size_t done = 0;
   options.progress = [&] {
-    std::fputs(fmt::format("accuracy: {} of {} skies\n", ++done, 2 * sky::namedLuminances().size()).c_str(), stderr);
+    std::fputs(fmt::format("accuracy: {} of {} skies\n", ++done, 2 * model::namedLuminances().size()).c_str(), stderr);
     return true;
   };
   const auto models = study::measureModels(file.sky, step_min / 60.0, options);
@@ -33,7 +33,7 @@ int run(const std::string& sky_file, const std::string& page_file, const std::st
   std::string command = fmt::format("build/release/tools/study/accuracy {} {}", sky_file, page_file);
   if (!step.empty()) command += " " + step;
   const std::string page = accuracyPage(models, study::measureSky(day, options), step_min / 60.0, command);
-  writeFile(page_file, page);
+  base::writeFile(page_file, page);
   return 0;
 }
 
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   }
   try {
     return run(argv[1], argv[2], argc > 3 ? argv[3] : "");
-  } catch (const welkin::Error& e) {
+  } catch (const welkin::base::Error& e) {
     std::fputs(fmt::format("accuracy: {}\n", e.what()).c_str(), stderr);
     return static_cast<int>(e.status());
   } catch (const std::exception& e) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "study/chart_axis.h"
 #include "study/chart_legend.h"
 #include "study/chart_pen.h"
@@ -252,8 +252,8 @@ class Painter {
 
 ChartPictures drawChart(const Chart& chart) {
   if (chart.series.size() > kMostSeries) {
-    throw Error(ExitStatus::internal, fmt::format("chart '{}': {} series; at most {} can be told apart", chart.title,
-                                                  chart.series.size(), kMostSeries));
+    throw base::Error(base::ExitStatus::internal, fmt::format("chart '{}': {} series; at most {} can be told apart",
+                                                              chart.title, chart.series.size(), kMostSeries));
   }
   // Not a recording that is played back: cairo 1.16 writes its matrices with 0 or -0, as it happens.
   Pen extent(Pen::Target::extent, kChartWidth, kChartHeight);

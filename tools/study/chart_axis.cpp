@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -36,14 +36,16 @@ double niceStep(double least, bool whole) {
 AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values) : scale_(axis.scale) {
   std::vector<double> shown = values;
   if (axis.range) shown.insert(shown.end(), {axis.range->low, axis.range->high});
-  if (values.empty()) throw Error(ExitStatus::internal, fmt::format("chart: nothing to show along '{}'", axis.title));
+  if (values.empty())
+    throw base::Error(base::ExitStatus::internal, fmt::format("chart: nothing to show along '{}'", axis.title));
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   bool zero = false;
   for (const double value : shown) {
     if (!std::isfinite(value) || (scale_ == Scale::log && value < 0.0)) {
-      throw Error(ExitStatus::internal, fmt::format("chart: {} along '{}'; allowed are finite numbers{}", value,
-                                                    axis.title, scale_ == Scale::log ? " from 0" : ""));
+      throw base::Error(base::ExitStatus::internal,
+                        fmt::format("chart: {} along '{}'; allowed are finite numbers{}", value, axis.title,
+                                    scale_ == Scale::log ? " from 0" : ""));
     }
     if (scale_ == Scale::log && value == 0.0) {
       zero = true;

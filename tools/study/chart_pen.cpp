@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -37,7 +37,7 @@ constexpr std::size_t kMarkers = kPolygons.size() + 2;  // and a cross
 
 void check(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw Error(ExitStatus::internal, fmt::format("chart: cairo says: {}", cairo_status_to_string(status)));
+    throw base::Error(base::ExitStatus::internal, fmt::format("chart: cairo says: {}", cairo_status_to_string(status)));
   }
 }
 

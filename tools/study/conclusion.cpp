@@ -37,7 +37,7 @@ std::string budgetSentence(const BudgetRow& row) {
   const auto& modes = row.plan.representation.modes;
   return fmt::format("Within {} the least is {}: {} with {} keys of {}, at {}{}.", share(row.max_error),
                      bytes(static_cast<double>(row.plan.bytes)), row.plan.representation.name(),
-                     row.plan.table.key_time_h.size(), sky::nameOf(row.plan.encoding), share(row.plan.predicted_error),
+                     row.plan.table.key_time_h.size(), nameOf(row.plan.encoding), share(row.plan.predicted_error),
                      modes && modes->count > 8 ? "; more modes than the shader includes read" : "");
 }
 
@@ -78,7 +78,7 @@ std::string windowParagraph(const std::vector<Way>& ways) {
 
 std::string modesParagraph(const std::vector<Way>& ways) {
   std::size_t first = 0;
-  for (std::size_t count = 1; count <= sky::DayModes::kMost && first == 0; ++count) {
+  for (std::size_t count = 1; count <= table::DayModes::kMost && first == 0; ++count) {
     const Way* way = bestModes(ways, count);
     if (way != nullptr && way->error < 0.01) first = count;
   }
@@ -90,7 +90,7 @@ std::string modesParagraph(const std::vector<Way>& ways) {
                           way->representation.modes->rows, way->fit == Fit::fitted ? ", fitted" : "");
   text += ".";
   const Way* eight = bestModes(ways, 8);
-  const Way* twelve = bestModes(ways, sky::DayModes::kMost);
+  const Way* twelve = bestModes(ways, table::DayModes::kMost);
   if (eight != nullptr && twelve != nullptr)
     text +=
         fmt::format(" The limit of 8 is {}: four more modes, which the shader includes do not read, would bring {}.",
@@ -149,11 +149,11 @@ std::string encodingsParagraph(const std::vector<EncodingRow>& rows) {
   std::string text = "Rounding the numbers adds at most";
   bool first = true;
   for (const auto encoding :
-       {sky::Encoding::float32, sky::Encoding::float16, sky::Encoding::fixed16, sky::Encoding::fixed8}) {
+       {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16, table::Encoding::fixed8}) {
     double most = 0.0;
     for (const EncodingRow& row : rows)
       if (row.encoding == encoding) most = std::max(most, row.encoding_error);
-    text += fmt::format("{} {} as {}", first ? "" : ",", share(most), sky::nameOf(encoding));
+    text += fmt::format("{} {} as {}", first ? "" : ",", share(most), nameOf(encoding));
     first = false;
   }
   return text + ".";
@@ -167,7 +167,7 @@ std::string cubemapsParagraph(const CubemapStudy& study) {
                                        row.plan.size, format::nameOf(row.plan.format), share(row.plan.measured.error))
                          : fmt::format("Cubemaps within {} cannot be had: {}. ", share(row.max_error), row.plan.reason);
   for (const DomeRow& row : study.dome)
-    if (row.format == sky::GradientFormat::rgb9e5)
+    if (row.format == model::GradientFormat::rgb9e5)
       text += fmt::format("The analytic dome takes no cubemaps and errs by {} with gradients in rgb9e5, {}.",
                           share(row.error), bytes(row.bytes));
   return text;

@@ -6,17 +6,18 @@
 #include <algorithm>
 #include <bit>
 
-#include "sky/farthest.h"
+#include "sky/table/farthest.h"
 
 namespace welkin::study {
 namespace {
 
-using sky::Number3;
+using det::Number3;
 
 /// Instants of a day taken round and round.
 class Round {
  public:
-  Round(const sky::DayValues& day, const sky::Representation& r) : day_(day), r_(r), count_(day.day->instant.size()) {}
+  Round(const table::DayValues& day, const table::Representation& r)
+      : day_(day), r_(r), count_(day.day->instant.size()) {}
 
   std::size_t count() const { return count_; }
   double timeAt(std::size_t i) const {
@@ -24,13 +25,13 @@ class Round {
   }
   const Number3* weightsAt(std::size_t i) const { return r_.weight.data() + i % count_ * r_.rows; }
   double errorAt(std::size_t i, const std::vector<Number3>& rows) const {
-    return sky::errorOf(day_, r_, i % count_, rows).value;
+    return table::errorOf(day_, r_, i % count_, rows).value;
   }
   std::size_t rows() const { return r_.rows; }
 
  private:
-  const sky::DayValues& day_;
-  const sky::Representation& r_;
+  const table::DayValues& day_;
+  const table::Representation& r_;
   std::size_t count_;
 };
 
@@ -92,14 +93,15 @@ bool hermiteReaches(const Round& round, std::size_t first, std::size_t last, dou
 
 }  // namespace
 
-double linearError(const sky::DayValues& day, const sky::Representation& r, const std::vector<std::size_t>& keys) {
+double linearError(const table::DayValues& day, const table::Representation& r, const std::vector<std::size_t>& keys) {
   const Round round(day, r);
   return largestError(round, keys, [&](std::size_t k, std::size_t i) {
     return linearRows(round, keyAt(keys, round.count(), k, 0), keyAt(keys, round.count(), k, 1), i);
   });
 }
 
-double catmullRomError(const sky::DayValues& day, const sky::Representation& r, const std::vector<std::size_t>& keys) {
+double catmullRomError(const table::DayValues& day, const table::Representation& r,
+                       const std::vector<std::size_t>& keys) {
   if (keys.size() < 3) return linearError(day, r, keys);
   const Round round(day, r);
   // The slope at key b of the parabola through a, b and c.
@@ -123,7 +125,7 @@ double catmullRomError(const sky::DayValues& day, const sky::Representation& r, 
   });
 }
 
-std::vector<std::size_t> placeHermiteKeys(const sky::DayValues& day, const sky::Representation& r, double error) {
+std::vector<std::size_t> placeHermiteKeys(const table::DayValues& day, const table::Representation& r, double error) {
   const Round round(day, r);
   const std::size_t count = round.count();
   for (std::size_t i = 0; i < count; ++i)
@@ -132,7 +134,7 @@ std::vector<std::size_t> placeHermiteKeys(const sky::DayValues& day, const sky::
   while (keys.back() < count) {
     const std::size_t first = keys.back();
     keys.push_back(
-        sky::farthest(first, count, 2, [&](std::size_t next) { return hermiteReaches(round, first, next, error); }));
+        table::farthest(first, count, 2, [&](std::size_t next) { return hermiteReaches(round, first, next, error); }));
   }
   keys.pop_back();  // the first again
   return keys;

@@ -12,61 +12,63 @@
 #include <filesystem>
 
 #include "probes/build/level_bake.h"
-#include "probes/directions.h"
-#include "probes/level/surfaces_of.h"
-#include "probes/level_light.h"
+#include "probes/geometry/directions.h"
+#include "probes/geometry/random.h"
+#include "probes/loader/surfaces_of.h"
 #include "probes/placement/validity.h"
-#include "probes/random.h"
 #include "probes/reference/reference.h"
-#include "sky/atomic_file.h"
-#include "sky/error.h"
-#include "sky/projection.h"
-#include "sky/sky_file.h"
+#include "probes/sectors/level_light.h"
+#include "sky/bake/sky_file.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
+#include "sky/model/projection.h"
 
-namespace welkin::probes {
+namespace welkin::study {
+
+using f64::Number3;
 namespace {
 
 struct Place {
   Number3 position, normal;
-  std::optional<std::pair<SectorId, std::size_t>> probe = {};  ///< at whose place it is
+  std::optional<std::pair<geometry::SectorId, std::size_t>> probe = {};  ///< at whose place it is
 };
 
 /// Places of probes, any of them, with normals over the sphere.
-std::vector<Place> placesOfProbes(const std::vector<SectorFile>& sectors, std::size_t count) {
+std::vector<Place> placesOfProbes(const std::vector<sectors::SectorFile>& sectors, std::size_t count) {
   std::vector<Place> all;
-  for (const SectorFile& file : sectors) {
-    const SectorProbes probes = decodedProbes(file.probes, file.id);
+  for (const sectors::SectorFile& file : sectors) {
+    const transfer::SectorProbes probes = transfer::decodedProbes(file.probes, file.id);
     for (std::size_t i = 0; i < probes.position.size(); ++i)
       all.push_back({probes.position[i], {}, std::pair(file.id, i)});
   }
-  Random random(7);
+  geometry::Random random(7);
   std::vector<Place> places;
   for (std::size_t i = 0; i < count && !all.empty(); ++i) {
     places.push_back(all[static_cast<std::size_t>(random.unit() * static_cast<double>(all.size()))]);
     const double s = random.unit();
-    places.back().normal = sphereDirection(s, random.unit());
+    places.back().normal = geometry::sphereDirection(s, random.unit());
   }
   return places;
 }
 
 /// Places spread over the fronts of static surfaces by area, in air, within the sectors.
-std::vector<Place> placesOn(const Surfaces& s, const Tracer& tracer, const LevelLight& light, std::size_t count,
-                            std::size_t& without) {
+std::vector<Place> placesOn(const geometry::Surfaces& s, const geometry::Tracer& tracer,
+                            const sectors::LevelLight& light, std::size_t count, std::size_t& without) {
   std::vector<double> sum;
-  for (const Triangle& t : s.triangle) {
+  for (const geometry::Triangle& t : s.triangle) {
     const auto load = [&](int i) {
       const auto& p = s.position[t.vertex[static_cast<std::size_t>(i)]];
       return Number3(double{p[0]}, double{p[1]}, double{p[2]});
     };
     const Number3 normal = cross(load(1) - load(0), load(2) - load(0));
-    const bool is_static = s.object[t.object].role == Role::fixed;
+    const bool is_static = s.object[t.object].role == geometry::Role::fixed;
     sum.push_back((sum.empty() ? 0.0 : sum.back()) + (is_static ? std::sqrt(dot(normal, normal)) : 0.0));
   }
-  Random random(20261124);
+  geometry::Random random(20261124);
   std::vector<Place> places;
   for (int tries = 0; places.size() < count && tries < 1000000; ++tries) {
     const auto found = std::upper_bound(sum.begin(), sum.end(), random.unit() * sum.back());
-    const Triangle& t = s.triangle[static_cast<std::size_t>(found - sum.begin())];
+    const geometry::Triangle& t = s.triangle[static_cast<std::size_t>(found - sum.begin())];
     const auto load = [&](std::size_t i) {
       const auto& p = s.position[t.vertex[i]];
       return Number3(double{p[0]}, double{p[1]}, double{p[2]});
@@ -74,12 +76,12 @@ std::vector<Place> placesOn(const Surfaces& s, const Tracer& tracer, const Level
     const double u = std::sqrt(random.unit());
     const double v = random.unit();
     const Number3 position = load(0) * (1.0 - u) + load(1) * (u * (1.0 - v)) + load(2) * (u * v);
-    const Number3 normal = unit(cross(load(1) - load(0), load(2) - load(0)));
+    const Number3 normal = geometry::unit(cross(load(1) - load(0), load(2) - load(0)));
     constexpr double kOff_m = 0.05;
     const Number3 off = position + normal * kOff_m;
     const auto above = tracer.closest(off, {0, 1, 0}, 1e9);
-    const bool wet = above && s.object[s.triangle[above->triangle].object].role == Role::water;
-    if (wet || insideGeometry(tracer, off)) continue;
+    const bool wet = above && s.object[s.triangle[above->triangle].object].role == geometry::Role::water;
+    if (wet || placement::insideGeometry(tracer, off)) continue;
     if (!light.at(position, normal)) {
       ++without;
       continue;
@@ -104,8 +106,8 @@ struct Spread {
   }
 };
 
-void compare(const Tracer& tracer, const sky::Sky& sky, const BakeSection& section,
-             const std::vector<SectorFile>& sectors, const std::vector<Place>& places, std::size_t samples) {
+void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build::BakeSection& section,
+             const std::vector<sectors::SectorFile>& sectors, const std::vector<Place>& places, std::size_t samples) {
   const char* const column[] = {"sky", "sky, fitted", "sun bounce", "total"};
   fmt::print("{:>5}", "hour");
   for (const char* name : column) fmt::print("  {:^17}", name);
@@ -118,22 +120,22 @@ void compare(const Tracer& tracer, const sky::Sky& sky, const BakeSection& secti
   std::array<Spread, 4> all;
   for (int i = 0; i < 8; ++i) {
     const double time_h = 3.0 * i;
-    const LevelLight light(sectors, sky, time_h, section.scale);
-    const LevelLight fitted(sectors, sky, time_h, section.scale, SkyBounce::fitted);
-    const DistantLight distant(sky, time_h);
+    const sectors::LevelLight light(sectors, sky, time_h, section.scale);
+    const sectors::LevelLight fitted(sectors, sky, time_h, section.scale, transfer::SkyBounce::fitted);
+    const reference::DistantLight distant(sky, time_h);
     const double open =
         det::luminanceOf(
-            sky::SkyProjector(sky.luminance, 2, 1e-6).irradiance(sky::SkyInstant(sky, time_h), {0, 1, 0})) *
-        sky::SkyInstant(sky, time_h).intensity();
+            model::SkyProjector(sky.luminance, 2, 1e-6).irradiance(model::SkyInstant(sky, time_h), {0, 1, 0})) *
+        model::SkyInstant(sky, time_h).intensity();
     std::array<Spread, 4> error;
     for (const Place& place : places) {
-      const auto irradianceBy = [&](const LevelLight& l) {
+      const auto irradianceBy = [&](const sectors::LevelLight& l) {
         return place.probe ? l.ofProbe(place.probe->first, place.probe->second, place.normal)
                            : *l.at(place.position, place.normal);
       };
-      const LevelIrradiance got = irradianceBy(light);
-      const auto want = traceReference(tracer, distant, {}, place.position, place.normal,
-                                       {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
+      const sectors::LevelIrradiance got = irradianceBy(light);
+      const auto want = reference::traceReference(tracer, distant, {}, place.position, place.normal,
+                                                  {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
       const std::array<Number3, 4> off = {got.sky - want.sky.value, irradianceBy(fitted).sky - want.sky.value,
                                           got.sun_bounce - want.sun_bounce.value, got.total() - want.total.value};
       for (std::size_t k = 0; k < off.size(); ++k) {
@@ -149,23 +151,23 @@ void compare(const Tracer& tracer, const sky::Sky& sky, const BakeSection& secti
 
 void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t points,
          std::size_t samples) {
-  const LevelFile level = readLevelFile(file);
-  const sky::SkyFile sky = sky::readSkyFile(level.sky);
-  const BakeSection section = readBakeSection(file);
-  Surfaces surfaces = readSurfaces(level);
-  for (Material& material : surfaces.material) material.emission = material.emission / sky.sky.luminance_unit;
-  const Tracer tracer(surfaces);
-  std::vector<SectorFile> sectors;
+  const level::LevelFile level = level::readLevelFile(file);
+  const bake::SkyFile sky = bake::readSkyFile(level.sky);
+  const build::BakeSection section = build::readBakeSection(file);
+  geometry::Surfaces surfaces = loader::readSurfaces(level);
+  for (geometry::Material& material : surfaces.material) material.emission = material.emission / sky.sky.luminance_unit;
+  const geometry::Tracer tracer(surfaces);
+  std::vector<sectors::SectorFile> sectors;
   std::size_t bytes = 0;
   std::size_t probes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "sectors")) {
-    const auto data = readFile(entry.path());
-    sectors.push_back(decodeSector(data, entry.path().string()));
+    const auto data = base::readFile(entry.path());
+    sectors.push_back(sectors::decodeSector(data, entry.path().string()));
     bytes += data.size();
     probes += sectors.back().probes.probes();
   }
   std::size_t without = 0;
-  const auto places = placesOn(surfaces, tracer, LevelLight(sectors, sky.sky, 12.0), points, without);
+  const auto places = placesOn(surfaces, tracer, sectors::LevelLight(sectors, sky.sky, 12.0), points, without);
   fmt::print("{} sectors, {} probes, {} bytes; {} points, {} more had no probe\n", sectors.size(), probes, bytes,
              places.size(), without);
   fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\non surfaces:\n");
@@ -175,7 +177,7 @@ void run(const std::filesystem::path& file, const std::filesystem::path& folder,
 }
 
 }  // namespace
-}  // namespace welkin::probes
+}  // namespace welkin::study
 
 int main(int count, char** arguments) {
   if (count < 3 || count > 5) {
@@ -183,9 +185,9 @@ int main(int count, char** arguments) {
     return 1;
   }
   try {
-    welkin::probes::run(arguments[1], arguments[2], count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 200,
-                        count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 4096);
-  } catch (const welkin::Error& e) {
+    welkin::study::run(arguments[1], arguments[2], count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 200,
+                       count > 4 ? std::strtoull(arguments[4], nullptr, 10) : 4096);
+  } catch (const welkin::base::Error& e) {
     fmt::print(stderr, "{}\n", e.what());
     return static_cast<int>(e.status());
   }

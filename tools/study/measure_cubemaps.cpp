@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "sky/cubemap_times.h"
-#include "sky/dome_error.h"
+#include "sky/cubemap/cubemap_times.h"
+#include "sky/cubemap/dome_error.h"
 
 namespace welkin::study {
 namespace {
@@ -25,20 +25,20 @@ double CubemapSizeRow::error() const {
   return std::sqrt(resolution * resolution + encoding * encoding);
 }
 
-CubemapStudy measureCubemapAxis(const sky::Sky& sky, const StudyOptions& options) {
+CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& options) {
   CubemapStudy study;
   // By the light of the day: a low sun has its halo cut by the horizon.
   const std::vector<double> hours = {0.0, 5.0, 5.5, 6.0, 7.0, 9.0, 12.0, 15.0, 17.0, 18.0, 18.5, 19.0};
   for (int size = 16; size <= (options.quick ? 64 : 256); size *= 2)
     for (const CubemapFormat format : kFormats) {
       CubemapSizeRow row{size, format, bytesOfCubemap(size, format)};
-      for (const auto& parts : sky::partsAt(sky, {size, format, hours, {}}, options.interrupt)) {
+      for (const auto& parts : cubemap::partsAt(sky, {size, format, hours, {}}, options.interrupt)) {
         row.resolution = std::max(row.resolution, parts.resolution);
         row.encoding = std::max(row.encoding, parts.encoding);
       }
       study.sizes.push_back(row);
     }
-  const sky::DomeDay day(sky, options.interrupt);
+  const cubemap::DomeDay day(sky, options.interrupt);
   for (const double error : {0.3, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01}) {
     if (options.quick && error < 0.03) break;
     const std::vector<double> tolerance(day.time_h().size(), error);
@@ -47,14 +47,14 @@ CubemapStudy measureCubemapAxis(const sky::Sky& sky, const StudyOptions& options
   for (const double budget : {0.1, 0.03, 0.01}) {
     if (options.quick && budget < 0.1) break;
     const auto start = std::chrono::steady_clock::now();
-    CubemapBudgetRow row{budget, sky::planCubemaps(sky, budget, {}, options.interrupt)};
+    CubemapBudgetRow row{budget, cubemap::planCubemaps(sky, budget, {}, options.interrupt)};
     row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     study.budgets.push_back(std::move(row));
   }
   const double texels = static_cast<double>(sky.gradient_sun.rgb.size() + sky.gradient_anti.rgb.size()) / 3.0;
-  study.dome = {{sky::GradientFormat::rgb32f, 12.0 * texels, 0.0},
-                {sky::GradientFormat::rgb9e5, 4.0 * texels,
-                 sky::measureGradients(sky, sky::GradientFormat::rgb9e5, sky::Effort::fast).error}};
+  study.dome = {{model::GradientFormat::rgb32f, 12.0 * texels, 0.0},
+                {model::GradientFormat::rgb9e5, 4.0 * texels,
+                 cubemap::measureGradients(sky, model::GradientFormat::rgb9e5, cubemap::Effort::fast).error}};
   return study;
 }
 
@@ -111,7 +111,7 @@ void reportCubemaps(const CubemapStudy& study, StudyReport& report) {
   }
   if (!plans.points.empty()) times_chart.series.push_back(std::move(plans));
   Table dome({{"gradients"}, {"bytes", "bytes", Quantity::bytes}, {"error", "of the mean radiance", Quantity::share}});
-  for (const DomeRow& row : study.dome) dome.addRow({std::string(sky::nameOf(row.format)), row.bytes, row.error});
+  for (const DomeRow& row : study.dome) dome.addRow({std::string(nameOf(row.format)), row.bytes, row.error});
   report.tables.push_back({"cubemaps", "Cubemaps at their own times", std::move(sizes)});
   report.tables.push_back({"cubemap_times", "Times of cubemaps", std::move(times)});
   report.tables.push_back({"cubemap_budgets", "What a bake plans for cubemaps", std::move(budgets)});

@@ -2,7 +2,7 @@
 // The fifth axis of a study: size, format and number of cubemaps, and the analytic dome beside them.
 #pragma once
 
-#include "sky/cubemap_plan.h"
+#include "sky/cubemap/cubemap_plan.h"
 #include "study/report.h"
 #include "study/study_day.h"
 
@@ -26,13 +26,13 @@ struct CubemapTimesRow {
 /// What sky::planCubemaps finds for a budget.
 struct CubemapBudgetRow {
   double max_error = 0.0;
-  sky::CubemapPlan plan;
+  cubemap::CubemapPlan plan;
   double plan_s = 0.0;
 };
 
 /// Gradients of the analytic dome.
 struct DomeRow {
-  sky::GradientFormat format;
+  model::GradientFormat format;
   double bytes = 0.0;
   double error = 0.0;
 };
@@ -44,7 +44,7 @@ struct CubemapStudy {
   std::vector<DomeRow> dome;
 };
 
-CubemapStudy measureCubemapAxis(const sky::Sky& sky, const StudyOptions& options);
+CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& options);
 
 /// Adds the tables "cubemaps", "cubemap_times", "cubemap_budgets" and "dome" and the chart "cubemaps".
 void reportCubemaps(const CubemapStudy& study, StudyReport& report);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sky/key_placement.h"
+#include "sky/table/key_placement.h"
 #include "study/cubic_time.h"
 
 namespace welkin::study {
@@ -33,7 +33,7 @@ KeyStudy measureKeys(const StudyDay& day, const std::vector<Way>& ways, const St
     }
     for (const double error : {0.5, 0.3, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01, 0.005, 0.003}) {
       if (options.quick && error < 0.01) break;
-      const auto placed = sky::placeKeys(day.values(), way.representation, error);
+      const auto placed = table::placeKeys(day.values(), way.representation, error);
       if (placed.empty()) break;
       study.counts.push_back(
           {way.name, error, placed.size(),

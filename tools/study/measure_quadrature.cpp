@@ -23,18 +23,18 @@ Cell errorCell(double error, bool is_reference) {
   return cell;
 }
 
-std::vector<sky::SkyInstant> instantsOf(const sky::Sky& sky, std::size_t count) {
-  std::vector<sky::SkyInstant> instants;
+std::vector<model::SkyInstant> instantsOf(const model::Sky& sky, std::size_t count) {
+  std::vector<model::SkyInstant> instants;
   for (std::size_t i = 0; i < count; ++i)  // none at a whole hour, where curves have keys
     instants.emplace_back(sky, format::kDay_h * (static_cast<double>(i) + 0.37) / static_cast<double>(count));
   return instants;
 }
 
-std::vector<QuadratureRow> measureProjector(const sky::Sky& sky, const std::vector<sky::SkyInstant>& instants) {
+std::vector<QuadratureRow> measureProjector(const model::Sky& sky, const std::vector<model::SkyInstant>& instants) {
   std::vector<QuadratureRow> rows;
-  std::vector<std::vector<sky::PolarMoments>> moments;
+  std::vector<std::vector<model::PolarMoments>> moments;
   for (const double tolerance : kTolerances) {
-    const sky::SkyProjector projector(sky.luminance, sky::IrradianceProjector::kBands, tolerance);
+    const model::SkyProjector projector(sky.luminance, model::IrradianceProjector::kBands, tolerance);
     QuadratureRow row{tolerance};
     moments.emplace_back();
     const auto start = std::chrono::steady_clock::now();
@@ -57,11 +57,11 @@ std::vector<QuadratureRow> measureProjector(const sky::Sky& sky, const std::vect
   return rows;
 }
 
-std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vector<sky::SkyInstant>& instants) {
-  const sky::Sky& sky = day.sky();
-  const sky::SkyProjector converged(sky.luminance, 1, kConverged);
-  const sky::SkyProjector direct(sky.luminance, 1, sky::kTolerance);
-  const sky::IrradianceProjector projector(sky.luminance);
+std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vector<model::SkyInstant>& instants) {
+  const model::Sky& sky = day.sky();
+  const model::SkyProjector converged(sky.luminance, 1, kConverged);
+  const model::SkyProjector direct(sky.luminance, 1, model::kTolerance);
+  const model::IrradianceProjector projector(sky.luminance);
   IrradianceRow circles{"circles (IrradianceProjector)"};
   IrradianceRow integrated{"direct integration, 1e-5"};
   IrradianceRow reference{"direct integration, 1e-9"};
@@ -69,22 +69,22 @@ std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vec
   const auto share = 1.0 / static_cast<double>(instants.size());
   for (const auto& instant : instants) {
     auto start = std::chrono::steady_clock::now();
-    const sky::IrradianceField field = projector.fieldOf(instant);
+    const model::IrradianceField field = projector.fieldOf(instant);
     std::vector<double> value[3];
-    for (int c = 0; c < 3; ++c) value[c] = day.grid().valuesOf(sky::FieldChannel(field, c));
+    for (int c = 0; c < 3; ++c) value[c] = day.grid().valuesOf(table::FieldChannel(field, c));
     circles.instant_s += secondsSince(start) * share;
-    const sky::Number3& sun = instant.sunDirection();
+    const det::Number3& sun = instant.sunDirection();
     const double length = det::horizontalLength(sun);
-    const sky::Number3 along = length > 0.0 ? sky::Number3(sun.x / length, 0.0, sun.z / length) : sky::Number3(0, 0, 1);
+    const det::Number3 along = length > 0.0 ? det::Number3(sun.x / length, 0.0, sun.z / length) : det::Number3(0, 0, 1);
     double looked = 0.0;
     for (std::size_t p = 0; p < day.grid().count(); p += kNormalsApart, looked += 1.0) {
-      const sky::Number3 n = day.grid().normal(p).inSunFrame();
-      const sky::Number3 world = along * n.z + sky::Number3(along.z, 0.0, -along.x) * n.x + sky::Number3(0.0, n.y, 0.0);
+      const det::Number3 n = day.grid().normal(p).inSunFrame();
+      const det::Number3 world = along * n.z + det::Number3(along.z, 0.0, -along.x) * n.x + det::Number3(0.0, n.y, 0.0);
       start = std::chrono::steady_clock::now();
-      const sky::Number3 want = converged.irradiance(instant, world);
+      const det::Number3 want = converged.irradiance(instant, world);
       reference.instant_s += secondsSince(start) * share;
       start = std::chrono::steady_clock::now();
-      const sky::Number3 got = direct.irradiance(instant, world);
+      const det::Number3 got = direct.irradiance(instant, world);
       integrated.instant_s += secondsSince(start) * share;
       for (int c = 0; c < 3; ++c) {
         if (!(field.mean[c] > 0.0)) continue;

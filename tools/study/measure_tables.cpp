@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <chrono>
 
-#include "sky/key_placement.h"
+#include "sky/table/key_placement.h"
 #include "study/pareto.h"
 
 namespace welkin::study {
 namespace {
 
-constexpr sky::Encoding kEncodings[] = {sky::Encoding::float32, sky::Encoding::float16, sky::Encoding::fixed16,
-                                        sky::Encoding::fixed8};
+constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16,
+                                          table::Encoding::fixed8};
 
 /// Errors that keys are placed for.
 constexpr double kAims[] = {0.5, 0.3, 0.2, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003};
@@ -31,11 +31,11 @@ std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector
     const bool modes = way.isModes() && way.fit == Fit::projected && way.numbers() % 4 == 0 &&
                        way.representation.modes->columns == kLargestMap.columns;
     if (!bands && !modes) continue;
-    const sky::DayTable table = sky::tableAt(day.values(), way.representation, keys);
-    for (const sky::Encoding encoding : kEncodings)
-      rows.push_back({way.name, encoding, keys.size(), sky::bytesOf(way.representation, table, encoding),
-                      sky::partsOf(day.values(), way.representation, table, encoding).encoding,
-                      sky::errorOf(day.values(), way.representation, table, encoding).value});
+    const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
+    for (const table::Encoding encoding : kEncodings)
+      rows.push_back({way.name, encoding, keys.size(), table::bytesOf(way.representation, table, encoding),
+                      table::partsOf(day.values(), way.representation, table, encoding).encoding,
+                      table::errorOf(day.values(), way.representation, table, encoding).value});
   }
   return rows;
 }
@@ -46,13 +46,13 @@ std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<
   for (const Way& way : ways) {
     for (const double aim : kAims) {
       if (way.error > aim || way.error * kFarthest < aim || way.fit == Fit::windowed) continue;
-      const auto keys = sky::placeKeys(day.values(), way.representation, aim);
+      const auto keys = table::placeKeys(day.values(), way.representation, aim);
       if (keys.empty()) continue;
-      const sky::DayTable table = sky::tableAt(day.values(), way.representation, keys);
-      for (const sky::Encoding encoding : kEncodings)
-        tables.push_back({fmt::format("{}, {} keys, {}", way.name, keys.size(), sky::nameOf(encoding)), keys.size(),
-                          sky::bytesOf(way.representation, table, encoding),
-                          sky::errorOf(day.values(), way.representation, table, encoding).value, way.isModes(),
+      const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
+      for (const table::Encoding encoding : kEncodings)
+        tables.push_back({fmt::format("{}, {} keys, {}", way.name, keys.size(), nameOf(encoding)), keys.size(),
+                          table::bytesOf(way.representation, table, encoding),
+                          table::errorOf(day.values(), way.representation, table, encoding).value, way.isModes(),
                           way.fit == Fit::fitted});
     }
     if (options.interrupt && !options.interrupt()) break;
@@ -65,9 +65,9 @@ std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& o
   for (const double budget : kBudgets) {
     if (options.quick && budget < 0.01) break;
     const auto start = std::chrono::steady_clock::now();
-    sky::PlanRequest request;
+    table::PlanRequest request;
     request.max_error = budget;
-    BudgetRow row{budget, sky::planDay(day.values(), request), 0.0};
+    BudgetRow row{budget, table::planDay(day.values(), request), 0.0};
     row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     rows.push_back(std::move(row));
     if (options.interrupt && !options.interrupt()) break;
@@ -79,9 +79,9 @@ void addPlans(TableStudy& study) {
   for (const auto& [budget, plan, seconds] : study.budgets) {
     const std::size_t keys = plan.table.key_time_h.size();
     if (plan.met)
-      study.tables.push_back(
-          {fmt::format("{}, {} keys, {}", plan.representation.name(), keys, sky::nameOf(plan.encoding)), keys,
-           plan.bytes, plan.predicted_error, plan.representation.modes.has_value(), plan.representation.fitted});
+      study.tables.push_back({fmt::format("{}, {} keys, {}", plan.representation.name(), keys, nameOf(plan.encoding)),
+                              keys, plan.bytes, plan.predicted_error, plan.representation.modes.has_value(),
+                              plan.representation.fitted});
   }
 }
 
@@ -122,12 +122,12 @@ Chart encodingsChart(const std::vector<EncodingRow>& rows) {
               {"bytes, modes included", Quantity::bytes, Scale::log},
               {"error of the encoding alone", Quantity::share, Scale::log},
               {}};
-  for (const sky::Encoding encoding : kEncodings) {
-    Series series{sky::nameOf(encoding), SeriesStyle::line, {}};
+  for (const table::Encoding encoding : kEncodings) {
+    Series series{nameOf(encoding), SeriesStyle::line, {}};
     for (const EncodingRow& row : rows)
       if (row.encoding == encoding)
         series.points.push_back({static_cast<double>(row.bytes), row.encoding_error,
-                                 encoding == sky::Encoding::fixed8 ? row.way.substr(0, row.way.find(',')) : ""});
+                                 encoding == table::Encoding::fixed8 ? row.way.substr(0, row.way.find(',')) : ""});
     chart.series.push_back(std::move(series));
   }
   chart.levels = {{0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
@@ -153,7 +153,7 @@ void reportTables(const TableStudy& study, StudyReport& report) {
                    {"encoding_error", "of the mean irradiance", Quantity::share},
                    {"error", "of the mean irradiance", Quantity::share}});
   for (const EncodingRow& row : study.encodings)
-    encodings.addRow({row.way, std::string(sky::nameOf(row.encoding)), static_cast<double>(row.keys),
+    encodings.addRow({row.way, std::string(nameOf(row.encoding)), static_cast<double>(row.keys),
                       static_cast<double>(row.bytes), row.encoding_error, row.error});
   Table budgets({{"max_error", "of the mean irradiance", Quantity::share},
                  {"met"},
@@ -165,7 +165,7 @@ void reportTables(const TableStudy& study, StudyReport& report) {
                  {"plan_time", "seconds", Quantity::seconds}});
   for (const BudgetRow& row : study.budgets)
     budgets.addRow({row.max_error, std::string(row.plan.met ? "yes" : "no"), row.plan.representation.name(),
-                    std::string(sky::nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
+                    std::string(nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
                     static_cast<double>(row.plan.bytes), row.plan.predicted_error, row.plan_s});
   report.tables.push_back({"budgets", "What a bake plans for a budget", std::move(budgets)});
   report.tables.push_back({"pareto", "The Pareto front of bytes and error", std::move(front)});

@@ -3,7 +3,7 @@
 // that were measured, their Pareto front, and what the planner of a bake makes of each budget.
 #pragma once
 
-#include "sky/plan.h"
+#include "sky/table/plan.h"
 #include "study/measure_ways.h"
 
 namespace welkin::study {
@@ -11,7 +11,7 @@ namespace welkin::study {
 /// One encoding at even keys.
 struct EncodingRow {
   std::string way;
-  sky::Encoding encoding;
+  table::Encoding encoding;
   std::size_t keys = 0;
   std::size_t bytes = 0;
   double encoding_error = 0.0;  ///< what rounding alone adds
@@ -31,7 +31,7 @@ struct MeasuredTable {
 /// What sky::planDay finds for a budget.
 struct BudgetRow {
   double max_error = 0.0;
-  sky::DayPlan plan;
+  table::DayPlan plan;
   double plan_s = 0.0;
 };
 

@@ -77,14 +77,14 @@ std::vector<Way> collectWays(const StudyDay& day, const StudyOptions& options) {
   std::vector<Way> ways;
   for (const int bands : {2, 3, 5})
     for (const Fit fit : {Fit::projected, Fit::fitted, Fit::windowed}) ways.push_back(coefficientsWay(day, bands, fit));
-  const sky::DayModes modes(day.fields(), day.grid());
+  const table::DayModes modes(day.fields(), day.grid());
   std::vector<MapSize> maps = {kSmallMap, kMiddleMap, kLargeMap, kLargestMap};
   if (options.quick) maps = {kSmallMap, kLargestMap};
-  for (std::size_t count = 1; count <= (options.quick ? 8 : sky::DayModes::kMost); ++count) {
+  for (std::size_t count = 1; count <= (options.quick ? 8 : table::DayModes::kMost); ++count) {
     const DayWeights weights = modeWeights(day, modes, count);
     if (weights.set.count() < count) break;  // the day has no more
     for (const MapSize map : maps) ways.push_back(modesWay(day, weights, map, Fit::projected));
-    if ((count >= 4 && count <= 8) || count == sky::DayModes::kMost)
+    if ((count >= 4 && count <= 8) || count == table::DayModes::kMost)
       ways.push_back(modesWay(day, weights, kLargestMap, Fit::fitted));
     if (options.interrupt && !options.interrupt()) break;
   }
@@ -100,7 +100,7 @@ std::optional<ShaderCost> shaderOf(const Way& way, const std::vector<NamedShader
   return std::nullopt;
 }
 
-void reportWays(const sky::SkyFile& file, const StudyDay& day, const std::vector<Way>& ways, StudyReport& report) {
+void reportWays(const bake::SkyFile& file, const StudyDay& day, const std::vector<Way>& ways, StudyReport& report) {
   Table table({{"way"},
                {"error", "of the mean irradiance", Quantity::share},
                {"window_strength"},
@@ -120,7 +120,7 @@ void reportWays(const sky::SkyFile& file, const StudyDay& day, const std::vector
     const RuntimeSpeed speed = measureRuntime(file, day, way, kKeysOfSpeed);
     table.addRow({way.name, way.error, way.fit == Fit::windowed ? Cell(way.window_strength) : Cell(),
                   static_cast<double>(way.numbers()),
-                  static_cast<double>(way.bytesOfKey(day.sky(), sky::Encoding::float32)),
+                  static_cast<double>(way.bytesOfKey(day.sky(), table::Encoding::float32)),
                   static_cast<double>(way.representation.fixedBytes()), counted(&ShaderCost::instructions),
                   counted(&ShaderCost::scalar_operations), counted(&ShaderCost::texture_fetches),
                   counted(&ShaderCost::uniform_loads), speed.sample_ns * 1e-9, speed.irradiance_ns * 1e-9});

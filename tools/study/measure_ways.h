@@ -18,6 +18,6 @@ std::vector<Way> collectWays(const StudyDay& day, const StudyOptions& options);
 std::optional<ShaderCost> shaderOf(const Way& way, const std::vector<NamedShaderCost>& shaders);
 
 /// Adds the table "ways" and the charts "ways" and "shaders".
-void reportWays(const sky::SkyFile& file, const StudyDay& day, const std::vector<Way>& ways, StudyReport& report);
+void reportWays(const bake::SkyFile& file, const StudyDay& day, const std::vector<Way>& ways, StudyReport& report);
 
 }  // namespace welkin::study

@@ -8,15 +8,16 @@
 #include <numeric>
 #include <tuple>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 
 std::vector<std::size_t> paretoFront(std::span<const Trade> trades) {
   for (std::size_t i = 0; i < trades.size(); ++i) {
     if (std::isnan(trades[i].cost) || std::isnan(trades[i].error)) {
-      throw Error(ExitStatus::internal, fmt::format("Pareto front: trade {} has cost {} and error {}; NaN has no order",
-                                                    i, trades[i].cost, trades[i].error));
+      throw base::Error(base::ExitStatus::internal,
+                        fmt::format("Pareto front: trade {} has cost {} and error {}; NaN has no order", i,
+                                    trades[i].cost, trades[i].error));
     }
   }
   std::vector<std::size_t> order(trades.size());

@@ -7,8 +7,8 @@
 #include <set>
 #include <string_view>
 
-#include "sky/atomic_file.h"
-#include "sky/error.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -16,10 +16,11 @@ namespace {
 void checkName(const std::string& name, std::set<std::string>& taken) {
   constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789_-";
   if (name.empty() || name.find_first_not_of(kAllowed) != std::string::npos) {
-    throw Error(ExitStatus::internal,
-                fmt::format("study: '{}' is no file name; allowed are a to z, 0 to 9, _ and -", name));
+    throw base::Error(base::ExitStatus::internal,
+                      fmt::format("study: '{}' is no file name; allowed are a to z, 0 to 9, _ and -", name));
   }
-  if (!taken.insert(name).second) throw Error(ExitStatus::internal, fmt::format("study: '{}' is there twice", name));
+  if (!taken.insert(name).second)
+    throw base::Error(base::ExitStatus::internal, fmt::format("study: '{}' is there twice", name));
 }
 
 std::string conclusionOf(const StudyReport& report) {
@@ -51,9 +52,9 @@ void writeReport(const StudyReport& report, const std::filesystem::path& folder)
     files[chart.name + ".svg"] = std::move(pictures.svg);
     files[chart.name + ".png"] = std::move(pictures.png);
   }
-  makeFolder(folder);
-  for (const auto& [name, text] : files) writeFile(folder / name, text);
-  writeFile(folder / "conclusion.md", conclusionOf(report));
+  base::makeFolder(folder);
+  for (const auto& [name, text] : files) base::writeFile(folder / name, text);
+  base::writeFile(folder / "conclusion.md", conclusionOf(report));
 }
 
 }  // namespace welkin::study

@@ -8,9 +8,9 @@
 #include <chrono>
 #include <memory>
 
-#include "sky/encode.h"
-#include "sky/error.h"
-#include "sky/key_placement.h"
+#include "sky/bake/encode.h"
+#include "sky/base/error.h"
+#include "sky/table/key_placement.h"
 
 namespace welkin::study {
 namespace {
@@ -33,14 +33,14 @@ double leastTime(const Call& call) {
 
 void require(WelkinResult result, const std::string& name) {
   if (result != WELKIN_OK)
-    throw Error(ExitStatus::internal, fmt::format("study: the runtime refuses the sky of {}", name));
+    throw base::Error(base::ExitStatus::internal, fmt::format("study: the runtime refuses the sky of {}", name));
 }
 
 }  // namespace
 
-RuntimeSpeed measureRuntime(const sky::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys) {
-  const sky::DayTable table = sky::tableAt(day.values(), way.representation, evenKeys(day, keys));
-  const auto bytes = sky::encodeSky(file, table, {});
+RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys) {
+  const table::DayTable table = table::tableAt(day.values(), way.representation, evenKeys(day, keys));
+  const auto bytes = bake::encodeSky(file, table, {});
   WelkinSky* opened = nullptr;
   WelkinMessage message{};
   require(welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message), way.name + ": " + message.text);
@@ -53,7 +53,7 @@ RuntimeSpeed measureRuntime(const sky::SkyFile& file, const StudyDay& day, const
   require(welkin_sky_sample(opened, 12.0, &sample), way.name);
   std::vector<std::array<float, 3>> normals;
   for (std::size_t p = 0; p < day.grid().count(); ++p) {
-    const sky::Number3 n = day.grid().normal(p).inSunFrame();
+    const det::Number3 n = day.grid().normal(p).inSunFrame();
     normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
   }
   float irradiance[3] = {};

@@ -2,7 +2,7 @@
 // What reading a baked sky costs a game's processor.
 #pragma once
 
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
 #include "study/study_day.h"
 
 namespace welkin::study {
@@ -15,7 +15,7 @@ struct RuntimeSpeed {
 };
 
 /// Of a file that holds `way` at `keys` even instants as float32.
-RuntimeSpeed measureRuntime(const sky::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys);
+RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys);
 
 /// Indices of the instants nearest to `count` even hours, each once, ascending.
 std::vector<std::size_t> evenKeys(const StudyDay& day, std::size_t count);

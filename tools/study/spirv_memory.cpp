@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -37,11 +37,11 @@ SpirvPointer partOf(const SpirvModule& module, const SpirvPointer& whole, const 
     if (structure) {
       const auto member = static_cast<std::size_t>(index.value);
       if (!index.known || member >= type.parts.size())
-        throw Error(ExitStatus::internal, "SPIR-V: a member does not exist");
+        throw base::Error(base::ExitStatus::internal, "SPIR-V: a member does not exist");
       for (std::size_t i = 0; i < member; ++i) part.offset += module.types.at(type.parts[i]).numbers;
       part.type = type.parts[member];
     } else {
-      if (type.parts.empty()) throw Error(ExitStatus::internal, "SPIR-V: an index into a single number");
+      if (type.parts.empty()) throw base::Error(base::ExitStatus::internal, "SPIR-V: an index into a single number");
       part.type = type.parts[0];
       const int size = module.types.at(part.type).numbers;
       if (!index.known) {
@@ -50,7 +50,7 @@ SpirvPointer partOf(const SpirvModule& module, const SpirvPointer& whole, const 
         const int element = static_cast<int>(index.value);
         const bool open = type.op == spv::Op::OpTypeRuntimeArray;
         if (element < 0 || (!open && element * size >= type.numbers)) {
-          throw Error(ExitStatus::internal, fmt::format("SPIR-V: index {} is past the end", element));
+          throw base::Error(base::ExitStatus::internal, fmt::format("SPIR-V: index {} is past the end", element));
         }
         part.offset += element * size;
       }

@@ -6,13 +6,13 @@
 
 #include <string_view>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
 
 [[noreturn]] void refuse(std::string_view why) {
-  throw Error(ExitStatus::internal, fmt::format("SPIR-V: {}", why));
+  throw base::Error(base::ExitStatus::internal, fmt::format("SPIR-V: {}", why));
 }
 
 constexpr std::size_t kHeaderWords = 5;

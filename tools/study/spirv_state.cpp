@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -18,7 +18,7 @@ using spv::Op;
 using Kind = TraceOperation::Kind;
 
 [[noreturn]] void refuse(std::string_view why) {
-  throw Error(ExitStatus::internal, fmt::format("SPIR-V: {}", why));
+  throw base::Error(base::ExitStatus::internal, fmt::format("SPIR-V: {}", why));
 }
 
 bool isFetch(Op op) {

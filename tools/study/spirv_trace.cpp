@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 #include "study/spirv_flow.h"
 #include "study/spirv_state.h"
 
@@ -19,7 +19,7 @@ constexpr int kMostBlocks = 100000;  // executed
 constexpr int kMostNested = 64;      // branches that depend on data
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw Error(ExitStatus::internal, "SPIR-V: " + why);
+  throw base::Error(base::ExitStatus::internal, "SPIR-V: " + why);
 }
 
 // Values of the phis at the head of a block, in their order.

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -12,7 +12,7 @@ constexpr double kStep_h = 2.5 / 60.0;  // as a plan for 0.5 % and more
 constexpr double kQuickStep_h = 10.0 / 60.0;
 
 void require(bool keep_going) {
-  if (!keep_going) throw Error(ExitStatus::interrupted, "interrupted; nothing was written");
+  if (!keep_going) throw base::Error(base::ExitStatus::interrupted, "interrupted; nothing was written");
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ Study measureSky(const StudyDay& day, const StudyOptions& options) {
   return study;
 }
 
-StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options) {
-  const sky::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
+StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options) {
+  const table::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
   StudyReport report;
   report.title = fmt::format("Cost against error: {}", file.inputs.empty() ? "a sky" : file.inputs.front().name);
   const StudyDay day(file.sky, options.quick ? kQuickStep_h : kStep_h, interrupt);

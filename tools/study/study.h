@@ -2,7 +2,7 @@
 // A whole study of a sky: what every way of baking it costs and what it loses.
 #pragma once
 
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
 #include "study/measure_cubemaps.h"
 #include "study/measure_keys.h"
 #include "study/measure_quadrature.h"
@@ -28,7 +28,7 @@ Study measureSky(const StudyDay& day, const StudyOptions& options);
 inline constexpr std::size_t kAxes = 8;
 
 /// Samples the day, measures and reports; nothing is written. Throws as measureSky.
-StudyReport studySky(const sky::SkyFile& file, const StudyOptions& options);
+StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options);
 
 /// What the numbers say, a sentence or a few a paragraph.
 std::vector<std::string> conclusionOf(const Study& study);

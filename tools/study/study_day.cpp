@@ -15,10 +15,10 @@ namespace {
 constexpr int kBandsBesideModes = 3;  // of a sample, as sky/plan.cpp's
 
 /// Lessens the bands of every instant by one window for the day.
-double applyMildestWindow(const StudyDay& day, sky::Representation& r) {
-  std::vector<sky::Number3> normals;  // of one side of the sun's plane, the frame's pole as the basis' own
+double applyMildestWindow(const StudyDay& day, table::Representation& r) {
+  std::vector<det::Number3> normals;  // of one side of the sun's plane, the frame's pole as the basis' own
   for (std::size_t p = 0; p < day.grid().count(); ++p) {
-    const sky::Number3 n = day.grid().normal(p).inSunFrame();
+    const det::Number3 n = day.grid().normal(p).inSunFrame();
     normals.emplace_back(n.z, n.x, n.y);
   }
   const auto count = static_cast<std::size_t>(r.bands * r.bands);
@@ -28,22 +28,22 @@ double applyMildestWindow(const StudyDay& day, sky::Representation& r) {
       std::vector<double> set(count);
       for (int l = 0; l < r.bands; ++l)
         for (int m = 0; m <= l; ++m)
-          set[static_cast<std::size_t>(sh::indexOf(l, m))] = r.weight[i * r.rows + sky::polarIndex(l, m)][c];
+          set[static_cast<std::size_t>(sh::indexOf(l, m))] = r.weight[i * r.rows + model::polarIndex(l, m)][c];
       sets.insert(sets.end(), set.begin(), set.end());
     }
   const sh::Window window = sh::mildestWindow(sets, r.bands, normals);
   for (std::size_t i = 0; i < day.count(); ++i)
     for (int l = 0; l < r.bands; ++l)
       for (int m = 0; m <= l; ++m)
-        r.weight[i * r.rows + sky::polarIndex(l, m)] =
-            r.weight[i * r.rows + sky::polarIndex(l, m)] * window.factor[static_cast<std::size_t>(l)];
+        r.weight[i * r.rows + model::polarIndex(l, m)] =
+            r.weight[i * r.rows + model::polarIndex(l, m)] * window.factor[static_cast<std::size_t>(l)];
   return window.strength;
 }
 
 }  // namespace
 
-StudyDay::StudyDay(const sky::Sky& sky, double step_h, const sky::Progress& progress)
-    : fields_(sky::sampleDay(sky, sky::hoursOfInterest(sky, step_h), sky::brightestOf(sky), progress)),
+StudyDay::StudyDay(const model::Sky& sky, double step_h, const table::Progress& progress)
+    : fields_(table::sampleDay(sky, table::hoursOfInterest(sky, step_h), table::brightestOf(sky), progress)),
       values_(fields_, grid_) {}
 
 std::size_t Way::numbers() const {
@@ -51,18 +51,18 @@ std::size_t Way::numbers() const {
   return representation.functions - (has_band_3 ? 4 : 0);
 }
 
-std::size_t Way::bytesOfKey(const sky::Sky& sky, sky::Encoding encoding) const {
+std::size_t Way::bytesOfKey(const model::Sky& sky, table::Encoding encoding) const {
   return bytes(sky, 2, encoding) - bytes(sky, 1, encoding);
 }
 
-std::size_t Way::bytes(const sky::Sky& sky, std::size_t keys, sky::Encoding encoding) const {
-  const std::size_t numbers_of_key = representation.rows * (sky::isGrey(sky) ? 1 : 3);
+std::size_t Way::bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const {
+  const std::size_t numbers_of_key = representation.rows * (table::isGrey(sky) ? 1 : 3);
   const std::size_t of_key = 8 + numbers_of_key * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
   return representation.fixedBytes() + keys * of_key + (format::hasRowScale(encoding) ? 4 * numbers_of_key : 0);
 }
 
 Way coefficientsWay(const StudyDay& day, int bands, Fit fit) {
-  Way way{fmt::format("{} bands", bands), sky::coefficientsOf(day.values(), bands, fit == Fit::fitted), fit};
+  Way way{fmt::format("{} bands", bands), table::coefficientsOf(day.values(), bands, fit == Fit::fitted), fit};
   if (fit == Fit::fitted) way.name += ", fitted";
   if (fit == Fit::windowed) {
     way.name += ", mildest window";
@@ -72,27 +72,27 @@ Way coefficientsWay(const StudyDay& day, int bands, Fit fit) {
   return way;
 }
 
-DayWeights modeWeights(const StudyDay& day, const sky::DayModes& modes, std::size_t count) {
+DayWeights modeWeights(const StudyDay& day, const table::DayModes& modes, std::size_t count) {
   DayWeights result{modes.best(count), {}};
-  result.weights = sky::weightsOf(day.values(), result.set);
+  result.weights = table::weightsOf(day.values(), result.set);
   return result;
 }
 
 Way modesWay(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit) {
   Way way{fmt::format("{} modes, map {} x {}", modes.set.count(), map.columns, map.rows),
-          sky::modesOf(day.values(), modes.set, modes.weights, map.columns, map.rows, kBandsBesideModes), fit};
+          table::modesOf(day.values(), modes.set, modes.weights, map.columns, map.rows, kBandsBesideModes), fit};
   if (fit == Fit::fitted) {
-    sky::fitWeights(day.values(), way.representation);
+    table::fitWeights(day.values(), way.representation);
     way.name += ", fitted";
   }
   way.error = errorAtKeys(day, way.representation);
   return way;
 }
 
-double errorAtKeys(const StudyDay& day, const sky::Representation& r) {
+double errorAtKeys(const StudyDay& day, const table::Representation& r) {
   std::vector<double> error(day.count());
   tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
-    error[i] = sky::errorOf(day.values(), r, i, {r.weight.data() + i * r.rows, r.rows}).value;
+    error[i] = table::errorOf(day.values(), r, i, {r.weight.data() + i * r.rows, r.rows}).value;
   });
   return *std::max_element(error.begin(), error.end());
 }

@@ -5,35 +5,35 @@
 #include <string>
 #include <vector>
 
-#include "sky/representation.h"
-#include "sky/sky_file.h"
+#include "sky/bake/sky_file.h"
+#include "sky/table/representation.h"
 
 namespace welkin::study {
 
 /// How much of a study is made, and who is told.
 struct StudyOptions {
-  bool quick = false;            ///< fewer instants, ways and cubemaps
-  sky::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
-  sky::Progress interrupt = {};  ///< asked often within an axis
+  bool quick = false;              ///< fewer instants, ways and cubemaps
+  table::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
+  table::Progress interrupt = {};  ///< asked often within an axis
 };
 
 /// Irradiance at every few minutes and wherever the sun's path bends. Neither copied nor moved: parts point at others.
 class StudyDay {
  public:
-  StudyDay(const sky::Sky& sky, double step_h, const sky::Progress& progress);
+  StudyDay(const model::Sky& sky, double step_h, const table::Progress& progress);
   StudyDay(const StudyDay&) = delete;
   StudyDay& operator=(const StudyDay&) = delete;
 
-  const sky::Sky& sky() const { return *fields_.sky; }
-  const sky::DayFields& fields() const { return fields_; }
-  const sky::DayValues& values() const { return values_; }
-  const sky::ErrorGrid& grid() const { return grid_; }
+  const model::Sky& sky() const { return *fields_.sky; }
+  const table::DayFields& fields() const { return fields_; }
+  const table::DayValues& values() const { return values_; }
+  const table::ErrorGrid& grid() const { return grid_; }
   std::size_t count() const { return fields_.instant.size(); }
 
  private:
-  sky::ErrorGrid grid_;
-  sky::DayFields fields_;
-  sky::DayValues values_;
+  table::ErrorGrid grid_;
+  table::DayFields fields_;
+  table::DayValues values_;
 };
 
 /// How the numbers of a way are found.
@@ -46,7 +46,7 @@ enum class Fit {
 /// A way to hold the day's irradiance.
 struct Way {
   std::string name;
-  sky::Representation representation;
+  table::Representation representation;
   Fit fit = Fit::projected;
   double window_strength = 0.0;
   double error = 0.0;  ///< the largest at exact keys: what is left out, and the map of modes
@@ -55,8 +55,8 @@ struct Way {
   /// Numbers a channel and instant that irradiance depends on; the ground's horizontal irradiance apart.
   std::size_t numbers() const;
   /// Bytes of a key and of everything else in a table, as sky::bytesOf counts them.
-  std::size_t bytesOfKey(const sky::Sky& sky, sky::Encoding encoding) const;
-  std::size_t bytes(const sky::Sky& sky, std::size_t keys, sky::Encoding encoding) const;
+  std::size_t bytesOfKey(const model::Sky& sky, table::Encoding encoding) const;
+  std::size_t bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const;
 };
 
 Way coefficientsWay(const StudyDay& day, int bands, Fit fit);
@@ -69,13 +69,13 @@ inline constexpr MapSize kSmallMap = {9, 5}, kMiddleMap = {9, 9}, kLargeMap = {1
 
 /// Modes and the weights nearest to every instant: what maps of any size have in common.
 struct DayWeights {
-  sky::ModeSet set;
-  std::vector<sky::Number3> weights;
+  table::ModeSet set;
+  std::vector<det::Number3> weights;
 };
-DayWeights modeWeights(const StudyDay& day, const sky::DayModes& modes, std::size_t count);
+DayWeights modeWeights(const StudyDay& day, const table::DayModes& modes, std::size_t count);
 Way modesWay(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit);
 
 /// The largest error over the instants when every one is a key.
-double errorAtKeys(const StudyDay& day, const sky::Representation& r);
+double errorAtKeys(const StudyDay& day, const table::Representation& r);
 
 }  // namespace welkin::study

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
@@ -37,25 +37,25 @@ std::string headerOf(const Column& column) {
 }  // namespace
 
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
-  if (columns_.empty()) throw Error(ExitStatus::internal, "table: it has no columns");
+  if (columns_.empty()) throw base::Error(base::ExitStatus::internal, "table: it has no columns");
   std::set<std::string_view> names;
   for (const Column& column : columns_) {
     if (!names.insert(column.name).second) {
-      throw Error(ExitStatus::internal, fmt::format("table: two columns are named '{}'", column.name));
+      throw base::Error(base::ExitStatus::internal, fmt::format("table: two columns are named '{}'", column.name));
     }
   }
 }
 
 void Table::addRow(std::vector<Cell> cells) {
   if (cells.size() != columns_.size()) {
-    throw Error(ExitStatus::internal,
-                fmt::format("table: a row of {} cells for {} columns", cells.size(), columns_.size()));
+    throw base::Error(base::ExitStatus::internal,
+                      fmt::format("table: a row of {} cells for {} columns", cells.size(), columns_.size()));
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double* number = std::get_if<double>(&cells[i]);
     if (number != nullptr && !std::isfinite(*number)) {
-      throw Error(ExitStatus::internal, fmt::format("table: '{}' of row {} is {}; a number must be finite",
-                                                    columns_[i].name, rows_.size(), *number));
+      throw base::Error(base::ExitStatus::internal, fmt::format("table: '{}' of row {} is {}; a number must be finite",
+                                                                columns_[i].name, rows_.size(), *number));
     }
   }
   rows_.push_back(std::move(cells));

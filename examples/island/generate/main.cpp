@@ -6,23 +6,23 @@
 #include <span>
 
 #include "generate/island.h"
-#include "sky/atomic_file.h"
-#include "sky/error.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 
 int main(int argc, char** argv) {
-  using welkin::ExitStatus;
+  using welkin::base::ExitStatus;
   if (argc != 2) {
     std::fputs("usage: welkin_island DIR\n", stderr);
     return static_cast<int>(ExitStatus::usage);
   }
   try {
     const std::filesystem::path folder = argv[1];
-    welkin::makeFolder(folder);
+    welkin::base::makeFolder(folder);
     const welkin::island::GltfFiles files = welkin::island::islandFiles();
-    welkin::writeFile(folder / "island.bin", std::span<const std::byte>(files.binary));
-    welkin::writeFile(folder / "island.gltf", files.json);
+    welkin::base::writeFile(folder / "island.bin", std::span<const std::byte>(files.binary));
+    welkin::base::writeFile(folder / "island.gltf", files.json);
     return static_cast<int>(ExitStatus::done);
-  } catch (const welkin::Error& error) {
+  } catch (const welkin::base::Error& error) {
     std::fprintf(stderr, "welkin_island: %s\n", error.what());
     return static_cast<int>(error.status());
   } catch (const std::exception& error) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::island {
 namespace {
@@ -136,7 +136,7 @@ uint16_t Mesh::vertex(const std::string& material, const Vec3& position, const V
                 {unsignedByte(colour.x), unsignedByte(colour.y), unsignedByte(colour.z), 255}};
   Primitive& primitive = primitives_[material];
   if (primitive.positions.size() >= 65535)
-    throw Error(ExitStatus::internal, material + ": more than 65535 vertices in one primitive");
+    throw base::Error(base::ExitStatus::internal, material + ": more than 65535 vertices in one primitive");
   const auto [entry, isNew] = known_[material].try_emplace(key, static_cast<uint16_t>(primitive.positions.size()));
   if (isNew) {
     primitive.positions.push_back(p);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "sky/error.h"
+#include "sky/base/error.h"
 
 namespace welkin::island {
 namespace {
@@ -116,7 +116,7 @@ class Encoder {
 
 std::size_t find(const std::map<std::string, std::size_t>& indices, const std::string& name) {
   const auto entry = indices.find(name);
-  if (entry == indices.end()) throw Error(ExitStatus::internal, "island: nothing is named '" + name + "'");
+  if (entry == indices.end()) throw base::Error(base::ExitStatus::internal, "island: nothing is named '" + name + "'");
   return entry->second;
 }
 

@@ -19,7 +19,7 @@
 
 #ifdef __cplusplus
 #include <cstddef>
-namespace welkin::tools {
+namespace welkin::render::shaders {
 using LevelMatrix = float[16];
 using LevelVector = float[4];
 #define WELKIN_MATRIX LevelMatrix
@@ -51,7 +51,7 @@ struct LevelConstants {
 static_assert(sizeof(LevelConstants) == (3 * 4 + 6 + WELKIN_WAVE_COUNT) * 16);
 static_assert(offsetof(LevelConstants, camera) == 12 * 16);
 static_assert(offsetof(LevelConstants, waves) == 18 * 16);
-}  // namespace welkin::tools
+}  // namespace welkin::render::shaders
 #endif
 
 #endif

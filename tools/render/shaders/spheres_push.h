@@ -5,7 +5,7 @@
 
 #ifdef __cplusplus
 #include <cstdint>
-namespace welkin::tools {
+namespace welkin::render::shaders {
 struct SpheresPush {
   float inverse_view_projection[16];
   float aspect;
@@ -13,7 +13,7 @@ struct SpheresPush {
   uint32_t from_cubemaps;
 };
 static_assert(sizeof(SpheresPush) == 76);
-}  // namespace welkin::tools
+}  // namespace welkin::render::shaders
 #else
 layout(push_constant) uniform SpheresPush {
   mat4 inverse_view_projection;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/bake_section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "probes/geometry/sector_name.h"
+#include "probes/level/level_domain.h"
+#include "probes/level/level_file.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/section.h"
+
+namespace welkin::build {
+
+using f64::Number3;
+namespace {
+
+using base::Section;
+using base::TomlTable;
+
+constexpr const char* kPoint = "[x, y, z]";
+constexpr const char* kBox = "[min_x, min_y, min_z, max_x, max_y, max_z]";
+
+geometry::Box boxOf(const TomlTable& table, const std::string& key, const toml::node* at,
+                    const std::vector<double>& n) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(n[i] < n[i + 3]))
+      table.refuse(key, at, fmt::format("every least coordinate of a box, {}, must be below its greatest", kBox));
+  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+}
+
+placement::PlacementSettings readProbes(Section section) {
+  TomlTable& table = section.table();
+  placement::PlacementSettings probes;
+  probes.spacing_m = section.number("spacing_m");
+  probes.vegetation_spacing_m = section.number("vegetation_spacing_m");
+  probes.minimum_separation_m = section.number("minimum_separation_m");
+  probes.height_m = section.number("height_m");
+  probes.headroom_m = section.number("headroom_m");
+  probes.clearance_m = section.number("clearance_m");
+  probes.coverage_m = section.number("coverage_m");
+  for (const auto& p : table.lists("add", 3, section.rangeOf("add"), kPoint)) probes.add.push_back({p[0], p[1], p[2]});
+  for (const auto& box : table.lists("remove", 6, section.rangeOf("remove"), kBox))
+    probes.remove.push_back(boxOf(table, "remove", table.node("remove"), box));
+  table.finish();
+  return probes;
+}
+
+std::vector<geometry::Box> readRooms(const std::string& file, TomlTable& top) {
+  std::vector<geometry::Box> rooms;
+  const toml::node* node = top.node("room");
+  if (node == nullptr) return rooms;
+  if (!node->is_array_of_tables()) top.refuse("room", node, "must be tables, [[room]]");
+  const base::Range& range = base::parameterOf(level::levelDomain(), "[room]", "box").range;
+  for (const toml::node& entry : *node->as_array()) {
+    TomlTable room(file, entry.as_table(), fmt::format("room[{}].", rooms.size()));
+    rooms.push_back(boxOf(room, "box", room.node("box"), room.list("box", 6, range, kBox)));
+    room.finish();
+  }
+  return rooms;
+}
+
+LocalLights readLocalLights(TomlTable& table) {
+  using Where = LocalLights::Where;
+  constexpr const char* kKey = "local_lights";
+  constexpr const char* kMust = "must be \"auto\", true, false, or a list of sectors, [\"X_Z\", ...]";
+  const toml::node* node = table.node(kKey);
+  if (node == nullptr || node->value<std::string>() == "auto") return {};
+  if (node->is_boolean()) return {*node->value<bool>() ? Where::everywhere : Where::nowhere, {}};
+  if (!node->is_array()) table.refuse(kKey, node, kMust);
+  LocalLights lights{Where::listed, {}};
+  for (const toml::node& entry : *node->as_array()) {
+    const auto name = entry.value<std::string>();
+    const auto sector = name ? geometry::sectorOf(*name) : std::nullopt;
+    if (!sector)
+      table.refuse(kKey, &entry,
+                   fmt::format("is no sector, \"X_Z\" with X and Z from -{0} to {0}", geometry::kFarthestSector));
+    lights.sector.push_back(*sector);
+  }
+  std::sort(lights.sector.begin(), lights.sector.end());
+  if (std::adjacent_find(lights.sector.begin(), lights.sector.end()) != lights.sector.end())
+    table.refuse(kKey, node, "names a sector twice");
+  return lights;
+}
+
+TransferSection readTransfer(Section section) {
+  TransferSection transfer;
+  const bool is_auto = section.table().has("rays") && !section.isFixed("rays");
+  transfer.rays = is_auto ? std::nullopt : std::optional(section.wholeNumber("rays"));
+  if (transfer.rays && *transfer.rays % 8 != 0)
+    section.table().refuse("rays", section.table().node("rays"), "must be a multiple of 8");
+  transfer.bounces = section.wholeNumber("bounces");
+  const std::string sun = section.word("sun");
+  for (const transfer::SunTransfer known :
+       {transfer::SunTransfer::none, transfer::SunTransfer::sh, transfer::SunTransfer::directional})
+    if (sun == nameOf(known)) transfer.sun = known;
+  transfer.local_lights = readLocalLights(section.table());
+  transfer.reach_m = section.number("reach_m");
+  section.table().finish();
+  return transfer;
+}
+
+std::string boxesText(const std::vector<geometry::Box>& boxes) {
+  std::vector<std::string> texts;
+  for (const geometry::Box& b : boxes)
+    texts.push_back(fmt::format("[{}, {}, {}, {}, {}, {}]", b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string lightsText(const LocalLights& lights) {
+  std::vector<std::string> names;
+  switch (lights.where) {
+    case LocalLights::Where::near_lights:
+      return "\"auto\"";
+    case LocalLights::Where::everywhere:
+      return "true";
+    case LocalLights::Where::nowhere:
+      return "false";
+    case LocalLights::Where::listed:
+      for (const geometry::SectorId sector : lights.sector) names.push_back(fmt::format("\"{}\"", nameOf(sector)));
+      break;
+  }
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+const char* nameOf(transfer::SunTransfer sun) {
+  switch (sun) {
+    case transfer::SunTransfer::none:
+      return "none";
+    case transfer::SunTransfer::sh:
+      return "sh";
+    case transfer::SunTransfer::directional:
+      break;
+  }
+  return "directional";
+}
+
+BakeSection readBakeSection(const std::filesystem::path& path) {
+  const std::vector<std::byte> bytes = base::readFile(path, level::kLargestLevelFile);
+  const std::string name = path.string();
+  const toml::table root = base::parseToml(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  TomlTable top(name, &root, "");
+  BakeSection section;
+  section.probes = readProbes(Section(top, "probes", level::levelDomain()));
+  section.probes.room = readRooms(name, top);
+  section.transfer = readTransfer(Section(top, "transfer", level::levelDomain()));
+  Section scale(top, "scale", level::levelDomain());
+  section.scale.sun_bounce = scale.number("sun_bounce");
+  section.scale.sky = scale.number("sky");
+  scale.table().finish();
+  return section;
+}
+
+std::string settingsText(const BakeSection& section) {
+  const placement::PlacementSettings& p = section.probes;
+  const TransferSection& t = section.transfer;
+  std::vector<std::string> points;
+  for (const Number3& a : p.add) points.push_back(fmt::format("[{}, {}, {}]", a.x, a.y, a.z));
+  const std::string probes = fmt::format(
+      R"({{"spacing_m": {}, "vegetation_spacing_m": {}, "minimum_separation_m": {}, "height_m": {}, "headroom_m": {}, "clearance_m": {}, "coverage_m": {}, "add": [{}], "remove": {}}})",
+      p.spacing_m, p.vegetation_spacing_m, p.minimum_separation_m, p.height_m, p.headroom_m, p.clearance_m,
+      p.coverage_m, fmt::join(points, ", "), boxesText(p.remove));
+  const std::string transfer =
+      fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}}})",
+                  t.rays ? fmt::format("{}", *t.rays) : "\"auto\"", t.bounces, nameOf(t.sun),
+                  lightsText(t.local_lights), t.reach_m);
+  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}}})", probes, boxesText(p.room), transfer);
+}
+
+}  // namespace welkin::build

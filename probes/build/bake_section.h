@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What level.toml says of its bake: [probes], [[room]], [transfer] and [scale]. docs/level_file.md describes every key.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "probes/placement/settings.h"
+#include "probes/transfer/relight.h"
+
+namespace welkin::build {
+
+/// As in level.toml.
+const char* nameOf(transfer::SunTransfer sun);
+
+/// Where dynamic lights are provided for: near lights of the level, everywhere or nowhere, or in these sectors.
+struct LocalLights {
+  enum class Where { near_lights, everywhere, nowhere, listed } where = Where::near_lights;
+  std::vector<geometry::SectorId> sector;  ///< ascending
+};
+
+struct TransferSection {
+  std::optional<int> rays = 1024;  ///< none: as many as the budget takes
+  int bounces = 2;
+  transfer::SunTransfer sun = transfer::SunTransfer::directional;
+  LocalLights local_lights;
+  double reach_m = 128.0;
+};
+
+struct BakeSection {
+  placement::PlacementSettings probes;  ///< [probes] and [[room]]
+  TransferSection transfer;
+  transfer::RelightScale scale;  ///< which the runtime may change
+};
+
+/// Reads and checks these sections of a level file; what is absent has its default. Throws Error as readLevelFile.
+BakeSection readBakeSection(const std::filesystem::path& path);
+
+/// The settings as JSON, keys in a fixed order, without the scales: what a baked file holds of them.
+std::string settingsText(const BakeSection& section);
+
+}  // namespace welkin::build

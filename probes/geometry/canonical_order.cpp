@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/geometry/canonical_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "probes/geometry/reach.h"
+
+namespace welkin::geometry {
+
+using f64::Number3;
+namespace {
+
+using Halves = std::pair<std::uint64_t, std::uint64_t>;
+
+Halves halvesOf(const base::Hash128& hash) {
+  return {hash.high, hash.low};
+}
+
+/// By thing the first of those that are equal to it.
+std::vector<std::uint32_t> firstOfEqual(const std::vector<base::Hash128>& hash) {
+  std::map<Halves, std::uint32_t> first;
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < hash.size(); ++i) result.push_back(first.emplace(halvesOf(hash[i]), i).first->second);
+  return result;
+}
+
+struct Corners {
+  std::array<std::array<float, 3>, 3> position;
+  std::array<std::array<float, 2>, 3> uv{};  ///< 0 without a texture
+  std::array<std::array<float, 3>, 3> colour{{{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}}};
+};
+
+class Ordering {
+ public:
+  explicit Ordering(Surfaces level) : level_(std::move(level)) {
+    std::vector<base::Hash128> texture_hash = textureHashes(level_);
+    for (std::size_t i = 0; i < texture_hash.size(); ++i) {
+      const Texture& t = level_.texture[i];
+      base::Hasher hasher;
+      for (const int number : {t.width, t.height, static_cast<int>(t.wrap_u), static_cast<int>(t.wrap_v)})
+        hasher.add(number);
+      hasher.add(texture_hash[i]);
+      texture_hash[i] = hasher.digest();
+    }
+    texture_ = firstOfEqual(texture_hash);
+    for (Material m : level_.material) {
+      base::Hasher hasher;
+      if (m.texture >= 0) {
+        hasher.add(texture_hash[static_cast<std::size_t>(m.texture)]);
+        m.texture = 0;
+      }
+      addTo(hasher, m);
+      material_hash_.push_back(hasher.digest());
+    }
+    material_ = firstOfEqual(material_hash_);
+  }
+
+  Surfaces run() {
+    const std::vector<std::uint32_t> order = orderOfTriangles();
+    std::vector<Triangle> triangle;
+    std::vector<std::array<float, 3>> position, colour;
+    std::vector<std::array<float, 2>> uv;
+    triangle.reserve(order.size());
+    position.reserve(3 * order.size());
+    for (const std::uint32_t i : order) {
+      const Triangle& old = level_.triangle[i];
+      const auto first = static_cast<std::uint32_t>(position.size());
+      triangle.push_back({{first, first + 1, first + 2}, material_[old.material], old.object});
+      const Corners corners = cornersOf(old);
+      position.insert(position.end(), corners.position.begin(), corners.position.end());
+      if (!level_.uv.empty()) uv.insert(uv.end(), corners.uv.begin(), corners.uv.end());
+      if (!level_.colour.empty()) colour.insert(colour.end(), corners.colour.begin(), corners.colour.end());
+    }
+    level_.triangle = std::move(triangle);
+    level_.position = std::move(position);
+    level_.uv = std::move(uv);
+    level_.colour = std::move(colour);
+    for (Material& m : level_.material)
+      if (m.texture >= 0) m.texture = static_cast<int>(texture_[static_cast<std::size_t>(m.texture)]);
+    std::sort(level_.light.begin(), level_.light.end(),
+              [](const PointLight& a, const PointLight& b) { return numbersOf(a) < numbersOf(b); });
+    std::sort(level_.spot.begin(), level_.spot.end(),
+              [](const Number3& a, const Number3& b) { return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z); });
+    return std::move(level_);
+  }
+
+ private:
+  static std::array<double, 6> numbersOf(const PointLight& l) {
+    return {l.position.x, l.position.y, l.position.z, l.intensity.x, l.intensity.y, l.intensity.z};
+  }
+
+  bool isVegetation(const Triangle& t) const { return level_.object[t.object].role == Role::vegetation; }
+
+  Corners cornersOf(const Triangle& t) const {
+    Corners c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      c.position[i] = level_.position[t.vertex[i]];
+      if (level_.material[t.material].texture >= 0 && !level_.uv.empty()) c.uv[i] = level_.uv[t.vertex[i]];
+      if (!level_.colour.empty()) c.colour[i] = level_.colour[t.vertex[i]];
+    }
+    return c;
+  }
+
+  /// Neighbours in the world are near each other in memory too.
+  std::pair<int, int> patchOf(const Triangle& t) const {
+    constexpr double kPatch_m = 16.0;
+    const auto& p = level_.position[t.vertex[0]];
+    return {static_cast<int>(std::floor(double{p[0]} / kPatch_m)),
+            static_cast<int>(std::floor(double{p[2]} / kPatch_m))};
+  }
+
+  base::Hash128 contentOf(const Triangle& t) const {
+    struct {
+      Corners corners;
+      base::Hash128 material;
+      std::uint64_t role;
+    } const content{cornersOf(t), material_hash_[t.material], static_cast<std::uint64_t>(level_.object[t.object].role)};
+    return base::hashOf(std::as_bytes(std::span(&content, 1)));
+  }
+
+  /// By object of vegetation the hash of its triangles in any order; equal ones elsewhere.
+  std::vector<base::Hash128> vegetationHashes(const std::vector<base::Hash128>& content) const {
+    std::vector<std::vector<Halves>> triangles(level_.object.size());
+    for (std::size_t i = 0; i < content.size(); ++i)
+      if (isVegetation(level_.triangle[i])) triangles[level_.triangle[i].object].push_back(halvesOf(content[i]));
+    std::vector<base::Hash128> result;
+    for (auto& t : triangles) {
+      std::sort(t.begin(), t.end());
+      result.push_back(base::hashOf(std::as_bytes(std::span(t))));
+    }
+    return result;
+  }
+
+  std::vector<std::uint32_t> orderOfTriangles() const {
+    std::vector<base::Hash128> content;
+    content.reserve(level_.triangle.size());
+    for (const Triangle& t : level_.triangle) content.push_back(contentOf(t));
+    const std::vector<base::Hash128> vegetation = vegetationHashes(content);
+    const auto keyOf = [&](std::uint32_t i) {
+      const std::uint32_t object = level_.triangle[i].object;
+      return std::tuple(patchOf(level_.triangle[i]), halvesOf(content[i]), halvesOf(vegetation[object]), object, i);
+    };
+    std::vector<decltype(keyOf(0))> order;
+    order.reserve(content.size());
+    for (std::uint32_t i = 0; i < content.size(); ++i) order.push_back(keyOf(i));
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> result;
+    result.reserve(order.size());
+    for (const auto& key : order) result.push_back(std::get<4>(key));
+    return result;
+  }
+
+  Surfaces level_;
+  std::vector<std::uint32_t> texture_, material_;  // by number the first of those that are equal to it
+  std::vector<base::Hash128> material_hash_;
+};
+
+}  // namespace
+
+Surfaces inCanonicalOrder(Surfaces level) {
+  return Ordering(std::move(level)).run();
+}
+
+}  // namespace welkin::geometry

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/geometry/tracer.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "probes/geometry/directions.h"
+#include "probes/geometry/texture.h"
+#include "sky/base/error.h"
+
+namespace welkin::geometry {
+namespace {
+
+Number3 load(const std::array<float, 3>& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+/// Weights of a triangle's three vertices.
+struct Barycentric {
+  double w[3];
+  Barycentric(double u, double v) : w{1.0 - u - v, u, v} {}
+};
+
+/// Base colour and alpha of a triangle at a point.
+Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v) {
+  const Barycentric at(u, v);
+  const Material& m = s.material[triangle.material];
+  Texel result{m.albedo, m.alpha};
+  if (!s.colour.empty()) {
+    Number3 colour(0.0);
+    for (std::size_t i = 0; i < 3; ++i) colour += load(s.colour[triangle.vertex[i]]) * at.w[i];
+    result.colour = result.colour * colour;
+  }
+  if (m.texture < 0 || s.uv.empty()) return result;
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    x += double{s.uv[triangle.vertex[i]][0]} * at.w[i];
+    y += double{s.uv[triangle.vertex[i]][1]} * at.w[i];
+  }
+  const auto& row = m.uv_row;
+  const Texel texel = texelAt(s.texture[static_cast<std::size_t>(m.texture)], row[0][0] * x + row[0][1] * y + row[0][2],
+                              row[1][0] * x + row[1][1] * y + row[1][2]);
+  return {result.colour * texel.colour, result.alpha * texel.alpha};
+}
+
+/// The triangles of one Embree geometry.
+struct Part {
+  const Surfaces* surfaces;
+  std::vector<std::uint32_t> triangle;  ///< of Surfaces::triangle, by primitive
+};
+
+void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
+  const auto& part = *static_cast<const Part*>(arguments->geometryUserPtr);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const Triangle& triangle = part.surfaces->triangle[part.triangle[RTCHitN_primID(arguments->hit, arguments->N, i)]];
+    const double u = double{RTCHitN_u(arguments->hit, arguments->N, i)};
+    const double v = double{RTCHitN_v(arguments->hit, arguments->N, i)};
+    const double cutoff = part.surfaces->material[triangle.material].alpha_cutoff;
+    if (surfaceAt(*part.surfaces, triangle, u, v).alpha < cutoff) arguments->valid[i] = 0;
+  }
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw base::Error(base::ExitStatus::file, fmt::format("tracing rays: {}", what));
+}
+
+constexpr unsigned kFixedMask = 1;
+constexpr unsigned kOtherMask = 2;
+
+void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double far, Meets meets) {
+  ray.org_x = static_cast<float>(origin.x);
+  ray.org_y = static_cast<float>(origin.y);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.tnear = 0.0F;
+  ray.tfar = static_cast<float>(std::min(far, double{std::numeric_limits<float>::max()}));
+  ray.time = 0.0F;
+  ray.mask = meets == Meets::all ? kFixedMask | kOtherMask : kFixedMask;
+  ray.id = 0;
+  ray.flags = 0;
+}
+
+}  // namespace
+
+struct Tracer::Scene {
+  const Surfaces* surfaces;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  /// Embree's geometries: opaque and masked of static geometry, opaque and masked of the rest.
+  std::array<Part, 4> part;
+
+  explicit Scene(const Surfaces& s) : surfaces(&s) {
+    static_assert(std::string_view(kIsa) == "avx2", "what the processor is asked for below");
+    if (!__builtin_cpu_supports("avx2")) refuse(fmt::format("this processor has no {}", kIsa));
+    device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
+    if (device == nullptr) refuse("no Embree device");
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    part.fill({&s, {}});
+    for (std::uint32_t i = 0; i < s.triangle.size(); ++i) {
+      const bool masked = s.material[s.triangle[i].material].alpha_cutoff > 0.0;
+      const bool fixed = s.object[s.triangle[i].object].role == Role::fixed;
+      part[(fixed ? 0 : 2) + (masked ? 1 : 0)].triangle.push_back(i);
+    }
+    for (unsigned id = 0; id < part.size(); ++id)
+      if (!part[id].triangle.empty()) attach(id);
+    rtcCommitScene(scene);
+    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+      refuse(error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : fmt::format("Embree's error {}", int{error}));
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  ~Scene() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+
+  void attach(unsigned id) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), surfaces->position.size()));
+    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), part[id].triangle.size()));
+    if (vertex == nullptr || index == nullptr) refuse("out of memory");
+    for (const auto& position : surfaces->position) vertex = std::copy(position.begin(), position.end(), vertex);
+    for (const std::uint32_t i : part[id].triangle) {
+      const auto& corner = surfaces->triangle[i].vertex;
+      index = std::copy(corner.begin(), corner.end(), index);
+    }
+    rtcSetGeometryUserData(geometry, &part[id]);
+    rtcSetGeometryMask(geometry, id < 2 ? kFixedMask : kOtherMask);
+    if (id % 2 == 1) {
+      rtcSetGeometryIntersectFilterFunction(geometry, passMaskedTexels);
+      rtcSetGeometryOccludedFilterFunction(geometry, passMaskedTexels);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
+};
+
+Tracer::Tracer(const Surfaces& surfaces) : scene_(std::make_shared<Scene>(surfaces)) {}
+Tracer::Tracer(std::shared_ptr<const Scene> scene, const Square& square) : scene_(std::move(scene)), square_(square) {}
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+
+const Surfaces& Tracer::surfaces() const {
+  return *scene_->surfaces;
+}
+
+Tracer Tracer::within(const Number3& about, double reach_m) const {
+  return {scene_, Square{about.x - reach_m, about.x + reach_m, about.z - reach_m, about.z + reach_m}};
+}
+
+double Tracer::leavesAfter(const Number3& origin, const Number3& direction) const {
+  const auto along = [](double from, double slope, double low, double high) {
+    if (slope == 0.0) return std::numeric_limits<double>::infinity();
+    return ((slope > 0.0 ? high : low) - from) / slope;
+  };
+  const double x = along(origin.x, direction.x, square_.low_x, square_.high_x);
+  const double z = along(origin.z, direction.z, square_.low_z, square_.high_z);
+  return std::max(std::min(x, z), 0.0);
+}
+
+std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far, Meets meets) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray;
+  setRay(ray.ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  Hit hit;
+  hit.distance = double{ray.ray.tfar};
+  hit.triangle = scene_->part[ray.hit.geomID].triangle[ray.hit.primID];
+  hit.u = double{ray.hit.u};
+  hit.v = double{ray.hit.v};
+  // From the vertices, not along the ray: on the triangle's plane to the rounding of doubles.
+  const Triangle& triangle = surfaces().triangle[hit.triangle];
+  const Number3 a = load(surfaces().position[triangle.vertex[0]]);
+  const Number3 ab = load(surfaces().position[triangle.vertex[1]]) - a;
+  const Number3 ac = load(surfaces().position[triangle.vertex[2]]) - a;
+  hit.position = a + ab * hit.u + ac * hit.v;
+  const Number3 normal = unit(cross(ab, ac));
+  const bool behind = dot(normal, direction) > 0.0;
+  hit.normal = behind ? -normal : normal;
+  hit.back_along = -direction;
+  for (const std::uint32_t corner : triangle.vertex)
+    for (const float x : surfaces().position[corner]) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(double{x}));
+  hit.back = behind && !surfaces().material[triangle.material].double_sided;
+  return hit;
+}
+
+bool Tracer::occluded(const Number3& origin, const Number3& direction, double far, Meets meets) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray;
+  setRay(ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
+  rtcOccluded1(scene_->scene, &context, &ray);
+  return ray.tfar < 0.0F;
+}
+
+Number3 Tracer::leaving(const Hit& hit) const {
+  constexpr double kLeast_m = 1e-5;
+  constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding, and that of Embree's robust test
+  constexpr double kBack = 8.0;              // clears a wall that stands there unless the ray came along it
+  const double off = kLeast_m + kFloats * hit.coarsest_m;
+  return hit.position + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
+}
+
+Number3 Tracer::albedo(const Hit& hit) const {
+  if (hit.back) return Number3(0.0);
+  return surfaceAt(surfaces(), surfaces().triangle[hit.triangle], hit.u, hit.v).colour;
+}
+
+Number3 Tracer::emission(const Hit& hit) const {
+  if (hit.back) return Number3(0.0);
+  return surfaces().material[surfaces().triangle[hit.triangle].material].emission;
+}
+
+}  // namespace welkin::geometry

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/loader/gltf_material.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "probes/loader/gltf_value.h"
+#include "sh/deterministic.h"
+#include "sky/base/error.h"
+
+namespace welkin::loader {
+namespace {
+
+using f64::Number3;
+using UvRows = decltype(geometry::Material::uv_row);
+
+/// The matrix of KHR_texture_transform: scale, then a rotation of the texture's axes, u right and v down, that turns u
+/// towards -v, then the offset.
+UvRows readTransform(const tinygltf::Value& t, const AccessorReader& reader, const std::string& what) {
+  const double angle_rad = numberIn(t, "rotation", 0.0, reader, what);
+  const double c = det::cos(angle_rad);
+  const double s = det::sin(angle_rad);
+  const auto scale = [&](int i) { return elementIn(t, "scale", i, 2, 1.0, reader, what); };
+  const auto offset = [&](int i) { return elementIn(t, "offset", i, 2, 0.0, reader, what); };
+  return {{{c * scale(0), s * scale(1), offset(0)}, {-s * scale(0), c * scale(1), offset(1)}}};
+}
+
+}  // namespace
+
+const GltfMaterial& GltfMaterials::at(int index, const std::string& what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.materials.size())
+    reader_.refuse(what, fmt::format("material {} is none of the {}", index, model_.materials.size()));
+  if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
+  const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(index)];
+  return materials_
+      .emplace(index, read(material, fmt::format("material {} \"{}\"", index, material.name.substr(0, 60))))
+      .first->second;
+}
+
+GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::string& name) {
+  const auto& pbr = material.pbrMetallicRoughness;
+  level::SceneMaterial result;
+  geometry::Material& surface = result.surface;
+  if (pbr.baseColorFactor.size() != 4) reader_.refuse(name, "baseColorFactor must have 4 numbers");
+  for (const double f : pbr.baseColorFactor)
+    if (!(f >= 0.0 && f <= 1.0)) reader_.refuse(name, fmt::format("baseColorFactor holds {}, must be 0 to 1", f));
+  surface.albedo = Number3(pbr.baseColorFactor[0], pbr.baseColorFactor[1], pbr.baseColorFactor[2]);
+  surface.alpha = pbr.baseColorFactor[3];
+  surface.double_sided = material.doubleSided;
+  result.roughness = pbr.roughnessFactor;
+  GltfMaterial placed;
+  if (pbr.baseColorTexture.index >= 0) {
+    const std::string what = name + " baseColorTexture";
+    const tinygltf::Value transform = extensionOf(pbr.baseColorTexture.extensions, "KHR_texture_transform");
+    surface.texture = readTexture(pbr.baseColorTexture.index, what);
+    surface.uv_row = readTransform(transform, reader_, what);
+    constexpr std::size_t kMostSets = 64;
+    const int other_set = indexIn(transform, "texCoord", kMostSets, reader_, what);
+    placed.uv_set = other_set >= 0 ? other_set : pbr.baseColorTexture.texCoord;
+    if (placed.uv_set < 0) reader_.refuse(what, fmt::format("texCoord {} is negative", placed.uv_set));
+  }
+  if (material.extensions.count("KHR_materials_pbrSpecularGlossiness") != 0)
+    builder_.scene().warnings.push_back(fmt::format(
+        "{}: {}: KHR_materials_pbrSpecularGlossiness is left out, its diffuse colour too", reader_.file(), name));
+  readAlpha(material, name, surface);
+  readEmission(material, name, result);
+  placed.material = builder_.addMaterial(std::move(result));
+  return placed;
+}
+
+void GltfMaterials::readAlpha(const tinygltf::Material& material, const std::string& name,
+                              geometry::Material& surface) {
+  constexpr double kBlendedCutoff = 0.5;
+  if (material.alphaMode == "MASK") {
+    if (!(material.alphaCutoff >= 0.0))
+      reader_.refuse(name, fmt::format("alphaCutoff = {}: must be 0 or more", material.alphaCutoff));
+    surface.alpha_cutoff = material.alphaCutoff;
+  } else if (material.alphaMode == "BLEND") {
+    surface.alpha_cutoff = kBlendedCutoff;
+    builder_.scene().warnings.push_back(
+        fmt::format("{}: {}: alphaMode BLEND: the surface is there where its alpha is {} or more", reader_.file(), name,
+                    kBlendedCutoff));
+  } else if (!material.alphaMode.empty() && material.alphaMode != "OPAQUE") {
+    reader_.refuse(name,
+                   fmt::format("alphaMode = \"{}\": must be OPAQUE, MASK or BLEND", material.alphaMode.substr(0, 20)));
+  }
+}
+
+void GltfMaterials::readEmission(const tinygltf::Material& material, const std::string& name,
+                                 level::SceneMaterial& into) {
+  const double strength = numberIn(extensionOf(material.extensions, "KHR_materials_emissive_strength"),
+                                   "emissiveStrength", 1.0, reader_, name);
+  if (strength < 0.0) reader_.refuse(name, fmt::format("emissiveStrength = {}: must be 0 or more", strength));
+  Number3& emission = into.surface.emission;
+  for (int i = 0; i < 3; ++i) {
+    const double f = material.emissiveFactor[static_cast<std::size_t>(i)];
+    if (!(f >= 0.0 && f <= 1.0)) reader_.refuse(name, fmt::format("emissiveFactor holds {}, must be 0 to 1", f));
+    emission[i] = f * strength;
+  }
+  if (material.emissiveTexture.index < 0 || (emission.x == 0.0 && emission.y == 0.0 && emission.z == 0.0)) return;
+  into.emissive_texture = readTexture(material.emissiveTexture.index, name + " emissiveTexture");
+  builder_.scene().warnings.push_back(
+      fmt::format("{}: {}: the whole surface emits the mean of its emissiveTexture", reader_.file(), name));
+}
+
+int GltfMaterials::readTexture(int index, const std::string& what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.textures.size())
+    reader_.refuse(what, fmt::format("texture {} is none of the {}", index, model_.textures.size()));
+  const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
+  const std::string who = fmt::format("{}: texture {}", what, index);
+  const int webp = indexIn(extensionOf(texture.extensions, "EXT_texture_webp"), "source", model_.images.size(), reader_,
+                           who + " EXT_texture_webp");
+  level::TextureSource source = readImage(webp >= 0 ? webp : texture.source, who);
+  if (texture.sampler >= 0) {
+    if (static_cast<std::size_t>(texture.sampler) >= model_.samplers.size())
+      reader_.refuse(who, fmt::format("sampler {} is none of the {}", texture.sampler, model_.samplers.size()));
+    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(texture.sampler)];
+    const auto wrapOf = [&](int mode, const char* key) {
+      if (mode == TINYGLTF_TEXTURE_WRAP_REPEAT) return geometry::Texture::Wrap::repeat;
+      if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return geometry::Texture::Wrap::mirrored;
+      if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return geometry::Texture::Wrap::clamped;
+      reader_.refuse(who,
+                     fmt::format("sampler {}: {} = {}: must be 10497, 33648 or 33071", texture.sampler, key, mode));
+    };
+    source.wrap_u = wrapOf(sampler.wrapS, "wrapS");
+    source.wrap_v = wrapOf(sampler.wrapT, "wrapT");
+  }
+  return builder_.addTexture(std::move(source));
+}
+
+level::TextureSource GltfMaterials::readImage(int index, const std::string& what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.images.size())
+    reader_.refuse(what, fmt::format("source {} is none of the {} images", index, model_.images.size()));
+  const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
+  level::TextureSource source;
+  source.name = image.uri.empty() ? fmt::format("{}: image {} \"{}\"", reader_.file(), index, image.name.substr(0, 60))
+                                  : (std::filesystem::path(reader_.file()).parent_path() / image.uri).string();
+  if (image.bufferView >= 0) {
+    const auto bytes = reader_.bytes(image.bufferView, fmt::format("image {}", index));
+    source.bytes.assign(bytes.begin(), bytes.end());
+    return source;
+  }
+  if (image.image.empty())
+    throw base::Error(base::ExitStatus::file, fmt::format("{}: {}: image {} \"{}\" is missing or cannot be read",
+                                                          reader_.file(), what, index, image.uri.substr(0, 200)));
+  const auto bytes = std::as_bytes(std::span(image.image));
+  source.bytes.assign(bytes.begin(), bytes.end());
+  return source;
+}
+
+}  // namespace welkin::loader

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The meshes of a glTF model, each read into the scene when it is first placed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "probes/level/mesh_piece.h"
+#include "probes/loader/gltf_material.h"
+
+namespace welkin::loader {
+
+class GltfMeshes {
+ public:
+  /// All arguments outlive the object.
+  GltfMeshes(const tinygltf::Model& model, const AccessorReader& reader, level::SceneBuilder& builder)
+      : model_(model), reader_(reader), scene_(builder.scene()), materials_(model, reader, builder) {}
+
+  /// The pieces of mesh `index` of the model, which is one of its meshes; they stay where they are. Throws as
+  /// GltfMaterials does.
+  const std::vector<level::MeshPiece>& pieces(int index);
+
+ private:
+  level::MeshPiece readPrimitive(const tinygltf::Primitive& primitive, const std::string& what);
+  level::Attributes readAttributes(const tinygltf::Primitive& primitive, int uv_set, const std::string& what) const;
+
+  const tinygltf::Model& model_;
+  const AccessorReader& reader_;
+  level::Scene& scene_;
+  GltfMaterials materials_;
+  std::map<int, std::vector<level::MeshPiece>> meshes_;
+};
+
+}  // namespace welkin::loader

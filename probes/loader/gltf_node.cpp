@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/loader/gltf_node.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "probes/level/scene_builder.h"
+#include "probes/loader/gltf_value.h"
+
+namespace welkin::loader {
+
+using f64::Number3;
+
+std::string nodeName(int index, const tinygltf::Node& node) {
+  return fmt::format("node {} \"{}\"", index, node.name.substr(0, 60));
+}
+
+geometry::Affine nodeTransform(int index, const tinygltf::Node& node, const AccessorReader& reader) {
+  const auto check = [&](const std::vector<double>& numbers, std::size_t size, const char* what) {
+    if (!numbers.empty() && numbers.size() != size)
+      reader.refuse(nodeName(index, node), fmt::format("{} has {} numbers, must have {}", what, numbers.size(), size));
+    for (const double number : numbers)
+      if (!(std::abs(number) <= 1e9)) reader.refuse(nodeName(index, node), fmt::format("{} holds {}", what, number));
+  };
+  check(node.matrix, 16, "matrix");
+  check(node.translation, 3, "translation");
+  check(node.rotation, 4, "rotation");
+  check(node.scale, 3, "scale");
+  const auto& m = node.matrix;
+  if (!m.empty()) return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
+  const auto vector = [](const std::vector<double>& v, double otherwise) {
+    return v.empty() ? Number3(otherwise) : Number3(v[0], v[1], v[2]);
+  };
+  double rotation[4] = {0.0, 0.0, 0.0, 1.0};
+  if (!node.rotation.empty()) {
+    double length = 0.0;
+    for (const double q : node.rotation) length += q * q;
+    if (!(length > 0.0)) reader.refuse(nodeName(index, node), "rotation is zero");
+    for (std::size_t i = 0; i < 4; ++i) rotation[i] = node.rotation[i] / std::sqrt(length);
+  }
+  return geometry::fromTrs(vector(node.translation, 0.0), rotation, vector(node.scale, 1.0));
+}
+
+geometry::Role nodeRole(int index, const tinygltf::Node& node, const level::GeometryEntry& entry,
+                        geometry::Role inherited, const AccessorReader& reader) {
+  if (node.extras.Has("role")) {
+    const tinygltf::Value& value = node.extras.Get("role");
+    const std::string name = value.IsString() ? value.Get<std::string>() : "";
+    const auto role = level::roleOf(name);
+    if (!role)
+      reader.refuse(nodeName(index, node),
+                    fmt::format("extras.role = \"{}\": must be static, vegetation, water or ignore", name));
+    return *role;
+  }
+  const auto& patterns = entry.vegetation_nodes;
+  const bool vegetation = std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+    return level::matchesPattern(pattern, node.name);
+  });
+  return vegetation ? geometry::Role::vegetation : inherited;
+}
+
+const tinygltf::Light* nodeLight(int index, const tinygltf::Node& node, const tinygltf::Model& model,
+                                 const AccessorReader& reader) {
+  const int light = indexIn(extensionOf(node.extensions, "KHR_lights_punctual"), "light", model.lights.size(), reader,
+                            nodeName(index, node));
+  return light < 0 ? nullptr : &model.lights[static_cast<std::size_t>(light)];
+}
+
+Number3 lightIntensity(const tinygltf::Light& light, const std::string& what, const AccessorReader& reader) {
+  if (!light.color.empty() && light.color.size() != 3) reader.refuse(what, "the light's color must have 3 numbers");
+  constexpr double kLargest = 1e12;
+  Number3 intensity(light.intensity);
+  for (int i = 0; i < 3; ++i) {
+    if (!light.color.empty()) intensity[i] *= light.color[static_cast<std::size_t>(i)];
+    if (!(intensity[i] >= 0.0 && intensity[i] <= kLargest))
+      reader.refuse(what,
+                    fmt::format("the light's color times intensity is {}, must be 0 to {}", intensity[i], kLargest));
+  }
+  return intensity;
+}
+
+}  // namespace welkin::loader

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a glTF model's nodes to a scene: every mesh once, every node that places it an instance.
+#include "probes/loader/gltf_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "probes/loader/accessor.h"
+#include "probes/loader/gltf_file.h"
+#include "probes/loader/gltf_mesh.h"
+#include "probes/loader/gltf_node.h"
+
+namespace welkin::loader {
+namespace {
+
+class GltfSource : public level::GeometrySource {
+ public:
+  GltfSource(const std::filesystem::path& path, level::SceneBuilder& builder)
+      : builder_(builder),
+        model_(readGltf(path, builder.scene().files)),
+        reader_(model_, path.string()),
+        meshes_(model_, reader_, builder) {
+    warn(std::any_of(model_.nodes.begin(), model_.nodes.end(),
+                     [](const tinygltf::Node& node) { return node.skin >= 0 && node.mesh >= 0; }),
+         "skins: skinned meshes stand as their nodes place them");
+    warn(std::find(model_.extensionsUsed.begin(), model_.extensionsUsed.end(), "EXT_mesh_gpu_instancing") !=
+             model_.extensionsUsed.end(),
+         "EXT_mesh_gpu_instancing is left out: its nodes are placed once");
+  }
+
+  void place(const level::GeometryEntry& entry) override {
+    visited_.assign(model_.nodes.size(), false);
+    directional_lights_ = 0;
+    const std::size_t spots = builder_.scene().spots.size();
+    for (const int root : roots()) placeNode(root, entry, entry.transform, entry.role, 0);
+    warn(directional_lights_ > 0, fmt::format("{} directional lights are left out", directional_lights_));
+    const std::size_t placed = builder_.scene().spots.size() - spots;
+    warn(placed > 0, fmt::format("{} spot lights light nothing; sectors near them get local transfer", placed));
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < visited_.size(); ++i)
+      if (visited_[i]) names.push_back(model_.nodes[i].name);
+    builder_.warnOfIdlePatterns(entry, names);
+  }
+
+ private:
+  void warn(bool holds, const std::string& what) {
+    if (holds) builder_.scene().warnings.push_back(fmt::format("{}: {}", reader_.file(), what));
+  }
+
+  /// Of the file's scene, or without scenes the nodes that have no parent.
+  std::vector<int> roots() const {
+    if (!model_.scenes.empty()) {
+      const int scene = model_.defaultScene < 0 ? 0 : model_.defaultScene;
+      if (static_cast<std::size_t>(scene) >= model_.scenes.size())
+        reader_.refuse("scene", fmt::format("{} is none of the {}", scene, model_.scenes.size()));
+      return model_.scenes[static_cast<std::size_t>(scene)].nodes;
+    }
+    std::vector<bool> child(model_.nodes.size(), false);
+    for (const tinygltf::Node& node : model_.nodes)
+      for (const int c : node.children)
+        if (c >= 0 && static_cast<std::size_t>(c) < child.size()) child[static_cast<std::size_t>(c)] = true;
+    std::vector<int> found;
+    for (std::size_t i = 0; i < child.size(); ++i)
+      if (!child[i]) found.push_back(static_cast<int>(i));
+    return found;
+  }
+
+  void placeNode(int index, const level::GeometryEntry& entry, const geometry::Affine& parent, geometry::Role inherited,
+                 int depth) {
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
+      reader_.refuse("nodes", fmt::format("{} is none of the {}", index, model_.nodes.size()));
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+    const std::string name = nodeName(index, node);
+    if (visited_[static_cast<std::size_t>(index)]) reader_.refuse(name, "has two parents, or is its own");
+    visited_[static_cast<std::size_t>(index)] = true;
+    constexpr int kDeepest = 256;
+    if (depth > kDeepest) reader_.refuse(name, fmt::format("is more than {} nodes deep", kDeepest));
+    const geometry::Affine transform = parent * nodeTransform(index, node, reader_);
+    const geometry::Role role = nodeRole(index, node, entry, inherited, reader_);
+    if (role != geometry::Role::ignored) {
+      if (node.mesh >= 0) placeMesh(node, name, transform, role, entry.albedo);
+      if (const tinygltf::Light* light = nodeLight(index, node, model_, reader_)) placeLight(*light, name, transform);
+    }
+    for (const int child : node.children) placeNode(child, entry, transform, role, depth + 1);
+  }
+
+  void placeMesh(const tinygltf::Node& node, const std::string& who, const geometry::Affine& transform,
+                 geometry::Role role, const f64::Number3& albedo) {
+    if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
+      reader_.refuse(who, fmt::format("mesh {} is none of the {}", node.mesh, model_.meshes.size()));
+    const std::vector<level::MeshPiece>& pieces = meshes_.pieces(node.mesh);
+    const uint32_t object = builder_.addObject(node.name.empty() ? who : node.name, role);
+    for (const level::MeshPiece& piece : pieces) builder_.place(piece, transform, object, albedo);
+  }
+
+  void placeLight(const tinygltf::Light& light, const std::string& who, const geometry::Affine& transform) {
+    if (light.type == "point") {
+      builder_.scene().lights.push_back({transform.translation, lightIntensity(light, who, reader_)});
+      return;
+    }
+    if (light.type == "spot") {
+      builder_.scene().spots.push_back(transform.translation);
+      return;
+    }
+    if (light.type != "directional")
+      reader_.refuse(
+          who, fmt::format("the light's type = \"{}\": must be directional, point or spot", light.type.substr(0, 20)));
+    ++directional_lights_;
+  }
+
+  level::SceneBuilder& builder_;
+  tinygltf::Model model_;
+  AccessorReader reader_;
+  GltfMeshes meshes_;
+  std::vector<bool> visited_;
+  int directional_lights_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<level::GeometrySource> readGltfSource(const std::filesystem::path& path, level::SceneBuilder& builder) {
+  return std::make_unique<GltfSource>(path, builder);
+}
+
+}  // namespace welkin::loader

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The materials of an OBJ file in a scene.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "probes/level/scene_builder.h"
+#include "probes/loader/mtl_file.h"
+
+namespace welkin::loader {
+
+class ObjMaterials {
+ public:
+  /// Reads the material files that the OBJ file names; one that is missing is a warning. `builder` outlives the object.
+  /// Throws Error.
+  ObjMaterials(const std::filesystem::path& obj, const std::vector<std::string>& files, level::SceneBuilder& builder);
+
+  /// Of Scene::materials; nothing where level.toml's albedo stands in. `has_uv`: else its image has no effect.
+  std::optional<uint32_t> at(const std::string& name, bool has_uv);
+
+  /// Warns, once, of what at() found missing.
+  void warn();
+
+ private:
+  struct Source {
+    MtlMaterial material;
+    std::filesystem::path folder;
+  };
+  std::optional<uint32_t> read(const Source& source, bool has_uv);
+  void readAlpha(const MtlMaterial& material, geometry::Material& surface);
+  std::optional<int> readTexture(const MtlMap& map, const std::filesystem::path& folder);
+
+  std::string obj_;
+  level::SceneBuilder& builder_;
+  std::map<std::string, Source> sources_;
+  std::map<std::pair<std::string, bool>, std::optional<uint32_t>> read_;
+  std::vector<std::string> missing_images_;
+  std::vector<std::string> unknown_materials_;
+};
+
+}  // namespace welkin::loader

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene's instances to triangles in the world.
+#include "probes/loader/surfaces_of.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "probes/loader/read_scene.h"
+#include "probes/loader/texture_source.h"
+#include "sky/base/error.h"
+
+namespace welkin::loader {
+namespace {
+
+using f64::Number3;
+
+Number3 load(const float (&v)[3]) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+Number3 load(const std::array<float, 3>& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+class Flattening {
+ public:
+  explicit Flattening(const level::Scene& scene) : scene_(scene) {
+    has_uv_ = std::any_of(scene.materials.begin(), scene.materials.end(),
+                          [](const level::SceneMaterial& m) { return m.surface.texture >= 0; });
+    has_colours_ = std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const level::Vertex& v) {
+      return v.colour[0] != 1.0F || v.colour[1] != 1.0F || v.colour[2] != 1.0F;
+    });
+  }
+
+  geometry::Surfaces run() {
+    result_.object = scene_.objects;
+    result_.light = scene_.lights;
+    result_.spot = scene_.spots;
+    result_.warning = scene_.warnings;
+    result_.file = scene_.files;
+    for (const level::TextureSource& source : scene_.textures) result_.texture.push_back(decodeTexture(source));
+    for (const level::SceneMaterial& material : scene_.materials) addMaterial(material);
+    for (const level::Draw& draw : scene_.draws)
+      for (uint32_t i = 0; i < draw.instance_count; ++i) addInstance(draw, scene_.placings[draw.first_instance + i]);
+    if (result_.dropped_triangles > 0)
+      result_.warning.push_back(fmt::format("{} of {} triangles are dropped: without area, or not finite",
+                                            result_.dropped_triangles,
+                                            result_.dropped_triangles + result_.triangle.size()));
+    return std::move(result_);
+  }
+
+ private:
+  void addMaterial(const level::SceneMaterial& from) {
+    geometry::Material material = from.surface;
+    if (from.emissive_texture >= 0)
+      material.emission =
+          material.emission * meanColour(result_.texture[static_cast<std::size_t>(from.emissive_texture)]);
+    const bool opaque = material.alpha >= material.alpha_cutoff &&
+                        (material.texture < 0 || isOpaque(result_.texture[static_cast<std::size_t>(material.texture)]));
+    if (opaque) material.alpha_cutoff = 0.0;  // rays need not ask
+    result_.material.push_back(material);
+  }
+
+  void addInstance(const level::Draw& draw, const level::Placing& placing) {
+    const auto* indices = scene_.indices.data() + draw.first_index;
+    result_.dropped_triangles += draw.dropped_triangles;
+    if (draw.index_count == 0) return;
+    const std::size_t count = std::size_t{*std::max_element(indices, indices + draw.index_count)} + 1;
+    const std::size_t first = result_.position.size();
+    if (first + count > std::numeric_limits<uint32_t>::max())
+      throw base::Error(base::ExitStatus::content, "the level has more than 2^32 placed vertices");
+    for (std::size_t i = 0; i < count; ++i)
+      addVertex(scene_.vertices[static_cast<std::size_t>(draw.vertex_offset) + i], placing);
+    for (uint32_t i = 0; i < draw.index_count; i += 3) {
+      geometry::Triangle triangle{{}, draw.material, placing.object};
+      for (std::size_t c = 0; c < 3; ++c) triangle.vertex[c] = static_cast<uint32_t>(first + indices[i + c]);
+      if (draw.mirrored) std::swap(triangle.vertex[1], triangle.vertex[2]);
+      const Number3 a = load(result_.position[triangle.vertex[0]]);
+      const Number3 area =
+          cross(load(result_.position[triangle.vertex[1]]) - a, load(result_.position[triangle.vertex[2]]) - a);
+      if (dot(area, area) > 0.0)
+        result_.triangle.push_back(triangle);
+      else
+        ++result_.dropped_triangles;
+    }
+  }
+
+  void addVertex(const level::Vertex& vertex, const level::Placing& placing) {
+    constexpr double kFarthest_m = 1e6;
+    const Number3 p = placing.transform.point(load(vertex.position));
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(p[i]) <= kFarthest_m))
+        throw base::Error(base::ExitStatus::content,
+                          fmt::format("object \"{}\" reaches ({}, {}, {}) m: at most {} from the origin is "
+                                      "allowed",
+                                      scene_.objects[placing.object].name, p.x, p.y, p.z, kFarthest_m));
+    result_.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    if (has_uv_) result_.uv.push_back({vertex.uv[0], vertex.uv[1]});
+    if (has_colours_) result_.colour.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2]});
+  }
+
+  const level::Scene& scene_;
+  geometry::Surfaces result_;
+  bool has_uv_ = false;
+  bool has_colours_ = false;
+};
+
+}  // namespace
+
+geometry::Surfaces surfacesOf(const level::Scene& scene) {
+  return Flattening(scene).run();
+}
+
+geometry::Surfaces readSurfaces(const level::LevelFile& level) {
+  return surfacesOf(readScene(level));
+}
+
+void useMeanColours(level::Scene& scene) {
+  std::vector<Number3> mean;
+  for (const level::TextureSource& source : scene.textures) mean.push_back(meanColour(decodeTexture(source)));
+  for (const level::Draw& draw : scene.draws) {
+    const int texture = scene.materials[draw.material].surface.texture;
+    if (texture < 0) continue;
+    const Number3& colour = mean[static_cast<std::size_t>(texture)];
+    for (uint32_t i = 0; i < draw.instance_count; ++i)
+      for (int c = 0; c < 3; ++c) scene.instances[draw.first_instance + i].albedo[c] *= static_cast<float>(colour[c]);
+  }
+}
+
+}  // namespace welkin::loader

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/loader/texture_source.h"
+
+#include <array>
+
+#include "sh/deterministic.h"
+#include "sky/image/coded_image.h"
+
+namespace welkin::loader {
+
+geometry::Texture decodeTexture(const level::TextureSource& source) {
+  image::CodedImage image = image::decodeImage(source.name, source.bytes);
+  return {image.width, image.height, std::move(image.rgba), source.wrap_u, source.wrap_v};
+}
+
+f64::Number3 meanColour(const geometry::Texture& texture) {
+  // Counts of codes, not light: exact sums in any order.
+  std::array<std::array<std::uint64_t, 256>, 3> weight{};
+  std::uint64_t total = 0;
+  for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
+    const std::uint64_t alpha = texture.rgba[i + 3];
+    total += alpha;
+    for (std::size_t c = 0; c < 3; ++c) weight[c][texture.rgba[i + c]] += alpha;
+  }
+  f64::Number3 mean(0.0);
+  if (total == 0) return mean;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    for (std::size_t code = 0; code < 256; ++code)
+      sum += static_cast<double>(weight[c][code]) * det::srgbDecode(static_cast<double>(code) / 255.0);
+    mean[static_cast<int>(c)] = sum / static_cast<double>(total);
+  }
+  return mean;
+}
+
+bool isOpaque(const geometry::Texture& texture) {
+  for (std::size_t i = 3; i < texture.rgba.size(); i += 4)
+    if (texture.rgba[i] != 255) return false;
+  return true;
+}
+
+}  // namespace welkin::loader

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/sectors/level_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sky/model/projection.h"
+
+namespace welkin::sectors {
+namespace {
+
+transfer::LightAt lightAt(const model::Light& light, double time_h) {
+  return {light.path.directionAt(time_h), light.normalIrradianceAt(time_h)};
+}
+
+/// Adds `factor` times what a probe gives a normal.
+void add(const transfer::ProbeIrradiance& probe, const Number3& normal, double factor, LevelIrradiance& sum) {
+  const auto weight = transfer::shadingWeights(normal);
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) {
+    sum.sky += probe.sky[b] * (factor * weight[b]);
+    sum.sun_bounce += probe.sun_bounce[b] * (factor * weight[b]);
+    sum.local += probe.local[b] * (factor * weight[b]);
+  }
+}
+
+LevelIrradiance positive(const LevelIrradiance& e) {
+  const auto clamped = [](const Number3& v) {
+    return Number3(std::max(v.x, 0.0), std::max(v.y, 0.0), std::max(v.z, 0.0));
+  };
+  return {clamped(e.sky), clamped(e.sun_bounce), clamped(e.local)};
+}
+
+/// The room of the sector that a position is in, if any.
+const geometry::Room* roomAt(const SectorFile& file, const Number3& position) {
+  const auto found = std::find_if(file.room.begin(), file.room.end(),
+                                  [&](const geometry::Room& room) { return geometry::contains(room.box, position); });
+  return found == file.room.end() ? nullptr : &*found;
+}
+
+/// Whether the probe is in the room, or, without one, outside of all. Sectors share a room by its box.
+bool isIn(const SectorFile& file, std::uint8_t probe, const geometry::Room* room) {
+  const std::size_t number = file.in_room.empty() ? 0 : file.in_room[probe];
+  return room == nullptr ? number == 0 : number > 0 && file.room[number - 1].box == room->box;
+}
+
+int floorToInt(double v) {
+  return static_cast<int>(std::floor(v));
+}
+
+}  // namespace
+
+std::array<Number3, 4> skyShAt(const model::Sky& sky, double time_h) {
+  constexpr double kTolerance = 1e-6;
+  const model::SkyInstant instant(sky, time_h);
+  const auto moments = model::SkyProjector(sky.luminance, 2, kTolerance).project(instant);
+  const double saturation = sky.ambient_saturation.at(time_h);
+  std::array<Number3, 4> sh{};
+  for (std::size_t i = 0; i < sh.size(); ++i)
+    sh[i] = det::desaturate(moments.radiance_sh[i] * instant.intensity(), saturation);
+  return sh;
+}
+
+LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const model::Sky& sky, double time_h,
+                       const transfer::RelightScale& scale, transfer::SkyBounce sky_bounce) {
+  const std::array<Number3, 4> sky_sh = skyShAt(sky, time_h);
+  const transfer::LightAt sun = lightAt(sky.sun, time_h);
+  const transfer::LightAt moon = sky.moon ? lightAt(*sky.moon, time_h) : transfer::LightAt{};
+  for (const SectorFile& file : sectors) {
+    const transfer::SectorProbes probes = transfer::decodedProbes(file.probes, file.id);
+    const transfer::Relight light =
+        transfer::relightAt(time_h, sky_sh, sun, moon, file.sun, probes.modes, scale, sky_bounce);
+    Sector sector{&file, {}};
+    for (std::size_t i = 0; i < probes.transfer.size(); ++i)
+      sector.probe.push_back(transfer::relit(
+          probes.transfer[i], i < probes.sun.size() ? probes.sun[i] : transfer::SunCoefficients{}, light));
+    sector_.emplace(file.id, std::move(sector));
+  }
+}
+
+LevelIrradiance LevelLight::ofProbe(const geometry::SectorId& sector, std::size_t probe, const Number3& normal) const {
+  LevelIrradiance sum;
+  add(sector_.at(sector).probe.at(probe), normal, 1.0, sum);
+  return positive(sum);
+}
+
+const transfer::ProbeIrradiance* LevelLight::probeAt(int x, double y, int z, const geometry::Room* room) const {
+  const geometry::SectorId id{floorToInt(static_cast<double>(x) / geometry::kCells),
+                              floorToInt(static_cast<double>(z) / geometry::kCells)};
+  const auto found = sector_.find(id);
+  if (found == sector_.end()) return nullptr;
+  const SectorFile& file = *found->second.file;
+  const int row = floorToInt((y - file.low_y) / file.cell_height_m);
+  if (row < 0 || row >= geometry::kCells) return nullptr;
+  const int cell =
+      x - geometry::kCells * id.x + geometry::kCells * (row + geometry::kCells * (z - geometry::kCells * id.z));
+  const std::uint8_t probe = file.grid[static_cast<std::size_t>(cell)];
+  return probe == geometry::kNoProbe || !isIn(file, probe, room) ? nullptr : &found->second.probe[probe];
+}
+
+std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Number3& normal, double push_m) const {
+  const Number3 p = position + normal * push_m;
+  const double x = p.x / geometry::kCell_m - 0.5;
+  const double z = p.z / geometry::kCell_m - 0.5;
+  const auto home = sector_.find({floorToInt(p.x / geometry::kSector_m), floorToInt(p.z / geometry::kSector_m)});
+  if (home == sector_.end()) return std::nullopt;
+  const double height = home->second.file->cell_height_m;
+  const double low_y = home->second.file->low_y;
+  const double y = (p.y - low_y) / height - 0.5;
+  const geometry::Room* room = roomAt(*home->second.file, p);
+  LevelIrradiance sum;
+  double total = 0.0;
+  for (const int dz : {0, 1})
+    for (const int dy : {0, 1})
+      for (const int dx : {0, 1}) {
+        const auto share = [](double v, int d) { return d == 1 ? v - std::floor(v) : 1.0 - (v - std::floor(v)); };
+        const double w = share(x, dx) * share(y, dy) * share(z, dz);
+        const transfer::ProbeIrradiance* probe =
+            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz, room);
+        if (probe == nullptr || !(w > 0.0)) continue;
+        total += w;
+        add(*probe, normal, w, sum);
+      }
+  if (!(total > 0.0)) {
+    if (room == nullptr || room->probe == geometry::kNoProbe) return std::nullopt;
+    add(home->second.probe[room->probe], normal, 1.0, sum);
+    return positive(sum);
+  }
+  sum.sky = sum.sky / total;
+  sum.sun_bounce = sum.sun_bounce / total;
+  sum.local = sum.local / total;
+  return positive(sum);
+}
+
+}  // namespace welkin::sectors

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/bake/certify.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sh/spiral.h"
+#include "sky/base/error.h"
+
+namespace welkin::bake {
+namespace {
+
+using det::Number3;
+using table::DayInstant;
+
+constexpr int kFullNormals = 642;
+constexpr double kFullTolerance = 1e-5;
+constexpr std::size_t kQuadratureChecks = 24;  ///< instants at which the moments are compared with finer ones
+constexpr double kConverged = 1e-9;
+constexpr std::size_t kInstantsAtOnce = 1024;  ///< bounds the memory
+
+std::vector<double> instantsOf(const Baked& baked, double step_h) {
+  std::vector<double> hours = table::hoursOfInterest(baked.sky, step_h);
+  const auto& keys = baked.table.key_time_h;
+  hours.insert(hours.end(), keys.begin(), keys.end());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double next = i + 1 < keys.size() ? keys[i + 1] : keys[0] + format::kDay_h;
+    hours.push_back(format::wrapTime(0.5 * (keys[i] + next)));
+  }
+  std::sort(hours.begin(), hours.end());
+  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
+  return hours;
+}
+
+/// Errors of an instant by channel, before they are divided.
+struct Looked {
+  double error[3] = {};
+  Number3 normal[3];
+  double sum[3] = {};
+  std::size_t normals = 0;
+
+  void at(const Number3& direction, const Number3& got, const Number3& want) {
+    ++normals;
+    for (int c = 0; c < 3; ++c) {
+      const double off = std::abs(got[c] - want[c]);
+      sum[c] += off;
+      if (off <= error[c]) continue;
+      error[c] = off;
+      normal[c] = direction;
+    }
+  }
+};
+
+class Instant {
+ public:
+  Instant(const WelkinSky* opened, const model::Sky& model, const DayInstant& at)
+      : opened_(opened), at_(at), instant_(model, at.time_h) {
+    if (welkin_sky_sample(opened, at.time_h, &sample_) != WELKIN_OK)
+      throw base::Error(base::ExitStatus::internal, "the certificate: the runtime cannot sample the baked sky");
+    const Number3& sun = instant_.sunDirection();
+    const double length = det::horizontalLength(sun);
+    along_ = length > 0.0 ? Number3(sun.x / length, 0.0, sun.z / length) : Number3(0.0, 0.0, 1.0);
+    ground_ = instant_.groundRadiance(at.field.moments.horizontal_irradiance);
+  }
+
+  /// Of a normal of the sun's frame, on one side of the sun's plane or the other.
+  Number3 inWorld(const Number3& n, double side) const {
+    return along_ * n.z + Number3(along_.z, 0.0, -along_.x) * (side * n.x) + Number3(0.0, n.y, 0.0);
+  }
+  const model::SkyInstant& model() const { return instant_; }
+
+  /// `shape`: the sky's irradiance there at intensity 1.
+  void look(const Number3& normal, const Number3& shape, Looked& looked) const {
+    const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    float e[3];
+    welkin_sky_irradiance(opened_, &sample_, n, e);
+    const Number3 want =
+        det::desaturate(shape * at_.intensity + ground_ * det::groundIrradiance(normal.y), at_.saturation);
+    looked.at(normal, {double{e[0]}, double{e[1]}, double{e[2]}}, want);
+  }
+
+ private:
+  const WelkinSky* opened_;
+  const DayInstant& at_;
+  model::SkyInstant instant_;
+  WelkinSkySample sample_{};
+  Number3 along_, ground_;
+};
+
+Looked lookAt(const Instant& instant, const table::DayValues& day, std::size_t i) {
+  Looked looked;
+  const std::size_t normals = day.grid->count();
+  for (std::size_t p = 0; p < normals; ++p)
+    instant.look(instant.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0), day.value[i * normals + p],
+                 looked);
+  return looked;
+}
+
+/// Largest difference between the irradiance of the moments that were baked and of converged ones.
+double quadratureOf(const Baked& baked, double brightest, const table::ErrorGrid& grid,
+                    const table::Progress& progress) {
+  std::vector<double> hours;
+  for (std::size_t i = 0; i < kQuadratureChecks; ++i)
+    hours.push_back(format::kDay_h * (static_cast<double>(i) + 0.5) / kQuadratureChecks);
+  const model::IrradianceRule* circles = baked.quadrature.circles;
+  const table::DayFields fields = table::sampleDay(baked.sky, hours, brightest, progress,
+                                                   circles != nullptr ? *circles : model::kIrradianceRules[0]);
+  const table::DayValues day(fields, grid);
+  const int bands = model::IrradianceProjector::kBands;
+  const model::SkyProjector converged(baked.sky.luminance, bands, kConverged);
+  const model::SkyProjector as_baked(baked.sky.luminance, bands, std::max(baked.quadrature.tolerance, kConverged));
+  const table::Representation r = table::coefficientsOf(day, bands, false);
+  std::vector<double> error(hours.size());
+  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
+    const model::SkyInstant instant(baked.sky, hours[i]);
+    const auto rowsOf = [&](const model::PolarMoments& moments) {
+      std::vector<Number3> rows = moments.radiance_sh;
+      if (r.rows > r.functions) rows.push_back(moments.horizontal_irradiance);
+      return rows;
+    };
+    const auto was = rowsOf(circles == nullptr ? as_baked.projectPolar(instant) : fields.instant[i].field.moments);
+    error[i] = table::differenceOf(day, r, i, was, rowsOf(converged.projectPolar(instant)));
+  });
+  return *std::max_element(error.begin(), error.end());
+}
+
+/// What the fast reference may itself be off by, as an error is divided: what every sky's may, or what it leaves out of
+/// this one.
+double referenceErrorOf(const model::Sky& model, const std::vector<DayInstant>& instants) {
+  const model::IrradianceProjector projector(model.luminance);
+  double worst = 0.0;
+  for (const DayInstant& at : instants)
+    for (int c = 0; c < 3; ++c) {
+      if (!(at.divisor[c] > 0.0)) continue;
+      const double share = at.field.mean[c] * at.intensity / at.divisor[c];
+      worst =
+          std::max(worst, share * std::max(model::IrradianceProjector::kError, projector.truncationOf(at.field, c)));
+    }
+  return worst;
+}
+
+/// Sum of errors over channels and normals, and how many those were.
+struct Mean {
+  double sum = 0.0, weight = 0.0;
+};
+
+/// Adds what a share of the instants shows.
+void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::DayValues& day,
+         const table::Progress& progress, table::Certificate& certificate, Mean& mean) {
+  const auto& instants = day.day->instant;
+  static const std::vector<Number3> kSpread = [] {
+    std::vector<Number3> directions;
+    for (int i = 0; i < kFullNormals; ++i) directions.push_back(sh::onSpiral(1.0 - (2.0 * i + 1.0) / kFullNormals, i));
+    return directions;
+  }();
+  const model::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
+  std::vector<Looked> looked(instants.size());
+  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {
+    const Instant instant(opened, baked.sky, instants[i]);
+    looked[i] = lookAt(instant, day, i);
+    if (how != Certify::full) return;
+    for (const Number3& n : kSpread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
+    if (!progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted; finished files are kept");
+  });
+  for (std::size_t i = 0; i < looked.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double divisor = instants[i].divisor[c];
+      if (!(divisor > 0.0)) continue;
+      mean.sum += looked[i].sum[c] / divisor;
+      mean.weight += static_cast<double>(looked[i].normals);
+      if (looked[i].error[c] / divisor <= certificate.max_error) continue;
+      certificate.max_error = looked[i].error[c] / divisor;
+      certificate.time_h = instants[i].time_h;
+      certificate.normal = looked[i].normal[c];
+      certificate.channel = c;
+    }
+  certificate.instants += looked.size();
+  certificate.reference_error = std::max(certificate.reference_error, referenceErrorOf(baked.sky, instants));
+  const auto parts = table::partsOf(day, table::atHoursOf(day, baked.representation), baked.table, baked.encoding);
+  certificate.parts.truncation = std::max(certificate.parts.truncation, parts.truncation);
+  certificate.parts.time = std::max(certificate.parts.time, parts.time);
+  certificate.parts.encoding = std::max(certificate.parts.encoding, parts.encoding);
+}
+
+}  // namespace
+
+std::size_t certifySteps(const Baked& baked, Certify how) {
+  return instantsOf(baked, kMinute_h).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
+}
+
+table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const table::Progress& progress,
+                           double step_h) {
+  const double brightest = table::brightestOf(baked.sky);
+  const table::ErrorGrid grid;
+  table::Certificate certificate;
+  certificate.method = how == Certify::full ? table::Certificate::Method::full : table::Certificate::Method::fast;
+  Mean mean;
+  const std::vector<double> hours = instantsOf(baked, step_h);
+  for (std::size_t first = 0; first < hours.size(); first += kInstantsAtOnce) {
+    const std::size_t last = std::min(first + kInstantsAtOnce, hours.size());
+    const table::DayFields fields = table::sampleDay(
+        baked.sky,
+        {hours.begin() + static_cast<std::ptrdiff_t>(first), hours.begin() + static_cast<std::ptrdiff_t>(last)},
+        brightest, progress);
+    add(opened, baked, how, table::DayValues(fields, grid), progress, certificate, mean);
+  }
+  certificate.mean_error = mean.weight > 0.0 ? mean.sum / mean.weight : 0.0;
+  certificate.parts.quadrature = quadratureOf(baked, brightest, grid, progress);
+  return certificate;
+}
+
+}  // namespace welkin::bake

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// sky.toml: what an artist writes. docs/sky_file.md describes every key.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sky/bake/bake_settings.h"
+#include "sky/model/path_check.h"
+#include "sky/model/sky.h"
+
+namespace welkin::bake {
+
+/// A file that was read: its name as written in sky.toml (sky.toml's own name without folders) and XXH3-128.
+struct Input {
+  std::string name;
+  std::filesystem::path path;
+  std::uint64_t xxh3_low = 0;
+  std::uint64_t xxh3_high = 0;
+};
+
+Input inputOf(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+struct SkyFile {
+  model::Sky sky;
+  BakeSettings bake;
+  std::string settings;  ///< sky.toml as JSON, keys sorted
+  std::vector<Input> inputs;
+  std::vector<model::Warning> warnings;  ///< messages begin with sky.toml's name, without folders, and the line
+};
+
+/// Reads and checks a sky file and the images it names (relative to it). Throws Error.
+SkyFile readSkyFile(const std::filesystem::path& path);
+
+}  // namespace welkin::bake

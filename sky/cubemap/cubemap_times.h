@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where cubemaps sit in the day: the fewest times between which a linear blend of the model's dome stays close to it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sky/cubemap/cubemap_error.h"
+
+namespace welkin::cubemap {
+
+using det::Number3;
+
+/// The dome at candidate times, whole milliseconds of the day: every minute and where the sky bends.
+class DomeDay {
+ public:
+  explicit DomeDay(const model::Sky& sky, const table::Progress& progress = {});
+
+  /// Ascending, distinct, in [0, 24).
+  const std::vector<double>& time_h() const { return time_h_; }
+
+  /// More candidates; those that are there already are left out.
+  void add(const std::vector<double>& time_h, const table::Progress& progress = {});
+
+  /// The error, as CubemapError's, at candidate `at` of a blend between candidates `first` and `second` > first;
+  /// indices past the last are of the next day. `second` = `first` plus all candidates: of one cubemap alone.
+  double blendError(std::size_t first, std::size_t second, std::size_t at) const;
+
+  /// The fewest candidates, ascending, such that the blend's error at no other candidate is past that one's tolerance
+  /// (each > 0), or close to the fewest: from each of a few first ones the farthest next one is taken, again and again.
+  /// Empty when there are more than `most`.
+  std::vector<std::size_t> place(std::span<const double> tolerance, std::size_t most) const;
+
+  /// As place, from one first candidate: quicker, at times one more.
+  std::vector<std::size_t> placeQuickly(std::span<const double> tolerance, std::size_t most) const;
+
+ private:
+  void render(std::size_t index);
+  bool holds(std::size_t first, std::size_t second, std::span<const double> tolerance) const;
+  std::vector<std::size_t> placeFrom(std::size_t start, std::span<const double> tolerance, std::size_t most) const;
+  std::vector<std::size_t> starts() const;
+
+  const model::Sky* sky_;
+  DomeScale scale_;
+  DomeDirections directions_;
+  std::vector<double> time_h_;
+  std::vector<double> bend_h_;
+  std::vector<std::vector<float>> radiance_;  ///< of a candidate: direction, RGB
+  std::vector<Number3> scale_of_;             ///< of a candidate, each channel
+};
+
+}  // namespace welkin::cubemap

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dome as an EXR file: half floats, with the attributes envmap, chromaticities and whiteLuminance, without a date.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sky/cubemap/cubemap.h"
+
+namespace welkin::cubemap {
+
+/// The bytes of a scanline EXR, ZIP-compressed. `layout` is exr_cube or exr_latlong and becomes the `envmap` attribute;
+/// `luminance_unit` (cd/m2 of radiance 1) becomes `whiteLuminance`. `progress` is asked now and then, as in
+/// bakeDayTable.
+std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
+                                 const table::Progress& progress = {});
+
+}  // namespace welkin::cubemap

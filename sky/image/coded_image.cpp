@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/image/coded_image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <string_view>
+
+#include "sky/base/error.h"
+#include "sky/image/image_header.h"
+#include "sky/image/image_module.h"
+
+namespace welkin::image {
+namespace {
+
+/// OpenImageIO's name of the format, or "webp"; empty for none that is read.
+const char* formatOf(const std::string& name, std::string_view start) {
+  using namespace std::string_view_literals;
+  if (start.starts_with("\x89PNG"sv)) return "png";
+  if (start.starts_with("\xff\xd8\xff"sv)) return "jpeg";
+  if (start.starts_with("RIFF"sv) && start.substr(std::min<std::size_t>(8, start.size())).starts_with("WEBP"sv))
+    return "webp";
+  if (start.starts_with("BM"sv)) return "bmp";
+  std::string end = name.substr(name.size() - std::min<std::size_t>(4, name.size()));
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return end == ".tga" ? "targa" : "";
+}
+
+}  // namespace
+
+CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string_view format = formatOf(name, text);
+  if (format.empty())
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: not a texture that can be read: PNG, JPEG, WebP, BMP and Targa are", name));
+  std::istringstream stream{std::string(text)};
+  if (const auto why = whyHeaderUnusable(stream, format, limits.largest_side))
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
+  return imageModule().decode(name, format.data(), bytes, limits);
+}
+
+}  // namespace welkin::image

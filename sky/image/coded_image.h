@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images as a texture stores them: codes of 8 bits, not decoded to light.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sky/image/image.h"
+
+namespace welkin::image {
+
+/// Red, green, blue and alpha of every texel, rows from the top. Colours are not multiplied by alpha.
+struct CodedImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Decodes the bytes of a PNG, JPEG, WebP, BMP or Targa file. One channel is grey, two are grey and alpha; without
+/// alpha it is 255; 16 bits are rounded to 8. Colour spaces that the file names are left alone (glTF 2.0, 3.8.3). The
+/// format is what the first bytes say, Targa's what the name's end says. Errors: Error(content) for a damaged or
+/// foreign image, an animation, and a size out of the limits, naming `name`.
+CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits = {});
+
+}  // namespace welkin::image

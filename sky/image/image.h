@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colour images: read from PNG, OpenEXR, TIFF, JPEG, Radiance HDR and PNM files, written as PNG.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace welkin::image {
+
+/// OpenEXR's `envmap` attribute.
+enum class EnvironmentMap { none, cube, latlong };
+
+/// Linear Rec. 709, rows from the top.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;
+  EnvironmentMap envmap = EnvironmentMap::none;
+};
+
+/// What an image may hold.
+struct ImageLimits {
+  int largest_side = 16384;
+  std::size_t most_texels = std::size_t{1} << 24;
+  bool negative = false;  ///< whether finite values below 0 are allowed
+};
+
+/// Reads the first subimage. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names a
+/// gamma; floating-point images are linear. One channel is grey; alpha is ignored. The format is what the file's first
+/// bytes say, whatever its name.
+/// Errors: Error(file) for a file that cannot be read; Error(content) for a damaged or foreign one, more texels than
+/// the limits and a value out of them, naming file, column, row (from the top), channel and value.
+Image readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
+
+/// The bytes of a PNG of width x height sRGB-encoded RGB texels, rows from the top.
+std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint16_t> rgb);
+
+/// A line of text, its middle at texel (x, y), `size` texels high, in a TrueType font's file.
+struct Caption {
+  int x = 0;
+  int y = 0;
+  int size = 0;
+  std::string text;
+  std::string font;
+};
+
+/// Draws light grey text into width x height RGB texels.
+void drawCaption(int width, int height, std::span<std::uint8_t> rgb, const Caption& caption);
+
+}  // namespace welkin::image

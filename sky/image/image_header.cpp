@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/image/image_header.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <fstream>
+
+#include "sky/base/error.h"
+
+namespace welkin::image {
+namespace {
+
+using Refusal = std::optional<std::string>;
+
+/// A file read front to back, whose length is known.
+struct Reader {
+  std::istream& stream;
+  std::streamoff end = 0;
+
+  explicit Reader(std::istream& file) : stream(file) {
+    stream.seekg(0, std::ios::end);
+    end = stream.tellg();
+  }
+  std::streamoff place() { return stream.tellg(); }
+  void moveTo(std::streamoff place) { stream.seekg(place); }
+
+  std::uint32_t number(std::endian order) {
+    std::array<char, 4> bytes{};
+    stream.read(bytes.data(), bytes.size());
+    if (order == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      value |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    return value;
+  }
+  std::int64_t exrInt() { return static_cast<std::int32_t>(number(std::endian::little)); }
+
+  /// A terminated name; OpenEXR's have at most 255 bytes.
+  std::string exrName() {
+    std::string name;
+    for (char c = '\0'; name.size() < 256 && stream.get(c) && c != '\0';) name.push_back(c);
+    return name;
+  }
+};
+
+/// Of one attribute's value, at which the reader stands.
+Refusal whyValueImpossible(Reader& file, const std::string& name, const std::string& type, std::int64_t largest_side) {
+  if (type == "box2i" && name == "dataWindow") {
+    std::int64_t v[4];
+    for (auto& number : v) number = file.exrInt();
+    const std::int64_t width = v[2] - v[0] + 1;
+    const std::int64_t height = v[3] - v[1] + 1;
+    if (std::max(width, height) > largest_side)
+      return fmt::format("{} x {} texels; 1 to {} a side are allowed", width, height, largest_side);
+  } else if (type == "tiledesc") {
+    const std::int64_t width = file.number(std::endian::little);
+    const std::int64_t height = file.number(std::endian::little);
+    if (std::max(width, height) > largest_side)
+      return fmt::format("tiles of {} x {} texels; 1 to {} a side are allowed", width, height, largest_side);
+  }
+  return std::nullopt;
+}
+
+Refusal whyExrImpossible(Reader& file, int largest_side) {
+  constexpr std::streamoff kMagic = 4;
+  constexpr std::uint32_t kMultipart = 0x1000;  // of the version: headers until an empty one
+  file.moveTo(kMagic);
+  const bool multipart = (file.number(std::endian::little) & kMultipart) != 0;
+  for (bool header_ended = false; file.stream;) {
+    const std::string name = file.exrName();
+    if (name.empty()) {  // ends a header; where one should start, all of them
+      if (!multipart || header_ended) break;
+      header_ended = true;
+      continue;
+    }
+    header_ended = false;
+    const std::string type = file.exrName();
+    const std::int64_t size = file.exrInt();
+    const std::streamoff at = file.place();
+    if (!file.stream) break;
+    if (size < 0 || size > file.end - at)
+      return fmt::format("the attribute {} has {} bytes; the file ends {} bytes on", name, size, file.end - at);
+    if (const auto why = whyValueImpossible(file, name, type, largest_side)) return why;
+    file.moveTo(at + size);
+  }
+  return std::nullopt;
+}
+
+Refusal whyPngImpossible(Reader& file) {
+  constexpr std::streamoff kSignature = 8;
+  constexpr std::uint32_t kEnd = 0x49454e44;  // "IEND"
+  constexpr std::streamoff kChecksum = 4;
+  file.moveTo(kSignature);
+  while (file.stream) {
+    const std::int64_t length = file.number(std::endian::big);
+    const bool last = file.number(std::endian::big) == kEnd;
+    const std::streamoff at = file.place();
+    if (!file.stream || last) break;
+    if (length > file.end - at)
+      return fmt::format("a chunk has {} bytes; the file ends {} bytes on", length, file.end - at);
+    file.moveTo(at + length + kChecksum);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Refusal whyHeaderUnusable(const std::filesystem::path& path, std::string_view format, int largest_side) {
+  std::ifstream stream(path, std::ios::binary);
+  return whyHeaderUnusable(stream, format, largest_side);
+}
+
+Refusal whyHeaderUnusable(std::istream& stream, std::string_view format, int largest_side) {
+  Reader file(stream);
+  if (format == "openexr") return whyExrImpossible(file, largest_side);
+  if (format == "png") return whyPngImpossible(file);
+  return std::nullopt;
+}
+
+void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits) {
+  if (width < 1 || height < 1 || width > limits.largest_side || height > limits.largest_side)
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: {} x {} texels; 1 to {} a side are allowed", file,
+                                                             width, height, limits.largest_side));
+  if (static_cast<std::size_t>(width * height) > limits.most_texels)
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: {} x {} texels; at most {} in all are allowed", file,
+                                                             width, height, limits.most_texels));
+}
+
+}  // namespace welkin::image

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/image/texel_decoder.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <webp/decode.h>
+
+#include <string_view>
+
+#include "sky/base/error.h"
+#include "sky/image/image_header.h"
+
+namespace welkin::image {
+namespace {
+
+constexpr int kChannels = 4;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+  throw base::Error(base::ExitStatus::content, fmt::format("{}: {}", name, why));
+}
+
+CodedImage imageOf(const std::string& name, int width, int height, const ImageLimits& limits) {
+  requireSize(name, width, height, limits);
+  const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return {width, height, std::vector<std::uint8_t>(kChannels * texels, 255)};
+}
+
+CodedImage decodeWebp(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(first, bytes.size(), &features) != VP8_STATUS_OK) refuse(name, "damaged or cut WebP");
+  if (features.has_animation != 0) refuse(name, "an animation; a texture is one picture");
+  CodedImage image = imageOf(name, features.width, features.height, limits);
+  if (WebPDecodeRGBAInto(first, bytes.size(), image.rgba.data(), image.rgba.size(), kChannels * image.width) == nullptr)
+    refuse(name, "damaged or cut WebP");
+  return image;
+}
+
+/// Two channels are grey and alpha; one and three have no alpha, which stays 255.
+void spreadChannels(int channels, CodedImage& image) {
+  if (channels >= 3) return;
+  for (std::size_t i = 0; i < image.rgba.size(); i += kChannels) {
+    std::uint8_t* texel = image.rgba.data() + i;
+    if (channels == 2) texel[3] = texel[1];
+    texel[1] = texel[2] = texel[0];
+  }
+}
+
+}  // namespace
+
+CodedImage decodeTexels(const std::string& name, const char* format, std::span<const std::byte> bytes,
+                        const ImageLimits& limits) {
+  if (std::string_view(format) == "webp") return decodeWebp(name, bytes, limits);
+  OIIO::geterror();
+  OIIO::attribute("limits:imagesize_MB", 4096);
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::create(format);
+  if (!input || !input->set_ioproxy(&memory))
+    throw base::Error(base::ExitStatus::file,
+                      fmt::format("{}: OpenImageIO lacks {}: {}", name, format, OIIO::geterror()));
+  OIIO::ImageSpec spec;
+  if (!input->open(std::string("texture.") + format, spec, wanted))
+    refuse(name, "damaged or cut: " + input->geterror());
+  if (spec.nchannels < 1 || spec.nchannels > kChannels)
+    refuse(name, fmt::format("{} channels; 1 to {} are allowed", spec.nchannels, kChannels));
+  CodedImage image = imageOf(name, spec.width, spec.height, limits);
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data(), kChannels))
+    refuse(name, "damaged or cut: " + input->geterror());
+  spreadChannels(spec.nchannels, image);
+  return image;
+}
+
+}  // namespace welkin::image

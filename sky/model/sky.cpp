@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/model/sky.h"
+
+#include <algorithm>
+
+namespace welkin::model {
+
+SkyInstant::SkyInstant(const Sky& sky, double time_h)
+    : sky_(&sky),
+      time_h_(format::wrapTime(time_h)),
+      sun_(sky.sun.path.directionAt(time_h)),
+      norm_(det::luminanceNorm(sky.luminance, sun_, sky.normalise_to_sun)),
+      at_right_angle_(det::exp(sky.luminance.d * det::kHalfPi)),
+      intensity_(sky.intensity.at(time_h)),
+      tint_(sky.polarising_tint.colourAt(time_h)),
+      sun_column_(columnAt(sky.gradient_sun, time_h)),
+      anti_column_(columnAt(sky.gradient_anti, time_h)) {}
+
+double SkyInstant::luminanceFrom(const IndicatrixTable& table, const Number3& direction) const {
+  const Number3 difference = direction - sun_;
+  const Number3 sum = direction + sun_;
+  const double to_sun = 0.25 * dot(difference, difference);
+  const double to_antipode = 0.25 * dot(sum, sum);
+  return det::gradation(sky_->luminance, direction.y) *
+         det::indicatrixFrom(sky_->luminance, table.exponential(to_sun, to_antipode), at_right_angle_,
+                             to_antipode - to_sun) /
+         norm_;
+}
+
+Number3 SkyInstant::chromaticity(const Number3& direction) const {
+  const double elevation = det::elevationOf(direction);
+  const Number3 colour =
+      mix(anti_column_.at(elevation), sun_column_.at(elevation), det::azimuthWeight(direction, sun_));
+  return det::chromaticity(colour, kGradientDelta);
+}
+
+Number3 SkyInstant::groundRadiance(const Number3& shape_irradiance) const {
+  Number3 horizontal = shape_irradiance * intensity_ + sky_->sun.normalIrradianceAt(time_h_) * std::max(sun_.y, 0.0);
+  if (sky_->moon)
+    horizontal += sky_->moon->normalIrradianceAt(time_h_) * std::max(sky_->moon->path.directionAt(time_h_).y, 0.0);
+  return sky_->ground_albedo * horizontal / det::kPi;
+}
+
+}  // namespace welkin::model

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/table/modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sh/modes.h"
+
+namespace welkin::table {
+namespace {
+
+constexpr std::size_t kRows = model::IrradianceProjector::kRows;
+constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
+constexpr std::size_t kOrdersCompared = 12;  ///< the rest follows the others, and weighs nothing
+constexpr std::size_t kBasis = 20;
+constexpr std::size_t kSteps = 24;        ///< of the refinement: what more bring is a few hundredths
+constexpr std::size_t kSnapshots = 300;   ///< about as many are looked for modes
+constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's normals are looked at
+
+double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> ModeSet::weightsOf(const FieldChannel& channel) const {
+  const std::vector<double> v = DayModes::vectorOf(channel);
+  std::vector<double> weight;
+  for (const auto& of_mode : vector) weight.push_back(dotOf(of_mode, v));
+  return weight;
+}
+
+std::vector<double> DayModes::vectorOf(const FieldChannel& channel) {
+  std::vector<double> v;
+  v.reserve(kRows * kOrdersCompared + 2);
+  for (std::size_t r = 0; r < kRows; ++r) {
+    const auto edge = [](double row) { return det::yOfModeRow(std::clamp(row / (kRows - 1.0), 0.0, 1.0)); };
+    const double place = static_cast<double>(r);
+    const double share = edge(place + 0.5) - edge(place - 0.5);  // of the upper hemisphere
+    for (std::size_t m = 0; m < kOrdersCompared; ++m)
+      v.push_back(channel.series[r * kOrders + m] * std::sqrt(m == 0 ? share : 0.5 * share));
+  }
+  for (const std::size_t i : {model::polarIndex(1, 0), model::polarIndex(1, 1)})
+    v.push_back(channel.moment[i] / det::kShLinear / 3.0);
+  return v;
+}
+
+DayModes::DayModes(const DayFields& day, const ErrorGrid& grid) {
+  std::vector<FieldChannel> channel;
+  std::vector<std::vector<double>> vector;
+  const std::size_t apart = std::max<std::size_t>(1, day.instant.size() * 3 / kSnapshots);
+  const int channels = isGrey(*day.sky) ? 1 : 3;
+  for (std::size_t i = 0; i < day.instant.size(); i += apart)
+    for (int c = 0; c < channels; ++c) {
+      const DayInstant& at = day.instant[i];
+      if (!(at.divisor[c] > 0.0)) continue;
+      channel.push_back(FieldChannel().add(FieldChannel(at.field, c), at.intensity / at.divisor[c]));
+      vector.push_back(vectorOf(channel.back()));
+    }
+  if (channel.empty()) return;
+
+  const std::size_t dimension = vector.front().size();
+  std::vector<double> rows;
+  for (const auto& v : vector) rows.insert(rows.end(), v.begin(), v.end());
+  const sh::Modes leading = sh::leadingModes({rows, dimension}, {}, kBasis);
+  for (std::size_t k = 0; k < leading.count(); ++k) {
+    // An eigenvector of the sum of snapshots times themselves is a sum of snapshots: so is the whole field it stands
+    // for.
+    const std::vector<double> direction(leading.row(k).begin(), leading.row(k).end());
+    FieldChannel mode;
+    double energy = 0.0;
+    for (std::size_t j = 0; j < channel.size(); ++j) {
+      const double share = dotOf(direction, vector[j]);
+      mode.add(channel[j], share);
+      energy += share * share;
+    }
+    if (!(energy > 0.0)) break;
+    basis_.push_back(FieldChannel().add(mode, 1.0 / energy));
+    vector_.push_back(direction);
+  }
+  for (const auto& v : vector)
+    for (const auto& direction : vector_) snapshot_.push_back(dotOf(direction, v));
+  std::vector<std::vector<double>> value;
+  for (const FieldChannel& mode : basis_) value.push_back(grid.valuesOf(mode));
+  for (std::size_t i = 0; i < grid.count(); i += kNormalsApart)
+    for (const auto& of_mode : value) values_.push_back(of_mode[i]);
+}
+
+ModeSet DayModes::best(std::size_t count) const {
+  ModeSet set;
+  if (basis_.empty()) return set;
+  const sh::RefinedModes refined =
+      sh::refineModes({snapshot_, basis_.size()}, {}, count, sh::MaximumNorm{values_, {}}, kSteps);
+  for (std::size_t k = 0; k < refined.modes.count(); ++k) {
+    FieldChannel mode;
+    std::vector<double> vector(vector_.front().size());
+    for (std::size_t j = 0; j < basis_.size(); ++j) {
+      const double factor = refined.modes.row(k)[j];
+      mode.add(basis_[j], factor);
+      for (std::size_t i = 0; i < vector.size(); ++i) vector[i] += factor * vector_[j][i];
+    }
+    set.mode.push_back(std::move(mode));
+    set.vector.push_back(std::move(vector));
+  }
+  return set;
+}
+
+}  // namespace welkin::table

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The modes of a day's irradiance: the few functions whose combinations give every hour and channel of one sky. A
+// singular value decomposition (Eckart and Young 1936) of the irradiance over time, each instant over its mean, refined
+// for the worst instant instead of the mean square.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sky/table/day_fields.h"
+
+namespace welkin::table {
+
+/// Modes, orthonormal in the product that weights are taken with.
+struct ModeSet {
+  std::vector<FieldChannel> mode;
+  std::vector<std::vector<double>> vector;  ///< of each: as DayModes::vectorOf
+
+  std::size_t count() const { return mode.size(); }
+  /// Weights of the nearest combination of the modes.
+  std::vector<double> weightsOf(const FieldChannel& channel) const;
+};
+
+/// Finds the modes of a day.
+class DayModes {
+ public:
+  static constexpr std::size_t kMost = 12;  ///< that a file may hold
+
+  DayModes(const DayFields& day, const ErrorGrid& grid);
+
+  /// The best `count` modes, 1 to kMost, or fewer when the day has no more.
+  ModeSet best(std::size_t count) const;
+
+  /// A field as a vector whose length is its root mean square over the upper normals: series times the roots of the
+  /// rows' solid angles, and the vector irradiance.
+  static std::vector<double> vectorOf(const FieldChannel& channel);
+
+ private:
+  std::vector<FieldChannel> basis_;  ///< more modes than a file may hold: they span the day
+  std::vector<std::vector<double>> vector_;
+  std::vector<double> snapshot_;  ///< coefficients of the day's channels in that basis, over their divisors
+  std::vector<double> values_;    ///< of the basis at normals: normal, mode
+};
+
+/// The map of modes that a file holds: texels at the centres, less a sixteenth of the second differences, which centres
+/// the error of a bilinear curve instead of leaving it on one side.
+ModeTable mapOf(const ModeSet& modes, int columns, int rows, int bands);
+
+/// What a GPU reads from the map at the grid's normals: normal, mode.
+std::vector<double> mapValues(const ModeTable& map, const ErrorGrid& grid);
+
+}  // namespace welkin::table

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/table/plan.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sky/base/error.h"
+
+namespace welkin::table {
+
+using det::Number3;
+namespace {
+
+/// Maps of modes that are tried, by growing bytes.
+struct MapSize {
+  int columns, rows;
+};
+constexpr MapSize kMaps[] = {{5, 3}, {5, 5}, {9, 5}, {9, 7}, {9, 9}, {9, 13}, {13, 13}, {17, 17}, {17, 25}, {25, 25}};
+constexpr Encoding kEncodings[] = {Encoding::fixed8, Encoding::fixed16, Encoding::float16, Encoding::float32};
+
+/// What a minimax fit may take off an error; it costs 0.2 s a day, so only what comes as close is fitted.
+constexpr double kWorthFitting = 1.7;
+constexpr int kFallbackBands = 3;          // of samples, beside modes, when nobody says
+constexpr std::size_t kInstantsApart = 4;  // in the first look at a way; keys are placed with all of them
+
+/// The largest error at keys of every so many instants.
+double errorAtKeys(const DayValues& day, const Representation& r) {
+  std::vector<double> error((day.day->instant.size() + kInstantsApart - 1) / kInstantsApart);
+  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
+    const std::size_t at = i * kInstantsApart;
+    error[i] = errorOf(day, r, at, {r.weight.data() + at * r.rows, r.rows}).value;
+  });
+  return *std::max_element(error.begin(), error.end());
+}
+
+/// Indices of the instants at fixed keys; every one was sampled.
+std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<double>& time_h) {
+  std::vector<std::size_t> keys;
+  for (std::size_t i = 0; i < day.day->instant.size(); ++i)
+    if (std::binary_search(time_h.begin(), time_h.end(), day.day->instant[i].time_h)) keys.push_back(i);
+  return keys;
+}
+
+class Search {
+ public:
+  Search(const DayValues& day, const PlanRequest& request, const Progress& progress)
+      : day_(day), request_(request), progress_(progress) {
+    plan_.bytes = SIZE_MAX;
+  }
+
+  DayPlan run() {
+    collect();
+    if (ways_.empty()) return std::move(plan_);
+    least_keys_ = leastKeys();
+    const auto closest = std::min_element(ways_.begin(), ways_.end(), byError);
+    const double close_enough = request_.max_error;
+    tryAll([&](const Way& way) { return way.choice.error <= close_enough; });
+    for (Way& way : ways_)
+      if (mayFit(way) && way.choice.error > close_enough && way.choice.error < kWorthFitting * close_enough &&
+          leastBytes(way.representation, kEncodings[0]) < plan_.bytes) {
+        step();
+        fitWeights(day_, way.representation);
+        way.choice.name = way.representation.name();
+        way.choice.error = errorAtKeys(day_, way.representation);
+        way.fitted = true;
+      }
+    tryAll([&](const Way& way) { return way.fitted && way.choice.error <= close_enough; });
+    if (!plan_.met) takeTheBest(*closest);
+    for (Way& way : ways_) plan_.considered.push_back(std::move(way.choice));
+    return std::move(plan_);
+  }
+
+ private:
+  /// A way to hold the day, and what became of it.
+  struct Way {
+    Representation representation;
+    PlanChoice choice;
+    bool fitted = false;
+  };
+  static bool byError(const Way& a, const Way& b) { return a.choice.error < b.choice.error; }
+  bool mayFit(const Way& way) const {
+    return way.representation.modes || request_.reconstruction != Reconstruction::projected;
+  }
+
+  void step() const {
+    if (progress_ && !progress_()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+  }
+  void add(Representation r) {
+    step();
+    const double error = errorAtKeys(day_, r);
+    std::string name = r.name();
+    ways_.push_back({std::move(r), {std::move(name), error}});
+  }
+  void collect() {
+    if (request_.reconstruction != Reconstruction::modes)
+      for (int bands = request_.bands.value_or(2); bands <= request_.bands.value_or(5); ++bands)
+        if (bands != 4 || request_.bands)  // irradiance has no band 3: it would see three bands
+          add(coefficientsOf(day_, bands, request_.reconstruction == Reconstruction::fitted));
+    if (request_.reconstruction && request_.reconstruction != Reconstruction::modes) return;
+    const DayModes modes(*day_.day, *day_.grid);
+    const int bands = request_.bands.value_or(kFallbackBands);
+    for (std::size_t count = 1; count <= DayModes::kMost; ++count) {
+      const ModeSet set = modes.best(count);
+      if (set.count() < count) break;  // the day has no more
+      const std::vector<Number3> weights = weightsOf(day_, set);
+      const MapSize& finest = kMaps[std::size(kMaps) - 1];
+      add(modesOf(day_, set, weights, finest.columns, finest.rows, bands));
+      if (ways_.back().choice.error > kWorthFitting * request_.max_error) continue;
+      for (const MapSize& map : kMaps)
+        if (&map != &finest) add(modesOf(day_, set, weights, map.columns, map.rows, bands));
+    }
+  }
+
+  /// Keys that the way with the least error takes: no other takes much fewer.
+  std::size_t leastKeys() const {
+    if (!request_.key_time_h.empty()) return request_.key_time_h.size();
+    const auto closest = std::min_element(ways_.begin(), ways_.end(), byError);
+    return std::max<std::size_t>(1, placeKeys(day_, closest->representation, request_.max_error).size());
+  }
+  std::size_t bytesOfKey(const Representation& r, Encoding encoding) const {
+    const std::size_t channels = isGrey(*day_.day->sky) ? 1 : 3;
+    return 8 + r.rows * channels * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
+  }
+  std::size_t leastBytes(const Representation& r, Encoding encoding) const {
+    return r.fixedBytes() + least_keys_ * bytesOfKey(r, encoding);
+  }
+
+  /// Tries what `wanted` accepts, by growing least bytes, until nothing left can be smaller than the best.
+  template <typename Wanted>
+  void tryAll(Wanted&& wanted) {
+    struct Candidate {
+      Way* way;
+      Encoding encoding;
+      std::size_t least_bytes;
+    };
+    std::vector<Candidate> candidates;
+    for (Way& way : ways_)
+      for (const Encoding encoding : kEncodings)
+        if (wanted(way) && (!request_.encoding || encoding == *request_.encoding))
+          candidates.push_back({&way, encoding, leastBytes(way.representation, encoding)});
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.least_bytes < b.least_bytes; });
+    for (const Candidate& c : candidates)
+      if (c.least_bytes < plan_.bytes) tryOne(*c.way, c.encoding);
+  }
+
+  /// Keys for an error that is lowered until the stored numbers keep what was asked for.
+  void tryOne(Way& way, Encoding encoding) {
+    const Representation& r = way.representation;
+    double aim = request_.max_error;
+    for (int attempt = 0; attempt < 5 && aim >= way.choice.error; ++attempt) {
+      step();
+      const std::size_t most_keys = (plan_.bytes - r.fixedBytes()) / bytesOfKey(r, encoding);
+      const auto keys =
+          request_.key_time_h.empty() ? placeKeys(day_, r, aim, most_keys) : fixedKeys(day_, request_.key_time_h);
+      if (keys.empty()) return;
+      DayTable table = tableAt(day_, r, keys);
+      const std::size_t bytes = bytesOf(r, table, encoding);
+      if (bytes >= plan_.bytes) return;
+      const double error = errorOf(day_, r, table, encoding).value;
+      if (error <= request_.max_error) {
+        plan_.met = true;
+        plan_.representation = r;
+        plan_.table = std::move(table);
+        plan_.encoding = encoding;
+        plan_.predicted_error = error;
+        plan_.bytes = way.choice.bytes = bytes;
+        way.choice.keys = keys.size();
+        return;
+      }
+      if (!request_.key_time_h.empty()) return;
+      aim = std::min(aim - (error - request_.max_error), 0.98 * aim);
+    }
+  }
+
+  /// Where the error cannot be met: every instant a key, nothing rounded.
+  void takeTheBest(const Way& way) {
+    plan_.representation = way.representation;
+    plan_.encoding = request_.encoding.value_or(Encoding::float32);
+    std::vector<std::size_t> keys(day_.day->instant.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = i;
+    if (!request_.key_time_h.empty()) keys = fixedKeys(day_, request_.key_time_h);
+    plan_.table = tableAt(day_, plan_.representation, keys);
+    plan_.predicted_error = errorOf(day_, plan_.representation, plan_.table, plan_.encoding).value;
+    plan_.bytes = bytesOf(plan_.representation, plan_.table, plan_.encoding);
+  }
+
+  const DayValues& day_;
+  const PlanRequest& request_;
+  const Progress& progress_;
+  std::vector<Way> ways_;
+  std::size_t least_keys_ = 1;
+  DayPlan plan_;
+};
+
+}  // namespace
+
+std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding encoding) {
+  const std::size_t row_scales = format::hasRowScale(encoding) ? 4 * table.numbersOfKey() : 0;
+  const std::size_t of_key =
+      8 + table.numbersOfKey() * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
+  return r.fixedBytes() + table.key_time_h.size() * of_key + row_scales;
+}
+
+DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress) {
+  return Search(day, request, progress).run();
+}
+
+}  // namespace welkin::table

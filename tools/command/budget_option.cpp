@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command/budget_option.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "command/sky_plan.h"
+#include "sky/bake/sky_domain.h"
+
+namespace welkin::command {
+namespace {
+
+/// CLI::Range takes a NaN for a number within it.
+std::string notNan(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "must be a number" : "";
+}
+
+}  // namespace
+
+void BudgetOption::addTo(CLI::App& command) {
+  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;
+  std::vector<std::string> names;
+  std::string meaning = "A named budget:";
+  for (const Quality& q : kQualities) {
+    names.emplace_back(q.name);
+    meaning += fmt::format(" {} {:g} %{}", q.name, 100.0 * q.max_error, &q == std::end(kQualities) - 1 ? "" : ",");
+  }
+  auto* error = command
+                    .add_option("--max-error", max_error,
+                                "The largest error that the bake may make, a fraction of the mean irradiance")
+                    ->check(CLI::Range(range.low, range.high) & CLI::Validator(notNan, ""));
+  command.add_option("--quality", quality, meaning)->check(CLI::IsMember(names))->excludes(error);
+}
+
+void BudgetOption::applyTo(bake::BakeSettings& bake) const {
+  if (max_error > 0.0) bake.max_error = max_error;
+  for (const Quality& q : kQualities)
+    if (quality == q.name) bake.max_error = q.max_error;
+}
+
+}  // namespace welkin::command

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options that state an error budget, of bake, plan and study alike.
+#pragma once
+
+#include <string>
+
+#include "sky/bake/sky_file.h"
+
+namespace CLI {
+class App;
+}
+
+namespace welkin::command {
+
+/// --max-error and --quality, of which one may be given.
+struct BudgetOption {
+  double max_error = 0.0;  ///< 0: not given
+  std::string quality;     ///< empty: not given
+
+  void addTo(CLI::App& command);
+  /// In place of the sky file's own.
+  void applyTo(bake::BakeSettings& bake) const;
+};
+
+}  // namespace welkin::command

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands of the welkin command line: each adds its own to the app, whose parsing runs it. They throw Error.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace welkin::command {
+
+void addInit(CLI::App& app);
+void addBake(CLI::App& app);
+void addMerge(CLI::App& app);
+void addPlan(CLI::App& app);
+void addProject(CLI::App& app);
+void addInspect(CLI::App& app);
+void addValidate(CLI::App& app);
+void addEval(CLI::App& app);
+void addSample(CLI::App& app);
+void addReference(CLI::App& app);
+void addStudy(CLI::App& app);
+void addRender(CLI::App& app);
+
+}  // namespace welkin::command

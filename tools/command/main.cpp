@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin: bakes skies and shows what was baked. Results go to stdout, everything else to stderr.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include "command/arguments.h"
+#include "command/commands.h"
+#include "command/version.h"
+#include "sh/arithmetic.h"
+#include "sky/base/error.h"
+
+namespace {
+
+int status(welkin::base::ExitStatus s) {
+  return static_cast<int>(s);
+}
+
+int fail(welkin::base::ExitStatus s, const std::string& message) {
+  std::fputs(fmt::format("welkin: {}\n", message).c_str(), stderr);  // fmt::print throws when stderr is full
+  return status(s);
+}
+
+/// What CLI11 does not say: that the first word is no command.
+void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw welkin::base::Error(welkin::base::ExitStatus::usage,
+                            fmt::format("\"{}\" is not a command; those are {}", argv[1], names));
+}
+
+int run(int argc, char** argv) {
+  using namespace welkin::command;
+  if (const char* why = welkin::sh::whyArithmeticDiffers())
+    return fail(welkin::base::ExitStatus::internal,
+                fmt::format("{}: what is baked would differ from what other machines bake. A library that was loaded "
+                            "with the program, by LD_PRELOAD perhaps, has changed the floating-point environment",
+                            why));
+  CLI::App app("Precomputed sky and ambient lighting for games.", "welkin");
+  app.set_version_flag("--version", WELKIN_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
+  for (auto* add : {addInit, addBake, addMerge, addPlan, addProject, addInspect, addValidate, addEval, addSample,
+                    addReference, addStudy, addRender})
+    add(app);
+  refuseUnknownCommand(app, argc, argv);
+  std::vector<std::string> arguments = joinSignedValues(argc, argv);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a vector
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+      return fail(welkin::base::ExitStatus::usage,
+                  fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
+    app.exit(e);  // --help and --version
+  }
+  // A full disk behind stdout is found when it is flushed.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail(welkin::base::ExitStatus::file, "stdout: cannot write the results");
+  return status(welkin::base::ExitStatus::done);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is an error of write(), not the end of the process
+  try {
+    return run(argc, argv);
+  } catch (const welkin::base::Error& e) {
+    return fail(e.status(), e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(welkin::base::ExitStatus::file, "out of memory");
+  } catch (const std::filesystem::filesystem_error& e) {
+    return fail(welkin::base::ExitStatus::file, e.what());
+  } catch (const std::system_error& e) {  // what fmt::print throws
+    return fail(welkin::base::ExitStatus::file,
+                fmt::format("{}{}", std::ferror(stdout) != 0 ? "stdout: " : "", e.what()));
+  } catch (const std::exception& e) {
+    return fail(welkin::base::ExitStatus::internal, fmt::format("internal error: {}", e.what()));
+  }
+}

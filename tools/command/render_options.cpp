@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parses the options of welkin render.
+#include "command/render_options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "command/arguments.h"
+#include "sky/base/error.h"
+
+namespace welkin::command {
+namespace {
+
+/// The value named by `text`. Throws Error(usage) that lists the names.
+template <typename Value, std::size_t N>
+Value choose(const char* option, const std::string& text, const std::pair<const char*, Value> (&values)[N]) {
+  std::string names;
+  for (const auto& [name, value] : values) {
+    if (text == name) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  throw base::Error(base::ExitStatus::usage, fmt::format("{}: '{}' is none of {}", option, text, names));
+}
+
+}  // namespace
+
+View parseView(const RenderOptions& options) {
+  if (options.view.empty() && !options.level.empty()) return View::level;
+  if (options.view.empty()) return options.times.size() > 1 ? View::sheet : View::dome;
+  return choose<View>("--view", options.view,
+                      {{"dome", View::dome},
+                       {"horizon", View::horizon},
+                       {"spheres", View::spheres},
+                       {"sheet", View::sheet},
+                       {"level", View::level}});
+}
+
+WelkinVulkanSource parseSource(const RenderOptions& options) {
+  if (options.source.empty()) return WELKIN_VULKAN_ANALYTIC;
+  return choose<WelkinVulkanSource>("--sky", options.source,
+                                    {{"analytic", WELKIN_VULKAN_ANALYTIC}, {"cubemap", WELKIN_VULKAN_CUBEMAP}});
+}
+
+render::SkyLight parseSkyLight(const RenderOptions& options) {
+  if (options.sky_light.empty())
+    return parseView(options) == View::level ? render::SkyLight::sh : render::SkyLight::both;
+  return choose<render::SkyLight>(
+      "--sky-light", options.sky_light,
+      {{"flat", render::SkyLight::flat}, {"sh", render::SkyLight::sh}, {"both", render::SkyLight::both}});
+}
+
+Size parseSize(const RenderOptions& options, Size fallback) {
+  if (options.size.empty()) return fallback;
+  Size size{};
+  int used = 0;
+  const bool parsed = std::sscanf(options.size.c_str(), "%5ux%5u%n", &size.width, &size.height, &used) == 2 &&
+                      static_cast<std::size_t>(used) == options.size.size();
+  if (!parsed || size.width < 1 || size.height < 1)
+    throw base::Error(base::ExitStatus::usage,
+                      "--size: '" + options.size + "' is not WIDTHxHEIGHT, for example 640x360");
+  return size;
+}
+
+std::optional<double> parseExposure(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  char* end = nullptr;
+  const double stops = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(stops) || std::abs(stops) > 60.0)
+    throw base::Error(base::ExitStatus::usage,
+                      "--exposure: '" + text + "' is neither auto nor a number of stops, -60 to 60");
+  return stops;
+}
+
+std::optional<f64::Number3> parseCamera(const RenderOptions& options) {
+  if (options.camera.empty()) return std::nullopt;
+  f64::Number3 p;
+  int used = 0;
+  const bool parsed = std::sscanf(options.camera.c_str(), "%lf,%lf,%lf%n", &p.x, &p.y, &p.z, &used) == 3 &&
+                      static_cast<std::size_t>(used) == options.camera.size();
+  constexpr double kFarthest = 1e6;
+  if (!parsed || !(std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest))
+    throw base::Error(base::ExitStatus::usage,
+                      "--camera: '" + options.camera + "' is not X,Y,Z in metres, each -1e6 to 1e6");
+  return p;
+}
+
+void checkOptions(const RenderOptions& options) {
+  const auto refuse = [](const std::string& why) { throw base::Error(base::ExitStatus::usage, why); };
+  if (!(options.fov_deg > 0.0 && options.fov_deg < 180.0))
+    refuse(fmt::format("--fov: {} is not above 0 and below 180 degrees", options.fov_deg));
+  if (options.pitch_deg && !(std::abs(*options.pitch_deg) <= 90.0))
+    refuse(fmt::format("--pitch: {} is not -90 to 90 degrees", *options.pitch_deg));
+  if (options.yaw_deg && !std::isfinite(*options.yaw_deg)) refuse("--yaw: must be a finite number of degrees");
+  for (const std::string& time : options.times) parseTime(time);
+  const bool level = parseView(options) == View::level;
+  const bool cubemap = parseSource(options) == WELKIN_VULKAN_CUBEMAP;
+  const render::SkyLight light = parseSkyLight(options);
+  parseExposure(options.exposure);
+  parseSize(options, {});
+  parseCamera(options);
+  if (level && options.level.empty()) refuse("--view level needs --level LEVEL.toml");
+  if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
+  if (!level && !options.probes.empty()) refuse("--probes: only a level has probes; give --level LEVEL.toml");
+  if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
+  if (level && light == render::SkyLight::both) refuse("--sky-light both: for a level it is flat or sh");
+  if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");
+}
+
+}  // namespace welkin::command

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin sample: a baked sky at one time, through the runtime.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <welkin/welkin.hpp>
+
+#include "command/arguments.h"
+#include "command/commands.h"
+#include "command/welkin_file.h"
+#include "sky/base/error.h"
+
+namespace welkin::command {
+namespace {
+
+struct Options {
+  std::string path, time, normal = "0,1,0";
+  bool json = false;
+};
+
+void sample(const Options& options) {
+  const auto n = parseDirection("--normal", options.normal);
+  const double time_h = parseTime(options.time);
+  const std::string file = skyFileOf(options.path);
+  const Sky sky = openSky(file);
+  WelkinSkySample s{};
+  if (!sky.sample(time_h, s)) throw base::Error(base::ExitStatus::internal, "sample failed");
+  const float normal[3] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+  float irradiance[3];
+  welkin_sky_irradiance(sky.get(), &s, normal, irradiance);
+  if (!options.json) {
+    fmt::print("time       {:.6g} h\n", s.time_h);
+    fmt::print("sun        azimuth {:.3f}, elevation {:.3f} degrees, illuminance {:.6g}\n",
+               azimuthDegrees(s.sun.direction), elevationDegrees(s.sun.direction), s.sun.illuminance);
+    fmt::print("irradiance {:.6g} {:.6g} {:.6g} on normal {:.4g} {:.4g} {:.4g}\n", irradiance[0], irradiance[1],
+               irradiance[2], normal[0], normal[1], normal[2]);
+    return;
+  }
+  nlohmann::ordered_json json = {{"time_h", s.time_h}, {"sun", lightJson(s.sun)}};
+  if (sky.info().has_moon != 0) json["moon"] = lightJson(s.moon);
+  json["intensity"] = double{s.intensity};
+  json["ambient_saturation"] = double{s.ambient_saturation};
+  json["polarising_tint"] = vectorJson(s.polarising_tint);
+  json["ground_radiance"] = vectorJson(s.ground_radiance);
+  if (s.mode_count > 0) {
+    json["mode_weight"] = nlohmann::json::array();
+    for (std::uint32_t k = 0; k < s.mode_count; ++k) json["mode_weight"].push_back(vectorJson(s.mode_weight[k]));
+  }
+  json["radiance_sh"] = coefficientsJson(s.radiance_sh, s.coefficient_count);
+  json["ambient_sh"] = coefficientsJson(s.ambient_sh, s.coefficient_count);
+  if (sky.info().cubemap_count > 0)
+    json["cubemaps"] = {{"first", s.cubemap[0]}, {"second", s.cubemap[1]}, {"weight", double{s.cubemap_weight}}};
+  json["normal"] = vectorJson(normal);
+  json["irradiance"] = vectorJson(irradiance);
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void addSample(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("sample", "Sample a baked sky through the runtime");
+  command->add_option("PATH", options->path, "Folder of a bake, or a .welkin file")->required();
+  command->add_option("--time", options->time, "Hours")->required();
+  command->add_option("--normal", options->normal, "X,Y,Z of the surface whose irradiance to give")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { sample(*options); });
+}
+
+}  // namespace welkin::command

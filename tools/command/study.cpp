@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin study: cost against error of every way to bake a sky file, as a folder of tables, charts and words.
+#include "study/study.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "command/commands.h"
+#include "command/shared_options.h"
+#include "sky/base/atomic_file.h"
+
+namespace welkin::command {
+namespace {
+
+struct Options {
+  std::string file, folder;
+  ProgressOption progress;
+  ThreadsOption threads;
+  bool quick = false;
+};
+
+void study(const Options& options) {
+  catchInterrupts();
+  const auto limit = options.threads.limit();
+  const bake::SkyFile file = bake::readSkyFile(options.file);
+  base::makeFolder(options.folder);  // a minute before it is needed: who asked is still there
+  ProgressReport progress(options.progress.style(), "study", study::kAxes);
+  const study::StudyOptions how{options.quick, [&] { return progress.step(); }, [] { return !interrupted(); }};
+  const study::StudyReport report = study::studySky(file, how);
+  study::writeReport(report, options.folder);
+  for (const std::string& paragraph : report.paragraphs) fmt::print("{}\n", paragraph);
+}
+
+}  // namespace
+
+void addStudy(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("study", "Measure cost against error of every way to bake a sky file");
+  command->add_option("FILE", options->file, "sky.toml")->required();
+  command->add_option("-o", options->folder, "Folder of tables, charts and conclusion.md; made when missing")
+      ->required();
+  command->add_flag("--quick", options->quick, "Fewer instants, ways and cubemaps: seconds instead of a minute or two");
+  options->threads.addTo(*command, "Only times depend on it");
+  options->progress.addTo(*command);
+  command->callback([options] { study(*options); });
+}
+
+}  // namespace welkin::command

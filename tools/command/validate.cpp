@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// welkin validate: whether files are what they should be.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "command/arguments.h"
+#include "command/commands.h"
+#include "command/level_files.h"
+#include "command/subject.h"
+#include "command/warnings.h"
+#include "command/welkin_file.h"
+#include "probes/build/bake_section.h"
+#include "probes/loader/surfaces_of.h"
+#include "probes/sectors/sector_file.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
+
+namespace welkin::command {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void validateFile(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") {
+    const Subject subject = readSubject(path);
+    Json warnings = warningsJson(subject.sky);
+    if (subject.level) {
+      build::readBakeSection(*subject.level);
+      for (const std::string& warning : loader::readSurfaces(level::readLevelFile(*subject.level)).warning)
+        warnings.push_back({{"id", "geometry"}, {"message", warning}});
+    }
+    return printWarnings(warnings);
+  }
+  const Holds holds = whatHolds(path);
+  if (holds == Holds::sector)
+    sectors::decodeSector(base::readFile(path), path);
+  else if (holds == Holds::level)
+    readIndex(path);
+  else
+    openSky(path);
+}
+
+/// Sectors without an index are half of a level.
+void requireNoSectors(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::is_directory(folder / "sectors", error) && !std::filesystem::is_empty(folder / "sectors", error))
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: holds sectors and no level.welkin: its bake did not end, or "
+                                  "welkin merge is to come",
+                                  folder.string()));
+}
+
+/// A folder is its sky and, where it has sectors, the level that the index names.
+void validate(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (isLevelFolder(path))
+      checkLevel(path, readIndex(indexPath(path)));
+    else
+      requireNoSectors(path);
+    const std::string file = skyFileOf(path);
+    validateFile(file);
+    fmt::print("{}: ok\n", file);
+  }
+}
+
+}  // namespace
+
+void addValidate(CLI::App& app) {
+  auto paths = std::make_shared<std::vector<std::string>>();
+  auto* command = app.add_subcommand("validate", "Check .welkin files, folders of bakes and sky files");
+  command->add_option("PATH", *paths, "Files and folders; the first that is wrong ends the check")->required();
+  command->callback([paths] { validate(*paths); });
+}
+
+}  // namespace welkin::command
