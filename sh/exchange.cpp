@@ -4,82 +4,75 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
-
-#include "sh/dot.h"
 
 namespace welkin::sh {
+namespace {
 
-std::size_t largest(std::span<const double> value) {
-  std::size_t at = 0;
-  for (std::size_t i = 1; i < value.size(); ++i)
-    if (std::abs(value[i]) > std::abs(value[at])) at = i;
+template <typename Matrix>
+bool isSingular(const Eigen::PartialPivLU<Matrix>& factors) {
+  return (factors.matrixLU().diagonal().array() == 0.0).any();
+}
+
+}  // namespace
+
+Eigen::Index largest(const Eigen::VectorXd& value) {
+  Eigen::Index at = 0;
+  value.cwiseAbs().maxCoeff(&at);
   return at;
 }
 
-bool Reference::start(std::span<const double> preference) {
-  std::vector<double> left(columns_.begin(), columns_.end());
-  const auto column = [&](std::size_t k) { return std::span(left).subspan(k * points_, points_); };
-  for (std::size_t k = 0; k <= rank(); ++k)
-    for (std::size_t i = 0; i < points_; ++i) left[k * points_ + i] *= preference[i];
-  for (std::size_t k = 0; k <= rank(); ++k) {
-    point_[k] = largest(column(k));
-    const double pivot = column(k)[point_[k]];
-    if (pivot == 0.0) return false;
-    for (std::size_t j = k + 1; j <= rank(); ++j) addMultiple(-column(j)[point_[k]] / pivot, column(k), column(j));
+Reference::Reference(const Eigen::MatrixXd& orthonormal, const Eigen::VectorXd& wanted)
+    : orthonormal_(orthonormal),
+      wanted_(wanted),
+      point_(static_cast<std::size_t>(orthonormal.cols()) + 1),
+      sign_(orthonormal.cols() + 1) {}
+
+bool Reference::start(const Eigen::VectorXd& preference) {
+  const Eigen::Index rank = orthonormal_.cols();
+  Eigen::MatrixXd left(orthonormal_.rows(), rank + 1);
+  left << orthonormal_, wanted_;
+  left.array().colwise() *= preference.array();
+  for (Eigen::Index k = 0; k <= rank; ++k) {
+    Eigen::Index& point = point_[static_cast<std::size_t>(k)];
+    left.col(k).cwiseAbs().maxCoeff(&point);
+    if (left(point, k) == 0.0) return false;
+    const SmallVector factor = left.row(point).tail(rank - k).transpose() / left(point, k);
+    left.rightCols(rank - k).noalias() -= left.col(k) * factor.transpose();
   }
-  SmallMatrix matrix{};
-  SmallVector last{};
-  for (std::size_t k = 0; k < rank(); ++k) {
-    for (std::size_t i = 0; i < rank(); ++i) matrix[i][k] = entry(point_[i], k);
-    last[k] = -entry(point_[rank()], k);
-  }
-  if (!factors_.eliminate(matrix, rank())) return false;
-  SmallVector multiplier = factors_.solveTransposed(last);
-  multiplier[rank()] = 1.0;
-  double level = 0.0;
-  for (std::size_t i = 0; i <= rank(); ++i) level += multiplier[i] * entry(point_[i], rank());
-  for (std::size_t i = 0; i <= rank(); ++i) sign_[i] = (multiplier[i] < 0.0) == (level < 0.0) ? 1.0 : -1.0;
+  const SmallMatrix rows = orthonormal_(point_, Eigen::all).transpose();
+  const Eigen::PartialPivLU<SmallMatrix> interpolation(rows.leftCols(rank));
+  if (isSingular(interpolation)) return false;
+  SmallVector multiplier(rank + 1);
+  multiplier << -interpolation.solve(rows.col(rank)), 1.0;
+  const double level = multiplier.dot(wanted_(point_));
+  for (Eigen::Index i = 0; i <= rank; ++i) sign_[i] = (multiplier[i] < 0.0) == (level < 0.0) ? 1.0 : -1.0;
   return true;
 }
 
 bool Reference::solve() {
-  SmallMatrix matrix{};
-  SmallVector wanted{};
-  SmallVector unit{};
-  for (std::size_t i = 0; i <= rank(); ++i) {
-    for (std::size_t k = 0; k < rank(); ++k) matrix[i][k] = entry(point_[i], k);
-    matrix[i][rank()] = sign_[i];
-    wanted[i] = entry(point_[i], rank());
-  }
-  unit[rank()] = 1.0;
-  if (!factors_.eliminate(matrix, rank() + 1)) return false;
-  coefficient_ = factors_.solve(wanted);
-  multiplier_ = factors_.solveTransposed(unit);
-  double level = 0.0;
-  double size = 0.0;
-  for (std::size_t i = 0; i <= rank(); ++i) {
-    level += multiplier_[i] * wanted[i];
-    size += std::abs(multiplier_[i]);
-  }
-  bound_ = std::abs(level) / size;
+  const Eigen::Index rank = orthonormal_.cols();
+  SmallMatrix matrix(rank + 1, rank + 1);
+  matrix << orthonormal_(point_, Eigen::all), sign_;
+  equations_.compute(matrix);
+  if (isSingular(equations_)) return false;
+  const SmallVector wanted = wanted_(point_);
+  coefficient_ = equations_.solve(wanted).head(rank);
+  multiplier_ = equations_.transpose().solve(SmallVector::Unit(rank + 1, rank));
+  bound_ = std::abs(multiplier_.dot(wanted)) / multiplier_.lpNorm<1>();
   return true;
 }
 
-void Reference::exchange(std::size_t at, double sign) {
-  constexpr double kNone = 1e-12;  // of multipliers, which add up to 1, and of the largest share
-  SmallVector entering{};
-  for (std::size_t k = 0; k < rank(); ++k) entering[k] = entry(at, k);
-  entering[rank()] = sign;
-  SmallVector falls = factors_.solveTransposed(entering);
-  double most = 0.0;
-  for (std::size_t i = 0; i <= rank(); ++i) {
-    falls[i] *= sign * sign_[i];
-    most = std::max(most, falls[i]);
-  }
-  std::size_t leaving = 0;
+void Reference::exchange(Eigen::Index at, double sign) {
+  constexpr double kNone = 1e-12;  // of the multipliers, which add up to 1, and of the largest fall
+  const Eigen::Index rank = orthonormal_.cols();
+  SmallVector entering(rank + 1);
+  entering << orthonormal_.row(at).transpose(), sign;
+  SmallVector falls = equations_.transpose().solve(entering);
+  falls = sign * falls.cwiseProduct(sign_);
+  const double most = std::max(falls.maxCoeff(), 0.0);
+  Eigen::Index leaving = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i <= rank(); ++i) {
+  for (Eigen::Index i = 0; i <= rank; ++i) {
     if (falls[i] <= kNone * most) continue;
     const double multiplier = sign_[i] * multiplier_[i];
     const double ratio = multiplier <= kNone ? 0.0 : multiplier / falls[i];
@@ -88,7 +81,7 @@ void Reference::exchange(std::size_t at, double sign) {
       leaving = i;
     }
   }
-  point_[leaving] = at;
+  point_[static_cast<std::size_t>(leaving)] = at;
   sign_[leaving] = sign;
 }
 

@@ -1,54 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points that prove how good an approximation can be, and their exchange: what Minimax is made of.
+// The exchange of the points that prove how good an approximation can be: a part of Minimax, read by nothing else.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
+#include <Eigen/LU>
+#include <vector>
 
-#include "sh/small_solve.h"
+#include "sh/matrix.h"
+#include "sh/minimax.h"
 
 namespace welkin::sh {
 
 /// Index of the value that is largest in magnitude, the first of equals; `value` is not empty.
-std::size_t largest(std::span<const double> value);
+Eigen::Index largest(const Eigen::VectorXd& value);
 
-/// rank + 1 points and the signs of their errors, such that no coefficients make all of these errors smaller than they
-/// are when they have equal size: the multipliers sign[i] times a number >= 0 make the basis 0 and their sizes add up
-/// to 1.
+/// rank + 1 points and the signs of the errors there. The multipliers sign[i] times a number >= 0 combine these rows of
+/// the basis to 0, and their sizes add up to 1. Therefore no coefficients make all of these errors smaller than they
+/// are when they have equal size.
 class Reference {
  public:
-  /// `columns`: orthonormal, one after the other, with `wanted` behind them.
-  Reference(std::span<const double> columns, std::size_t points) : columns_(columns), points_(points) {}
+  /// `orthonormal`: the basis by column, at most kMostMinimaxColumns of them. Both arguments must outlive this object.
+  Reference(const Eigen::MatrixXd& orthonormal, const Eigen::VectorXd& wanted);
 
-  /// Takes points on which the columns are independent, by elimination of the rows times `preference`, the largest
-  /// entry first; the last one where the target is worst interpolated by the others. Whether there are such points.
-  bool start(std::span<const double> preference);
+  /// Chooses points where the columns are independent. Eliminates the rows times `preference`, with the largest entry
+  /// of each column as pivot. The last point is the one where the other points interpolate the target worst. Returns
+  /// false if there are no such points.
+  bool start(const Eigen::VectorXd& preference);
 
-  /// Finds coefficients, level and multipliers. Whether the points allow it.
+  /// Finds coefficients, bound and multipliers. Returns false if the equations are singular.
   bool solve();
 
-  /// Takes in point `at`, whose error has `sign`, for the one that must go so that the multipliers keep their signs; of
-  /// several, for that on which it depends most.
-  void exchange(std::size_t at, double sign);
+  /// Replaces one point by point `at`, whose error has the sign `sign`, so that the multipliers keep their signs. If
+  /// several points could go, the one whose multiplier changes fastest goes.
+  void exchange(Eigen::Index at, double sign);
 
-  /// Of the columns: errors of equal size on the points.
-  const SmallVector& coefficient() const { return coefficient_; }
-  /// What every coefficients' worst error on these points is not below.
+  /// Coefficients of the columns that give errors of equal size on the points.
+  const Eigen::VectorXd& coefficient() const { return coefficient_; }
+  /// A lower bound of the largest error on these points, for any coefficients.
   double bound() const { return bound_; }
 
  private:
-  std::size_t rank() const { return columns_.size() / points_ - 1; }
-  double entry(std::size_t point, std::size_t column) const { return columns_[column * points_ + point]; }
+  static constexpr int kMost = static_cast<int>(kMostMinimaxColumns) + 1;
+  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMost, 1>;
+  using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
 
-  std::span<const double> columns_;
-  std::size_t points_;
-  std::array<std::size_t, kMostEquations> point_{};
-  SmallVector sign_{};
-  SmallVector coefficient_{};
-  SmallVector multiplier_{};
+  const Eigen::MatrixXd& orthonormal_;
+  const Eigen::VectorXd& wanted_;
+  std::vector<Eigen::Index> point_;
+  SmallVector sign_;
+  SmallVector multiplier_;
+  Eigen::VectorXd coefficient_;
   double bound_ = 0.0;
-  Factors factors_;
+  Eigen::PartialPivLU<SmallMatrix> equations_;
 };
 
 }  // namespace welkin::sh

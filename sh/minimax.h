@@ -1,62 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 // Minimax approximation at discrete points: the combination of a few basis functions whose largest weighted error is
-// least. Only + - * / and sqrt in fixed order: the same bits on every machine.
+// smallest. The same bits on every machine, as sh/matrix.h uses Eigen.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "sh/small_solve.h"
-
 namespace welkin::sh {
 
-inline constexpr std::size_t kMostMinimaxColumns = kMostEquations - 1;
+inline constexpr std::size_t kMostMinimaxColumns = 16;
 
-/// When to stop: the error is within 1 + `excess` of what is proven to be out of reach, or after `steps` exchanges.
+/// Limits of the iteration: it stops when the error is at most 1 + `excess` times the proven lower bound, or after
+/// `steps` exchanges.
 struct MinimaxLimits {
   double excess = 0.01;
   std::size_t steps = 200;
 };
 
-/// Coefficients and what they are worth.
+/// Coefficients and their error.
 struct MinimaxFit {
-  std::vector<double> coefficient;   ///< one a column; 0 for a column that others make up
-  double error = 0.0;                ///< largest weight |target - basis coefficient|; not above least_squares_error
-  double lower_bound = 0.0;          ///< no coefficients do better than this; up to rounding; not above `error`
-  double least_squares_error = 0.0;  ///< the largest one of the weighted least squares fit, where it starts
+  std::vector<double> coefficient;   ///< one a column; 0 for a column that depends on the others
+  double error = 0.0;                ///< largest weight |target - basis coefficient|; at most least_squares_error
+  double lower_bound = 0.0;          ///< no coefficients have a smaller error, up to rounding; at most `error`
+  double least_squares_error = 0.0;  ///< largest error of the weighted least squares fit, where the iteration starts
   std::size_t steps = 0;             ///< exchanges made
 };
 
 /// Fits targets by the same basis at the same points.
 class Minimax {
  public:
-  /// `basis`: points x columns, row-major, each 0 or of 1e-100 to 1e100; 1 to kMostMinimaxColumns columns. `weight`:
-  /// one a point, not negative, or none: all 1. Columns may depend on each other: one of which less than 1e-10 of its
-  /// length is independent of the others is left out, and bounds are those of the rest.
+  /// `basis`: points x columns, row-major, each entry 0 or of 1e-100 to 1e100; 1 to kMostMinimaxColumns columns.
+  /// `weight`: one a point, not negative; empty: all 1. Columns may depend on each other. A column is left out if less
+  /// than 1e-10 of its length lies outside the span of the others; the bounds then hold for the rest.
   Minimax(std::span<const double> basis, std::size_t columns, std::span<const double> weight = {});
 
   /// The exchange algorithm for any basis, with the point of the largest error exchanged (Stiefel, "Ueber diskrete und
   /// lineare Tschebyscheff-Approximationen", 1959; as the simplex method on the dual linear program: Barrodale and
-  /// Phillips, "Algorithm 495", 1975): rank + 1 points on which the least error is known prove a lower bound that
-  /// grows until the error elsewhere meets it. It may stand still where points fall together; when the steps run out,
-  /// the best so far is returned with the bound that it has.
+  /// Phillips, "Algorithm 495", 1975). The least error on rank + 1 points is known and is a lower bound; it grows until
+  /// the error at all other points meets it. The iteration can stall where points coincide. When the steps run out,
+  /// the best fit so far is returned with its bound.
   MinimaxFit fit(std::span<const double> target, const MinimaxLimits& limits = {}) const;
 
  private:
-  std::span<const double> column(const std::vector<double>& of, std::size_t k) const {
-    return std::span(of).subspan(k * points_, points_);
-  }
-  std::vector<double> columnCoefficients(std::span<const double> orthonormal) const;
-  double errorOf(std::span<const double> coefficient, std::span<const double> weighted_target) const;
-
-  std::size_t points_ = 0;
-  std::size_t columns_ = 0;
-  std::vector<double> weight_;
-  std::vector<double> weighted_;        ///< the basis times the weights, by column
-  std::vector<double> orthonormal_;     ///< the same span, by column: weighted_ of pivot_[k] = sum_j r_[j][k] of these
-  std::vector<std::size_t> pivot_;      ///< the columns that are used; as many as the rank
-  std::vector<std::vector<double>> r_;  ///< upper triangle, row j
+  struct Basis;
+  std::shared_ptr<const Basis> basis_;
 };
 
 }  // namespace welkin::sh

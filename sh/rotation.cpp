@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sh/basis.h"
+#include "sh/matrix.h"
 #include "sh/quadrature.h"
 
 namespace welkin::sh {
@@ -41,12 +42,8 @@ void Rotation::apply(std::span<const double> in, std::span<double> out) const {
   for (int l = 0; l < bands_; ++l) {
     const auto first = static_cast<std::size_t>(l * l);
     const auto size = static_cast<std::size_t>(2 * l + 1);
-    const auto& block = block_[static_cast<std::size_t>(l)];
-    for (std::size_t i = 0; i < size; ++i) {
-      double sum = 0.0;
-      for (std::size_t j = 0; j < size; ++j) sum += block[i * size + j] * in[first + j];
-      out[first + i] = sum;
-    }
+    const auto block = asRows(block_[static_cast<std::size_t>(l)], size);
+    asVector(out.subspan(first, size)).noalias() = block * asVector(in.subspan(first, size));
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace welkin::sh {
 
-/// Rows of an orthogonal matrix: applied to a direction, row i gives component i.
+/// Rows of an orthogonal matrix. Row i gives component i of the direction that it is applied to.
 using Matrix3 = std::array<det::Number3, 3>;
 
 /// Axes of a frame whose pole is +y: its (x, y, z) are the world's (z, x, y).
@@ -19,7 +19,7 @@ inline constexpr Matrix3 kPolarAxes = {det::Number3(0, 0, 1), det::Number3(1, 0,
 det::Number3 apply(const Matrix3& matrix, const det::Number3& v);
 
 /// Turns the coefficients of f into those of g(d) = f(apply(matrix, d)), for any orthogonal matrix. Band l uses its own
-/// (2 l + 1)^2 block, found by a product quadrature that is exact for products of two basis functions of that band.
+/// (2 l + 1)^2 block. A product quadrature finds it, exact for products of two basis functions of that band.
 class Rotation {
  public:
   Rotation(int bands, const Matrix3& matrix);
@@ -31,8 +31,7 @@ class Rotation {
   std::vector<std::vector<double>> block_;  ///< per band, row-major
 };
 
-/// Turns by `angle_rad` clockwise seen from above (growing azimuth) about +y, as the matrix whose Rotation moves a sky
-/// that way.
+/// The matrix whose Rotation turns a sky by `angle_rad` about +y, clockwise seen from above (growing azimuth).
 Matrix3 azimuthRotation(double angle_rad);
 
 }  // namespace welkin::sh

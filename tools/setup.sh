@@ -8,7 +8,7 @@ set -eu
 build="g++ cmake ninja-build pkg-config glslang-tools spirv-tools spirv-headers flatbuffers-compiler"
 # what the libraries and the tool link
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libwebp-dev libtomlplusplus-dev libxxhash-dev
-libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
+libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
 # what pictures need: a Vulkan device for machines without one, and a font for their labels
 draw="mesa-vulkan-drivers fonts-dejavu-core"
 test=""

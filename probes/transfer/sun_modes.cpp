@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sh/matrix.h"
 #include "sh/modes.h"
 
 namespace welkin::transfer {
@@ -19,7 +20,7 @@ std::vector<double> rowsOf(std::span<const ProbeTransfer* const> probes, std::si
   return rows;
 }
 
-/// Adds one more mode to what was rebuilt from those before, and compares.
+/// Compares the rows with those that were rebuilt from modes.
 SunModesError errorOf(std::span<const double> rows, std::size_t columns, std::span<const double> rebuilt) {
   SunModesError error;
   double sum = 0.0;
@@ -51,22 +52,21 @@ SunModesFit fitSunModes(std::span<const ProbeTransfer* const> probes, const Ligh
   for (std::size_t i = 0; i < modes.vector.size(); i += 3)
     fit.modes.value.emplace_back(modes.vector[i], modes.vector[i + 1], modes.vector[i + 2]);
 
-  std::vector<double> residual(columns);
+  if (rows.empty()) {
+    fit.error.push_back({});
+    return fit;
+  }
+  const auto directions = sh::asRows(modes.vector, columns);
+  const sh::RowMatrix along = sh::asRows(rows, columns) * directions.transpose();  // row, mode
   for (std::size_t p = 0; p < probes.size(); ++p)
     for (std::size_t b = 0; b < kDirections; ++b) {
-      std::vector<double>& coefficient = fit.coefficient[p][b];
-      coefficient.resize(modes.count());
-      if (modes.count() == 0) continue;
-      const auto row = std::span(rows).subspan((p * kDirections + b) * columns, columns);
-      sh::projectOntoModes(modes, row, coefficient, residual);
+      const auto coefficient = along.row(static_cast<Eigen::Index>(p * kDirections + b));
+      fit.coefficient[p][b].assign(coefficient.begin(), coefficient.end());
     }
   std::vector<double> rebuilt(rows.size(), 0.0);
   fit.error.push_back(errorOf(rows, columns, rebuilt));
-  for (std::size_t m = 0; m < modes.count(); ++m) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::size_t row = i / columns;
-      rebuilt[i] += fit.coefficient[row / kDirections][row % kDirections][m] * modes.row(m)[i % columns];
-    }
+  for (Eigen::Index m = 0; m < directions.rows(); ++m) {
+    sh::asRows(rebuilt, columns).noalias() += along.col(m) * directions.row(m);
     fit.error.push_back(errorOf(rows, columns, rebuilt));
   }
   return fit;

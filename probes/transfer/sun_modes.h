@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transfer of the sun and the moon along their own paths, of low rank: a few coloured functions of time that a
-// sector shares, and for each of them one number per probe and direction. The numbers serve both lights.
+// The transfer of the sun and the moon along their own paths, at low rank. A sector shares a few coloured functions of
+// time; a probe holds one number for each of them and each direction. The numbers serve both lights.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ struct SunModes {
 /// A probe's coefficients of the modes: [direction][mode].
 using SunCoefficients = std::array<std::vector<double>, kDirections>;
 
-/// How far the transfers, rebuilt from the first n modes and clamped at 0, are from those that they were made of:
-/// irradiance of a light of normal irradiance 1.
+/// Error of the transfers that are rebuilt from the first n modes and clamped at 0, as irradiance of a light of normal
+/// irradiance 1.
 struct SunModesError {
   double rms = 0.0;        ///< over probes, directions, knots and channels
   double worst_row = 0.0;  ///< root of the mean square over knots and channels, of the worst probe and direction
@@ -45,12 +45,12 @@ struct SunModesFit {
   std::vector<SunModesError> error;          ///< by number of modes, from 0
 };
 
-/// The `count` leading modes of the probes' ProbeTransfer::sun, of which the first knots are the sun's and the others
-/// the moon's, or as many as there are. Deterministic.
+/// The `count` leading modes of the probes' ProbeTransfer::sun, or as many as there are. The first knots are the sun's,
+/// the others the moon's. Deterministic.
 SunModesFit fitSunModes(std::span<const ProbeTransfer* const> probes, const LightTrack& sun, const LightTrack& moon,
                         std::size_t count);
 
-/// The fewest modes whose worst_row is at most `max_error`; all of them where none is.
+/// The fewest modes whose worst_row is at most `max_error`; all of them if none is enough.
 std::size_t modesFor(const SunModesFit& fit, double max_error);
 
 /// The first `count` modes and their coefficients.

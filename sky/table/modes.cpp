@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sh/matrix.h"
 #include "sh/modes.h"
 
 namespace welkin::table {
@@ -17,18 +18,12 @@ constexpr std::size_t kSteps = 24;        ///< of the refinement: what more brin
 constexpr std::size_t kSnapshots = 300;   ///< about as many are looked for modes
 constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's normals are looked at
 
-double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 }  // namespace
 
 std::vector<double> ModeSet::weightsOf(const FieldChannel& channel) const {
   const std::vector<double> v = DayModes::vectorOf(channel);
   std::vector<double> weight;
-  for (const auto& of_mode : vector) weight.push_back(dotOf(of_mode, v));
+  for (const auto& of_mode : vector) weight.push_back(sh::asVector(of_mode).dot(sh::asVector(v)));
   return weight;
 }
 
@@ -49,7 +44,7 @@ std::vector<double> DayModes::vectorOf(const FieldChannel& channel) {
 
 DayModes::DayModes(const DayFields& day, const ErrorGrid& grid) {
   std::vector<FieldChannel> channel;
-  std::vector<std::vector<double>> vector;
+  std::vector<double> rows;
   const std::size_t apart = std::max<std::size_t>(1, day.instant.size() * 3 / kSnapshots);
   const int channels = isGrey(*day.sky) ? 1 : 3;
   for (std::size_t i = 0; i < day.instant.size(); i += apart)
@@ -57,31 +52,27 @@ DayModes::DayModes(const DayFields& day, const ErrorGrid& grid) {
       const DayInstant& at = day.instant[i];
       if (!(at.divisor[c] > 0.0)) continue;
       channel.push_back(FieldChannel().add(FieldChannel(at.field, c), at.intensity / at.divisor[c]));
-      vector.push_back(vectorOf(channel.back()));
+      const std::vector<double> vector = vectorOf(channel.back());
+      rows.insert(rows.end(), vector.begin(), vector.end());
     }
   if (channel.empty()) return;
 
-  const std::size_t dimension = vector.front().size();
-  std::vector<double> rows;
-  for (const auto& v : vector) rows.insert(rows.end(), v.begin(), v.end());
+  const std::size_t dimension = rows.size() / channel.size();
   const sh::Modes leading = sh::leadingModes({rows, dimension}, {}, kBasis);
-  for (std::size_t k = 0; k < leading.count(); ++k) {
-    // An eigenvector of the sum of snapshots times themselves is a sum of snapshots: so is the whole field it stands
-    // for.
-    const std::vector<double> direction(leading.row(k).begin(), leading.row(k).end());
+  const auto directions = sh::asRows(leading.vector, dimension);
+  const sh::RowMatrix share = sh::asRows(rows, dimension) * directions.transpose();  // channel, mode
+  const Eigen::VectorXd energy = share.colwise().squaredNorm();
+  const Eigen::Index count = (energy.array() > 0.0).count();  // energies descend
+  for (Eigen::Index k = 0; k < count; ++k) {
+    // An eigenvector of the sum of snapshots times themselves is a combination of snapshots. Its whole field is the
+    // same combination of their fields.
     FieldChannel mode;
-    double energy = 0.0;
-    for (std::size_t j = 0; j < channel.size(); ++j) {
-      const double share = dotOf(direction, vector[j]);
-      mode.add(channel[j], share);
-      energy += share * share;
-    }
-    if (!(energy > 0.0)) break;
-    basis_.push_back(FieldChannel().add(mode, 1.0 / energy));
-    vector_.push_back(direction);
+    for (std::size_t j = 0; j < channel.size(); ++j) mode.add(channel[j], share(static_cast<Eigen::Index>(j), k));
+    basis_.push_back(FieldChannel().add(mode, 1.0 / energy[k]));
+    vector_.emplace_back(directions.row(k).begin(), directions.row(k).end());
   }
-  for (const auto& v : vector)
-    for (const auto& direction : vector_) snapshot_.push_back(dotOf(direction, v));
+  snapshot_.resize(channel.size() * basis_.size());
+  if (!basis_.empty()) sh::asRows(snapshot_, basis_.size()) = share.leftCols(count);
   std::vector<std::vector<double>> value;
   for (const FieldChannel& mode : basis_) value.push_back(grid.valuesOf(mode));
   for (std::size_t i = 0; i < grid.count(); i += kNormalsApart)
@@ -99,7 +90,7 @@ ModeSet DayModes::best(std::size_t count) const {
     for (std::size_t j = 0; j < basis_.size(); ++j) {
       const double factor = refined.modes.row(k)[j];
       mode.add(basis_[j], factor);
-      for (std::size_t i = 0; i < vector.size(); ++i) vector[i] += factor * vector_[j][i];
+      sh::asVector(vector) += factor * sh::asVector(vector_[j]);
     }
     set.mode.push_back(std::move(mode));
     set.vector.push_back(std::move(vector));

@@ -11,10 +11,10 @@
 
 namespace welkin::table {
 
-/// Modes, orthonormal in the product that weights are taken with.
+/// Modes, orthonormal in the inner product that gives the weights.
 struct ModeSet {
   std::vector<FieldChannel> mode;
-  std::vector<std::vector<double>> vector;  ///< of each: as DayModes::vectorOf
+  std::vector<std::vector<double>> vector;  ///< of each mode, as DayModes::vectorOf
 
   std::size_t count() const { return mode.size(); }
   /// Weights of the nearest combination of the modes.
@@ -36,7 +36,7 @@ class DayModes {
   static std::vector<double> vectorOf(const FieldChannel& channel);
 
  private:
-  std::vector<FieldChannel> basis_;  ///< more modes than a file may hold: they span the day
+  std::vector<FieldChannel> basis_;  ///< more modes than a file may hold; they span the day
   std::vector<std::vector<double>> vector_;
   std::vector<double> snapshot_;  ///< coefficients of the day's channels in that basis, over their divisors
   std::vector<double> values_;    ///< of the basis at normals: normal, mode
@@ -46,7 +46,7 @@ class DayModes {
 /// the error of a bilinear curve instead of leaving it on one side.
 ModeTable mapOf(const ModeSet& modes, int columns, int rows, int bands);
 
-/// What a GPU reads from the map at the grid's normals: normal, mode.
+/// Values that a GPU reads from the map at the grid's normals: normal, mode.
 std::vector<double> mapValues(const ModeTable& map, const ErrorGrid& grid);
 
 }  // namespace welkin::table
