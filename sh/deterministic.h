@@ -6,6 +6,7 @@
 // asserted here, of the running process in sh/arithmetic.h.
 #pragma once
 
+#include <emmintrin.h>
 #include <sleef.h>
 
 #include <cfloat>
@@ -58,6 +59,15 @@ inline Number atan(Number y, Number x) {
   return Sleef_cinz_atan2d1_u10purec(y, x);
 }
 #include "formulas.glsl"  // NOLINT(bugprone-suspicious-include)
+
+/// Two numbers side by side; + - * / act on both, and give the bits that each alone would give.
+using Number2 = __m128d;
+inline Number2 sqrt(Number2 x) {
+  return _mm_sqrt_pd(x);
+}
+inline Number2 atan(Number2 y, Number2 x) {
+  return Sleef_cinz_atan2d2_u10sse2(y, x);
+}
 }  // namespace welkin::det
 
 #undef SCALED

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "sky/base/error.h"
+#include "sky/cubemap/day_bends.h"
+#include "sky/cubemap/dome_scale.h"
 
 namespace welkin::cubemap {
 namespace {
-
-constexpr double kDarkest = 1e-4;  // of the day's brightest instant
 
 /// How many directions and instants an effort takes.
 struct Density {
@@ -44,15 +44,16 @@ struct AtInstant {
 class Measurement {
  public:
   Measurement(const model::Sky& sky, const CubemapSet& cubemaps, const DirectionCounts& counts)
-      : sky_(sky), cubemaps_(cubemaps), scale_(sky), directions_(counts) {
-    if (sky.luminance.d >= -model::IndicatrixTable::kSteepest) table_.emplace(sky.luminance.d);
-    for (const double time_h : cubemaps.time_h) baked_.emplace_back(sky, time_h);
-  }
+      : scale_(sky), looks_(sky, cubemaps, counts) {}
 
-  AtInstant at(double time_h) const {
-    const model::SkyInstant instant(sky_, time_h);
-    const format::KeySegment segment = format::findSegment(cubemaps_.time_h, time_h);
-    const bool baked = segment.weight == 0.0;
+  CubemapLook lookAt(std::size_t cubemap) const { return {looks_, cubemap}; }
+
+  /// At an instant between two cubemaps, or at the first one's time.
+  AtInstant at(double time_h, const CubemapLook& first, const CubemapLook& second) const {
+    const CubemapSet& cubemaps = looks_.cubemaps();
+    const model::SkyInstant instant(looks_.sky(), time_h);
+    const double weight = format::findSegment(cubemaps.time_h, time_h).weight;
+    const bool baked = weight == 0.0;
     Number3 mean(0.0);
     double whole = 0.0;
     double compared = 0.0;
@@ -62,32 +63,39 @@ class Measurement {
     Squares blending;
     Number3 largest(0.0);
     Number3 where[3];
-    for (const auto& [direction, solid_angle] : directions_.around(instant.sunDirection())) {
-      const Number3 model = dome(instant, direction);
+    RecentTexels recent_of_first;
+    RecentTexels recent_of_second;
+    const std::size_t staying = looks_.staying().size();
+    const auto directions = looks_.directionsAround(instant.sunDirection());
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto& [direction, solid_angle] = directions[i];
+      const bool stays = i < staying;
+      const DomeRay ray = stays ? looks_.staying()[i].ray : DomeRay(looks_.sky().luminance, direction);
+      const Number3 model = instant.dome(ray, looks_.table());
       mean += model * solid_angle;
       whole += solid_angle;
-      if (!isClearOfHorizon(cubemaps_.size, direction)) continue;
+      if (!(stays ? looks_.staying()[i].compared : isClearOfHorizon(cubemaps.size, direction))) continue;
       compared += solid_angle;
-      const Footprint footprint = footprintOf(cubemaps_.size, direction);
-      const Shown first = show(segment.first, footprint, baked);
-      const Number3 difference =
-          (baked ? first.shown : mix(first.shown, show(segment.second, footprint, false).shown, segment.weight)) -
-          model;
+      const Footprint footprint = stays ? looks_.staying()[i].footprint : footprintOf(cubemaps.size, direction);
+      const auto in = [&](const CubemapLook& look, RecentTexels& recent) {
+        return stays ? look.staying(i) : look.at(ray, footprint, recent, baked);
+      };
+      const CubemapLook::Shown before = in(first, recent_of_first);
+      Number3 difference = before.shown - model;
+      if (baked) {
+        unencoded.add(before.exact - model, solid_angle);
+        rounding.add(before.shown - before.exact, solid_angle);
+      } else {
+        const CubemapLook::Shown after = in(second, recent_of_second);
+        difference = mix(before.shown, after.shown, weight) - model;
+        blending.add(mix(before.model, after.model, weight) - model, solid_angle);
+      }
       shown.add(difference, solid_angle);
       for (int c = 0; c < 3; ++c)
         if (std::abs(difference[c]) > largest[c]) {
           largest[c] = std::abs(difference[c]);
           where[c] = direction;
         }
-      if (baked) {
-        unencoded.add(first.exact - model, solid_angle);
-        rounding.add(first.shown - first.exact, solid_angle);
-      } else {
-        blending.add(
-            mix(dome(baked_[segment.first], direction), dome(baked_[segment.second], direction), segment.weight) -
-                model,
-            solid_angle);
-      }
     }
     AtInstant result;
     mean = mean * (1.0 / whole);
@@ -108,48 +116,9 @@ class Measurement {
   }
 
  private:
-  Number3 dome(const model::SkyInstant& instant, const Number3& direction) const {
-    return instant.dome(direction, Number3(0.0), table_ ? &*table_ : nullptr);
-  }
-  /// What a cubemap shows, and what it would without encoding.
-  struct Shown {
-    Number3 shown, exact;
-  };
-  /// From the file's bytes, or from those of the few texels that are seen; `exact` costs the model's evaluation.
-  Shown show(std::size_t index, const Footprint& footprint, bool exact_too) const {
-    const bool rendered = !cubemaps_.texels.empty();
-    Shown sum{Number3(0.0), Number3(0.0)};
-    if (rendered) sum.shown = filterTexels(cubemaps_.texels[index].data(), cubemaps_.format, footprint);
-    if (rendered && !exact_too) return sum;
-    for (const TexelShare& share : footprint) {
-      if (!(share.weight > 0.0)) continue;
-      const Number3 radiance = dome(baked_[index], directionOfTexel(cubemaps_.size, share.texel));
-      sum.exact += radiance * share.weight;
-      if (!rendered) sum.shown += rounded(radiance) * share.weight;
-    }
-    return sum;
-  }
-  Number3 rounded(const Number3& radiance) const {
-    float rgb[3] = {static_cast<float>(radiance.x), static_cast<float>(radiance.y), static_cast<float>(radiance.z)};
-    unsigned char texel[format::kMostTexelBytes];
-    format::encodeTexel(cubemaps_.format, rgb, texel);
-    format::decodeTexel(cubemaps_.format, texel, rgb);
-    return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
-  }
-
-  const model::Sky& sky_;
-  const CubemapSet& cubemaps_;
   DomeScale scale_;
-  DomeDirections directions_;
-  std::optional<model::IndicatrixTable> table_;
-  std::vector<model::SkyInstant> baked_;
+  CubemapLooks looks_;
 };
-
-void tidy(std::vector<double>& time_h) {
-  for (double& t : time_h) t = format::wrapTime(t);
-  std::sort(time_h.begin(), time_h.end());
-  time_h.erase(std::unique(time_h.begin(), time_h.end()), time_h.end());
-}
 
 std::vector<double> instantsOf(const model::Sky& sky, const std::vector<double>& baked, const Density& density) {
   std::vector<double> time_h = bendsOf(sky);
@@ -159,81 +128,9 @@ std::vector<double> instantsOf(const model::Sky& sky, const std::vector<double>&
     const int pieces = std::max(density.pieces, 2 * halves);  // the middle is always one
     for (int k = 0; k < pieces; ++k) time_h.push_back(baked[i] + (next - baked[i]) * k / pieces);
   }
-  tidy(time_h);
+  tidyHours(time_h);
   return time_h;
 }
-
-}  // namespace
-
-namespace {
-
-constexpr int kMostColumns = 288;  // more are closer than five minutes: the instants between cubemaps meet them
-constexpr double kBend = 0.002;    // of a texel that is worth an instant, of the brightest component, which is about 1
-
-/// Columns at which a gradient's change over the day bends.
-std::vector<int> bentColumns(const model::Gradient& gradient) {
-  std::vector<int> list;
-  const int n = gradient.width;
-  for (int i = 0; i < n; ++i) {
-    double most = 0.0;
-    for (int j = 0; j < gradient.height; ++j) {
-      const Number3 bend =
-          gradient.texel((i + n - 1) % n, j) - gradient.texel(i, j) * 2.0 + gradient.texel((i + 1) % n, j);
-      most = std::max({most, std::abs(bend.x), std::abs(bend.y), std::abs(bend.z)});
-    }
-    if (most > kBend) list.push_back(i);
-  }
-  return list;
-}
-
-}  // namespace
-
-DomeScale::DomeScale(const model::Sky& sky) : floor_(0.0) {
-  const DomeDirections directions({192, 0, 0});
-  std::vector<double> time_h = bendsOf(sky);
-  for (int i = 0; i < 96; ++i) time_h.push_back(0.25 * i);
-  tidy(time_h);
-  std::vector<double> mean(time_h.size());
-  tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
-    const model::SkyInstant instant(sky, time_h[i]);
-    for (const Number3& d : directions.even()) mean[i] += det::luminanceOf(instant.dome(d, Number3(0.0))) / 192.0;
-  });
-  floor_ = kDarkest * *std::max_element(mean.begin(), mean.end());
-}
-
-double DomeScale::of(const Number3& mean, int channel) const {
-  return std::max({mean[channel], det::luminanceOf(mean), floor_});
-}
-
-std::vector<double> bendsOf(const model::Sky& sky) {
-  std::vector<double> time_h;
-  const auto height = [&](double t) { return sky.sun.path.directionAt(t).y; };
-  constexpr int kSteps = 288;
-  for (int i = 0; i < kSteps; ++i) {
-    double low = 24.0 * i / kSteps;
-    double high = 24.0 * (i + 1) / kSteps;
-    const bool up = height(low) > 0.0;
-    if (up == (height(high) > 0.0)) continue;
-    while (high - low > 1e-6) {
-      const double middle = 0.5 * (low + high);
-      ((height(middle) > 0.0) == up ? low : high) = middle;
-    }
-    for (const double apart_h : {-0.12, -0.04, 0.0, 0.04, 0.12}) time_h.push_back(low + apart_h);
-  }
-  for (const model::Gradient* gradient : {&sky.gradient_sun, &sky.gradient_anti})
-    if (gradient->width <= kMostColumns)
-      for (const int i : bentColumns(*gradient)) time_h.push_back(24.0 * (i + 0.5) / gradient->width);
-  for (const auto* keys : {&sky.intensity.time_h, &sky.polarising_tint.time_h, &sky.sun.path.key_time_h})
-    time_h.insert(time_h.end(), keys->begin(), keys->end());
-  tidy(time_h);
-  return time_h;
-}
-
-bool isClearOfHorizon(int size, const Number3& direction) {
-  return direction.y * size >= 2.0 * std::max(std::abs(direction.x), std::abs(direction.z));
-}
-
-namespace {
 
 /// An instant and what was found there.
 struct Found {
@@ -276,12 +173,28 @@ CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, 
                              const table::Progress& progress) {
   const Density density = densityOf(effort);
   const Measurement measurement(sky, cubemaps, density.directions);
+  const std::size_t count = cubemaps.time_h.size();
   std::vector<Found> found;
   for (const double time_h : instantsOf(sky, cubemaps.time_h, density)) found.push_back({time_h, {}});
   const auto measure = [&](std::vector<Found>& list) {
-    tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
-      list[i].at = measurement.at(list[i].time_h);
-      if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+    std::vector<std::vector<Found*>> gaps(count);
+    for (Found& at : list) gaps[format::findSegment(cubemaps.time_h, at.time_h).first].push_back(&at);
+    constexpr std::size_t kGapsAtOnce = 4;  // two that meet share the look at the cubemap between them
+    tbb::parallel_for(std::size_t{0}, (count + kGapsAtOnce - 1) / kGapsAtOnce, [&](std::size_t block) {
+      std::optional<CubemapLook> next;
+      for (std::size_t i = block * kGapsAtOnce; i < std::min((block + 1) * kGapsAtOnce, count); ++i) {
+        const std::vector<Found*>& gap = gaps[i];
+        if (gap.empty()) {
+          next.reset();
+          continue;
+        }
+        const CubemapLook first = next ? std::move(*next) : measurement.lookAt(i);
+        next.emplace(measurement.lookAt((i + 1) % count));
+        tbb::parallel_for(std::size_t{0}, gap.size(), [&](std::size_t k) {
+          gap[k]->at = measurement.at(gap[k]->time_h, first, *next);
+          if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+        });
+      }
     });
   };
   measure(found);
@@ -304,7 +217,8 @@ std::vector<CubemapError::Parts> partsAt(const model::Sky& sky, const CubemapSet
   const Measurement measurement(sky, cubemaps, {512, 256, 256});
   std::vector<CubemapError::Parts> parts(cubemaps.time_h.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    parts[i] = measurement.at(cubemaps.time_h[i]).parts;
+    const CubemapLook look = measurement.lookAt(i);
+    parts[i] = measurement.at(cubemaps.time_h[i], look, look).parts;
     if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
   });
   return parts;

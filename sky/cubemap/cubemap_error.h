@@ -4,11 +4,9 @@
 // the model's dome: the worst channel, of the larger of its own mean and the luminance's.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "sky/cubemap/cubemap_filter.h"
-#include "sky/cubemap/dome_directions.h"
+#include "sky/cubemap/cubemap_look.h"
 
 namespace welkin::cubemap {
 
@@ -18,14 +16,6 @@ enum class Effort {
   draft,  ///< a third of the directions of fast: for planning
   fast,   ///< within 5 % of full (tests/sky/cubemap_error_test.cpp)
   full    ///< four times the directions and more instants
-};
-
-/// Cubemaps as a file holds them: all of one size and format.
-struct CubemapSet {
-  int size = 0;  ///< >= 2
-  format::CubemapFormat format = format::CubemapFormat::rgba16f;
-  std::vector<double> time_h;                         ///< strictly ascending, in [0, 24), at least one
-  std::vector<std::span<const std::uint8_t>> texels;  ///< one for every time, or none: those that a bake would make
 };
 
 /// The error at an instant, or the largest over instants.
@@ -55,29 +45,8 @@ struct CubemapError {
   std::vector<At> day;
 };
 
-/// The sky's own measure: what errors are divided by.
-class DomeScale {
- public:
-  explicit DomeScale(const model::Sky& sky);
-  /// Of a mean radiance over the hemisphere: what a channel's error is divided by. 0 only for a sky that is black all
-  /// day.
-  double of(const Number3& mean, int channel) const;
-
- private:
-  double floor_;  ///< 1e-4 of the day's brightest mean luminance
-};
-
-/// Hours at which the sky bends: keys of intensity and tint, and of a path by hand; columns of the
-/// gradients; around sunrise and sunset.
-/// Ascending, in [0, 24).
-std::vector<double> bendsOf(const model::Sky& sky);
-
-/// Whether a direction above the horizon is at least a texel away from it, on its face: only those are compared.
-bool isClearOfHorizon(int size, const Number3& direction);
-
-/// Measures at the cubemaps' times, between them, at the curves' bends, and closer
-/// around the worst of these. Parallel; the same numbers
-/// for any number of threads. `progress` as in bakeDayTable.
+/// Measures at the cubemaps' times, between them, at the curves' bends, and closer around the worst of these. Parallel;
+/// the same numbers for any number of threads. `progress` as in bakeDayTable.
 CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, Effort effort,
                              const table::Progress& progress = {});
 

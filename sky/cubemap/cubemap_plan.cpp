@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sky/cubemap/cubemap_still_errors.h"
 #include "sky/cubemap/cubemap_times.h"
 
 namespace welkin::cubemap {
@@ -14,9 +15,6 @@ namespace {
 
 using format::CubemapFormat;
 
-constexpr int kSmallest = 8;
-constexpr int kEncodingSize = 64;  // rounding does not depend on the size: measured at one
-constexpr CubemapFormat kFormats[] = {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11};
 constexpr double kMargin = 0.97;  // of the budget: what is aimed at, so that Effort::full agrees
 constexpr double kSpare = 1.05;   // a plan this far below its aim is tried again with fewer bytes
 constexpr int kRounds = 12;
@@ -25,15 +23,10 @@ double bytesOf(int size, CubemapFormat format, std::size_t times) {
   return 6.0 * size * size * static_cast<double>(format::texelBytes(format)) * static_cast<double>(times);
 }
 
-/// A quantity over the day from some hours of it: between two, the larger.
-struct Envelope {
-  std::vector<double> time_h;
-  std::vector<double> value;
-  double at(double t) const {
-    const format::KeySegment segment = format::findSegment(time_h, t);
-    return std::max(value[segment.first], value[segment.second]);
-  }
-};
+/// Whether a bake would make the same cubemaps.
+bool isSame(const CubemapPlan& a, const CubemapPlan& b) {
+  return a.size == b.size && a.format == b.format && a.time_h == b.time_h;
+}
 
 /// What one choice of size and format leaves to the times.
 struct Candidate {
@@ -46,23 +39,12 @@ struct Candidate {
 class Planner {
  public:
   Planner(const model::Sky& sky, const CubemapLimits& limits, const table::Progress& progress)
-      : sky_(sky), limits_(limits), progress_(progress), day_(sky, progress), excess_(day_.time_h().size(), 1.0) {
-    std::vector<double> hours = bendsOf(sky);
-    for (int i = 0; i < 32; ++i) hours.push_back(0.75 * i);
-    std::sort(hours.begin(), hours.end());
-    hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
-    const auto partsOf = [&](int size, CubemapFormat format) {
-      return partsAt(sky, {size, format, hours, {}}, progress);
-    };
-    for (int size = kSmallest; size <= limits.largest_size; size *= 2) {
-      Envelope& envelope = resolution_.emplace_back(Envelope{hours, {}});
-      for (const auto& parts : partsOf(size, CubemapFormat::rgba16f)) envelope.value.push_back(parts.resolution);
-    }
-    for (const CubemapFormat format : kFormats) {
-      Envelope& envelope = encoding_.emplace_back(Envelope{hours, {}});
-      for (const auto& parts : partsOf(kEncodingSize, format)) envelope.value.push_back(parts.encoding);
-    }
-  }
+      : sky_(sky),
+        limits_(limits),
+        progress_(progress),
+        day_(sky, progress),
+        still_errors_(sky, limits.largest_size, progress),
+        excess_(day_.time_h().size(), 1.0) {}
 
   /// The least plan for a target by the model of squares, not yet measured; none when the limits leave none.
   std::optional<CubemapPlan> choose(double target) const {
@@ -154,15 +136,12 @@ class Planner {
  private:
   std::vector<Candidate> candidates(double target) const {
     std::vector<Candidate> list;
-    int size = kSmallest;
-    for (const Envelope& resolution : resolution_) {
-      for (std::size_t f = 0; f < std::size(kFormats); ++f) {
-        Candidate candidate{size, kFormats[f], {}, {}};
+    for (int size = kSmallestCubemap; size <= limits_.largest_size; size *= 2) {
+      for (const CubemapFormat format : kPlannedFormats) {
+        Candidate candidate{size, format, {}, {}};
         bool possible = true;
         for (std::size_t i = 0; i < day_.time_h().size(); ++i) {
-          const double r = resolution.at(day_.time_h()[i]);
-          const double e = encoding_[f].at(day_.time_h()[i]);
-          const double fixed = still_ * std::sqrt(r * r + e * e);
+          const double fixed = still_ * still_errors_.at(size, format, day_.time_h()[i]);
           possible = fixed < target;
           if (!possible) break;
           candidate.fixed.push_back(fixed);
@@ -170,7 +149,6 @@ class Planner {
         }
         if (possible) list.push_back(std::move(candidate));
       }
-      size *= 2;
     }
     return list;
   }
@@ -228,10 +206,9 @@ class Planner {
   const CubemapLimits limits_;
   const table::Progress& progress_;
   DomeDay day_;
-  std::vector<Envelope> resolution_;  ///< of each size
-  std::vector<Envelope> encoding_;    ///< of each format
-  std::vector<double> excess_;        ///< of DomeDay's candidates: measured over expected error between cubemaps
-  double still_ = 1.0;                ///< the same at the cubemaps' own times
+  CubemapStillErrors still_errors_;
+  std::vector<double> excess_;  ///< of DomeDay's candidates: measured over expected error between cubemaps
+  double still_ = 1.0;          ///< the same at the cubemaps' own times
 };
 
 }  // namespace
@@ -241,11 +218,15 @@ CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapL
   Planner planner(sky, limits, progress);
   const double aim = kMargin * max_error;
   CubemapPlan best;  // that keeps the aim
+  CubemapPlan last;  // that does not keep it
   double target = aim;
   for (int round = 0; round < kRounds; ++round) {
     std::optional<CubemapPlan> plan = planner.choose(target);
     if (!plan || (best.met && plan->bytes >= best.bytes)) break;
-    plan->met = planner.keeps(*plan, aim);
+    if (isSame(*plan, last))
+      plan->measured = std::move(last.measured);
+    else
+      plan->met = planner.keeps(*plan, aim);
     if (plan->met) {
       best = std::move(*plan);
       const double spare = aim / best.measured.error;
@@ -253,6 +234,7 @@ CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapL
       target *= std::min(spare, 1.5);  // the squares expected too much: ask for what is left over
     } else {
       planner.tighten(*plan, aim, 1.02 + 0.01 * round);
+      last = std::move(*plan);
     }
   }
   return best.met ? best : planner.leastError(aim, max_error);

@@ -7,18 +7,24 @@
 #include <cmath>
 
 #include "sky/base/error.h"
+#include "sky/cubemap/day_bends.h"
+#include "sky/cubemap/dome_directions.h"
 
 namespace welkin::cubemap {
 namespace {
 
-constexpr int kDirections = 768;
+constexpr std::size_t kDirections = 768;
 constexpr std::size_t kProbes = 24;  // candidates of a gap that are looked at; every one of a shorter gap
 constexpr int kMinutes = 1440;
+constexpr std::size_t kRemembered = 192;  // distances of a candidate: to those at most so many after it
 
 }  // namespace
 
 DomeDay::DomeDay(const model::Sky& sky, const table::Progress& progress)
-    : sky_(&sky), scale_(sky), directions_({kDirections, 0, 0}), bend_h_(bendsOf(sky)) {
+    : sky_(&sky), scale_(sky), bend_h_(bendsOf(sky)) {
+  const DomeDirections even({kDirections, 0, 0});
+  for (const Number3& d : even.staying()) rays_.emplace_back(sky.luminance, d);
+  if (sky.luminance.d >= -model::IndicatrixTable::kSteepest) table_.emplace(sky.luminance.d);
   std::vector<double> time_h = bend_h_;
   for (int i = 0; i < kMinutes; ++i) time_h.push_back(i / 60.0);
   add(time_h, progress);
@@ -52,6 +58,12 @@ void DomeDay::add(const std::vector<double>& time_h, const table::Progress& prog
   time_h_ = std::move(all);
   radiance_ = std::move(radiance);
   scale_of_ = std::move(scale_of);
+  bend_.clear();
+  for (const double bend : bend_h_)
+    bend_.push_back(
+        static_cast<std::size_t>(std::lower_bound(time_h_.begin(), time_h_.end(), bend - 1e-7) - time_h_.begin()));
+  distance_ = std::make_unique<std::atomic<double>[]>(time_h_.size() * kRemembered * 3);
+  for (std::size_t i = 0; i < time_h_.size() * kRemembered; ++i) distance_[3 * i] = -1.0;
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     render(missing[i]);
     if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
@@ -62,31 +74,57 @@ void DomeDay::render(std::size_t index) {
   const model::SkyInstant instant(*sky_, time_h_[index]);
   std::vector<float>& rgb = radiance_[index];
   Number3 mean(0.0);
-  for (const Number3& d : directions_.even()) {
-    const Number3 radiance = instant.dome(d, Number3(0.0));
+  for (const DomeRay& ray : rays_) {
+    const Number3 radiance = instant.dome(ray, table_ ? &*table_ : nullptr);
     mean += radiance * (1.0 / kDirections);
     for (int c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(radiance[c]));
   }
   for (int c = 0; c < 3; ++c) scale_of_[index][c] = scale_.of(mean, c);
 }
 
+/// The mean over the directions of the squared difference of two candidates.
+Number3 DomeDay::squaredDistance(std::size_t i, std::size_t j) const {
+  const std::size_t n = time_h_.size();
+  std::size_t after = j >= i ? j - i : j + n - i;
+  if (2 * after > n) {
+    i = j;
+    after = n - after;
+  }
+  std::atomic<double>* const known = after < kRemembered ? &distance_[3 * (i * kRemembered + after)] : nullptr;
+  if (known != nullptr && known[0].load(std::memory_order_acquire) >= 0.0) return {known[0], known[1], known[2]};
+  const float* const a = radiance_[i].data();
+  const float* const b = radiance_[i + after < n ? i + after : i + after - n].data();
+  constexpr std::size_t kAtOnce = 12;  // numbers: whole directions, and sums that do not wait for each other
+  static_assert(3 * kDirections % kAtOnce == 0);
+  double sum[kAtOnce] = {};
+  for (std::size_t at = 0; at < 3 * kDirections; at += kAtOnce)
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      const double difference = double{a[at + k]} - double{b[at + k]};
+      sum[k] += difference * difference;
+    }
+  Number3 mean;
+  for (std::size_t k = 0; k < kAtOnce; ++k) mean[static_cast<int>(k % 3)] += sum[k] / kDirections;
+  if (known != nullptr) {
+    known[2].store(mean.z, std::memory_order_relaxed);
+    known[1].store(mean.y, std::memory_order_relaxed);
+    known[0].store(mean.x, std::memory_order_release);
+  }
+  return mean;
+}
+
 double DomeDay::blendError(std::size_t first, std::size_t second, std::size_t at) const {
   const std::size_t n = time_h_.size();
-  const auto hour = [&](std::size_t i) { return time_h_[i % n] + 24.0 * static_cast<double>(i / n); };
-  const auto weight = static_cast<float>((hour(at) - hour(first)) / (hour(second) - hour(first)));
-  const std::vector<float>& a = radiance_[first % n];
-  const std::vector<float>& b = radiance_[second % n];
-  const std::vector<float>& model = radiance_[at % n];
-  float sum[3] = {};
-  for (std::size_t i = 0; i < model.size(); i += 3)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float difference = a[i + c] + weight * (b[i + c] - a[i + c]) - model[i + c];
-      sum[c] += difference * difference;
-    }
+  const auto inDay = [&](std::size_t i) { return i < n ? i : i - n; };
+  const auto hour = [&](std::size_t i) { return i < n ? time_h_[i] : time_h_[i - n] + format::kDay_h; };
+  const double weight = (hour(at) - hour(first)) / (hour(second) - hour(first));
+  // Stewart's theorem: how far a point of the line through two others is from a third.
+  const Number3 square = squaredDistance(inDay(first), inDay(at)) * (1.0 - weight) +
+                         squaredDistance(inDay(second), inDay(at)) * weight -
+                         squaredDistance(inDay(first), inDay(second)) * (weight * (1.0 - weight));
   double worst = 0.0;
   for (int c = 0; c < 3; ++c) {
-    const double scale = scale_of_[at % n][c];
-    if (scale > 0.0) worst = std::max(worst, std::sqrt(double{sum[c]} / kDirections) / scale);
+    const double scale = scale_of_[inDay(at)][c];
+    if (scale > 0.0) worst = std::max(worst, std::sqrt(std::max(square[c], 0.0)) / scale);
   }
   return worst;
 }
@@ -102,11 +140,9 @@ bool DomeDay::holds(std::size_t first, std::size_t second, std::span<const doubl
     if (!fits(first + 1 + place * inside / probes)) return false;
   }
   if (probes == inside) return true;
-  for (const double bend : bend_h_) {  // the next candidate at or after it
-    const auto after = std::lower_bound(time_h_.begin(), time_h_.end(), bend - 1e-7) - time_h_.begin();
-    for (std::size_t at = static_cast<std::size_t>(after); at < second; at += n)
+  for (const std::size_t bend : bend_)
+    for (std::size_t at = bend; at < second; at += n)
       if (at > first && !fits(at)) return false;
-  }
   return true;
 }
 
@@ -140,10 +176,7 @@ std::vector<std::size_t> DomeDay::starts() const {
   std::vector<std::size_t> list;
   constexpr std::size_t kEven = 6;
   for (std::size_t i = 0; i < kEven; ++i) list.push_back(i * time_h_.size() / kEven);
-  for (std::size_t i = 0; i < bend_h_.size(); i += 1 + bend_h_.size() / kEven) {
-    const auto after = std::lower_bound(time_h_.begin(), time_h_.end(), bend_h_[i] - 1e-7) - time_h_.begin();
-    list.push_back(static_cast<std::size_t>(after) % time_h_.size());
-  }
+  for (std::size_t i = 0; i < bend_.size(); i += 1 + bend_.size() / kEven) list.push_back(bend_[i] % time_h_.size());
   return list;
 }
 

@@ -2,11 +2,15 @@
 // Where cubemaps sit in the day: the fewest times between which a linear blend of the model's dome stays close to it.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "sky/cubemap/cubemap_error.h"
+#include "sky/cubemap/dome_scale.h"
+#include "sky/table/day_table.h"
 
 namespace welkin::cubemap {
 
@@ -37,17 +41,23 @@ class DomeDay {
 
  private:
   void render(std::size_t index);
+  Number3 squaredDistance(std::size_t i, std::size_t j) const;
   bool holds(std::size_t first, std::size_t second, std::span<const double> tolerance) const;
   std::vector<std::size_t> placeFrom(std::size_t start, std::span<const double> tolerance, std::size_t most) const;
   std::vector<std::size_t> starts() const;
 
   const model::Sky* sky_;
   DomeScale scale_;
-  DomeDirections directions_;
+  std::vector<DomeRay> rays_;
+  std::optional<model::IndicatrixTable> table_;
   std::vector<double> time_h_;
   std::vector<double> bend_h_;
+  std::vector<std::size_t> bend_;             ///< candidates at the bends, or the next ones after them
   std::vector<std::vector<float>> radiance_;  ///< of a candidate: direction, RGB
   std::vector<Number3> scale_of_;             ///< of a candidate, each channel
+  /// Squared distances of a candidate and those after it, each channel, from when they are first asked for; below 0
+  /// before.
+  std::unique_ptr<std::atomic<double>[]> distance_;
 };
 
 }  // namespace welkin::cubemap

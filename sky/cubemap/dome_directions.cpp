@@ -17,10 +17,10 @@ constexpr double kHighest = 0.25;
 }  // namespace
 
 DomeDirections::DomeDirections(const DirectionCounts& counts) {
-  for (int i = 0; i < counts.even; ++i) even_.push_back(sh::onSpiral((i + 0.5) / counts.even, i));
+  for (int i = 0; i < counts.even; ++i) staying_.push_back(sh::onSpiral((i + 0.5) / counts.even, i));
   const double heights = det::log(kHighest / kLowest);
   for (int i = 0; i < counts.low; ++i)
-    low_.push_back(sh::onSpiral(kLowest * det::exp(heights * (i + 0.5) / counts.low), i));
+    staying_.push_back(sh::onSpiral(kLowest * det::exp(heights * (i + 0.5) / counts.low), i));
   const double chords = det::log(kFarthest / kNearest);
   for (int i = 0; i < counts.about_sun; ++i)
     about_sun_.push_back({kNearest * det::exp(chords * (i + 0.5) / counts.about_sun), det::cos(sh::kGoldenTurn * i),
@@ -32,7 +32,7 @@ DomeDirections::DomeDirections(const DirectionCounts& counts) {
 
 std::vector<WeightedDirection> DomeDirections::around(const Number3& sun) const {
   std::vector<WeightedDirection> list;
-  list.reserve(even_.size() + low_.size() + about_sun_.size());
+  list.reserve(staying_.size() + about_sun_.size());
   const auto add = [&](const Number3& direction, double chord2) {
     double density = even_density_;
     // Closer than the nearest of the crowd an even one would stand for a whole cell, and the cusp for all of it.
@@ -40,11 +40,10 @@ std::vector<WeightedDirection> DomeDirections::around(const Number3& sun) const 
     if (direction.y >= kLowest && direction.y <= kHighest) density += low_density_ / direction.y;
     list.push_back({direction, 1.0 / density});
   };
-  for (const auto* directions : {&even_, &low_})
-    for (const Number3& direction : *directions) {
-      const Number3 difference = direction - sun;
-      add(direction, dot(difference, difference));
-    }
+  for (const Number3& direction : staying_) {
+    const Number3 difference = direction - sun;
+    add(direction, dot(difference, difference));
+  }
   const Number3 beside = std::abs(sun.y) < 0.7 ? Number3(0.0, 1.0, 0.0) : Number3(1.0, 0.0, 0.0);
   Number3 u = beside - sun * dot(beside, sun);
   u = u * (1.0 / std::sqrt(dot(u, u)));

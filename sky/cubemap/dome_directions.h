@@ -32,17 +32,17 @@ class DomeDirections {
   /// spread over their logarithms.
   explicit DomeDirections(const DirectionCounts& counts);
 
-  /// About a sun in unit direction `sun`: those of its crowd that are above the horizon.
+  /// About a sun in unit direction `sun`: first those that stay, then those of its crowd that are above the horizon.
   std::vector<WeightedDirection> around(const Number3& sun) const;
 
-  /// The even ones alone.
-  const std::vector<Number3>& even() const { return even_; }
+  /// Those that are there whatever the sun: the even and the low ones.
+  const std::vector<Number3>& staying() const { return staying_; }
 
  private:
   struct Offset {
     double chord, cosine, sine;  ///< distance of two points of the unit sphere, and the turn about the sun
   };
-  std::vector<Number3> even_, low_;
+  std::vector<Number3> staying_;
   std::vector<Offset> about_sun_;
   // Directions a solid angle: of the even ones; of those about the sun, times the chord's square; of the low ones,
   // times the height.

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sky/cubemap/day_bends.h"
+#include "sky/cubemap/dome_scale.h"
+
 namespace welkin::cubemap {
 
 using det::Number3;

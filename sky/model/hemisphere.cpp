@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/model/hemisphere.h"
 
-#include <cstdio>
-#include <cstdlib>
-
-#include "sh/multiple_cosines.h"
+#include <algorithm>
 
 namespace welkin::model {
 namespace {
@@ -150,18 +147,54 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
   return edge;
 }
 
+namespace {
+
+/// Nodes of a circle, the cosines of whose multiples are taken side by side.
+class CircleNodes {
+ public:
+  bool isFull() const { return count_ == kMost; }
+  void add(const Number3& shape, double cosine) {
+    shape_[count_] = shape;
+    cosine_[count_++] = cosine;
+  }
+  /// Adds every node to the integrals against cos(m alpha), and forgets them.
+  void addTo(std::span<Number3> order) {
+    double before[kMost];
+    double current[kMost];
+    std::copy_n(cosine_, count_, before);
+    std::fill_n(current, count_, 1.0);
+    for (Number3& integral : order) {
+      Number3 sum = integral;
+      for (std::size_t i = 0; i < count_; ++i) sum += shape_[i] * current[i];
+      integral = sum;
+      for (std::size_t i = 0; i < count_; ++i) {  // as sh/multiple_cosines.h
+        const double next = 2.0 * cosine_[i] * current[i] - before[i];
+        before[i] = current[i];
+        current[i] = next;
+      }
+    }
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;
+  std::size_t count_ = 0;
+  Number3 shape_[kMost];
+  double cosine_[kMost];
+};
+
+}  // namespace
+
 std::size_t HemisphereQuadrature::addOrders(const SunFrame& sun, const Latitude& at, std::span<Number3> order) const {
   std::size_t evaluations = 0;
   double storage[1];
+  CircleNodes nodes;
   forEachAzimuth(at, fadeCrossing(at, storage), [&](const Azimuth& azimuth) {
-    const Number3 shape = shapeOn(sun, at, azimuth) * azimuth.weight;
-    sh::MultipleCosines cosine(azimuth.cosine);
-    for (auto& sum : order) {
-      sum += shape * cosine.value();
-      cosine.advance();
-    }
+    nodes.add(shapeOn(sun, at, azimuth) * azimuth.weight, azimuth.cosine);
+    if (nodes.isFull()) nodes.addTo(order);
     ++evaluations;
   });
+  nodes.addTo(order);
   return evaluations;
 }
 

@@ -39,30 +39,53 @@ IrradianceProjector::IrradianceProjector(const LuminanceModel& model, const Irra
 void IrradianceProjector::addCircle(const Latitude& at, const std::vector<Number3>& order,
                                     IrradianceField& field) const {
   const double weight = 2.0 * at.weight / det::kPi;
+  std::size_t waiting = kRows;  // a row that the surface's plane cuts, and that waits for a second one
   for (std::size_t r = 0; r < row_.size(); ++r) {
     const double a = at.sine * row_[r].y;
     const double b = at.cosine * row_[r].across;
     if (a <= -b) continue;  // all of the circle is behind the surface
-    Number3* sum = field.series.data() + r * kOrders;
-    if (a >= b) {  // all of it is before
+    if (a >= b) {           // all of it is before
+      Number3* sum = field.series.data() + r * kOrders;
       sum[0] += order[0] * (weight * det::kPi * a);
       sum[1] += order[1] * (weight * det::kPi * b);
-      continue;
+    } else if (waiting == kRows) {
+      waiting = r;
+    } else {
+      addClipped(at, weight, {waiting, r}, order, field);
+      waiting = kRows;
     }
-    const double cosine = -a / b;  // of the azimuth at which the surface's plane cuts the circle
-    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
-    const double clip = det::atan(sine, cosine);
-    double before = sine;  // sin((m - 1) clip)
-    double current = 2.0 * cosine * sine;
-    sum[0] += order[0] * (weight * (a * clip + b * sine));
-    sum[1] += order[1] * (weight * (2.0 * a * sine + b * (clip + 0.5 * current)));
-    for (int m = 2; m < kOrders; ++m) {
-      const double next = 2.0 * cosine * current - before;
-      sum[m] += order[static_cast<std::size_t>(m)] *
-                (weight * (2.0 * a * current / m + b * (before / (m - 1) + next / (m + 1))));
-      before = current;
-      current = next;
-    }
+  }
+  if (waiting != kRows) addClipped(at, weight, {waiting, waiting}, order, field);
+}
+
+/// Rows whose surface's plane cuts the circle: two side by side, or one twice, which is then added once.
+void IrradianceProjector::addClipped(const Latitude& at, double weight, std::array<std::size_t, 2> row,
+                                     const std::vector<Number3>& order, IrradianceField& field) const {
+  using det::Number2;
+  const Number2 a = at.sine * Number2{row_[row[0]].y, row_[row[1]].y};
+  const Number2 b = at.cosine * Number2{row_[row[0]].across, row_[row[1]].across};
+  const Number2 cosine = -a / b;  // of the azimuth at which the surface's plane cuts the circle
+  const Number2 sine = det::sqrt((1.0 - cosine) * (1.0 + cosine));
+  const Number2 clip = det::atan(sine, cosine);
+  Number2 factor[kOrders];
+  Number2 current = 2.0 * cosine * sine;  // sin(m clip)
+  Number2 before = sine;                  // sin((m - 1) clip) / (m - 1)
+  Number2 last = sine;                    // sin((m - 1) clip)
+  factor[0] = weight * (a * clip + b * sine);
+  factor[1] = weight * (2.0 * a * sine + b * (clip + 0.5 * current));
+  Number2 here = current / 2.0;  // sin(m clip) / m
+  for (int m = 2; m < kOrders; ++m) {
+    const Number2 next = 2.0 * cosine * current - last;
+    const Number2 after = next / (m + 1.0);
+    factor[m] = weight * (2.0 * a * current / static_cast<double>(m) + b * (before + after));
+    before = here;
+    here = after;
+    last = current;
+    current = next;
+  }
+  for (std::size_t k = 0; k < (row[0] == row[1] ? 1 : 2); ++k) {
+    Number3* sum = field.series.data() + row[k] * kOrders;
+    for (std::size_t m = 0; m < kOrders; ++m) sum[m] += order[m] * factor[m][k];
   }
 }
 

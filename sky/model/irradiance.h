@@ -5,6 +5,7 @@
 // harmonics, whose series converges slowly for a bright horizon.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -68,6 +69,8 @@ class IrradianceProjector {
     double y, across;  ///< sine and cosine of the normal's elevation
   };
   void addCircle(const Latitude& at, const std::vector<Number3>& order, IrradianceField& field) const;
+  void addClipped(const Latitude& at, double weight, std::array<std::size_t, 2> row, const std::vector<Number3>& order,
+                  IrradianceField& field) const;
 
   std::vector<Row> row_;
   std::vector<double> extra_;  ///< elevations of further panels: the clip may lie anywhere

@@ -16,21 +16,25 @@ SkyInstant::SkyInstant(const Sky& sky, double time_h)
       sun_column_(columnAt(sky.gradient_sun, time_h)),
       anti_column_(columnAt(sky.gradient_anti, time_h)) {}
 
-double SkyInstant::luminanceFrom(const IndicatrixTable& table, const Number3& direction) const {
-  const Number3 difference = direction - sun_;
-  const Number3 sum = direction + sun_;
+double SkyInstant::luminance(const cubemap::DomeRay& ray, const IndicatrixTable* table) const {
+  const LuminanceModel& model = sky_->luminance;
+  if (table == nullptr) {
+    const double angle = det::angleBetween(ray.direction, sun_);
+    return ray.gradation * det::indicatrixFrom(model, det::exp(model.d * angle), at_right_angle_, det::cos(angle)) /
+           norm_;
+  }
+  const Number3 difference = ray.direction - sun_;
+  const Number3 sum = ray.direction + sun_;
   const double to_sun = 0.25 * dot(difference, difference);
   const double to_antipode = 0.25 * dot(sum, sum);
-  return det::gradation(sky_->luminance, direction.y) *
-         det::indicatrixFrom(sky_->luminance, table.exponential(to_sun, to_antipode), at_right_angle_,
-                             to_antipode - to_sun) /
+  return ray.gradation *
+         det::indicatrixFrom(model, table->exponential(to_sun, to_antipode), at_right_angle_, to_antipode - to_sun) /
          norm_;
 }
 
-Number3 SkyInstant::chromaticity(const Number3& direction) const {
-  const double elevation = det::elevationOf(direction);
+Number3 SkyInstant::chromaticity(const Number3& direction, double elevation_rad) const {
   const Number3 colour =
-      mix(anti_column_.at(elevation), sun_column_.at(elevation), det::azimuthWeight(direction, sun_));
+      mix(anti_column_.at(elevation_rad), sun_column_.at(elevation_rad), det::azimuthWeight(direction, sun_));
   return det::chromaticity(colour, kGradientDelta);
 }
 

@@ -5,8 +5,12 @@
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "sky/bake/sky_file.h"
+#include "sky/cubemap/cubemap_times.h"
+#include "sky/cubemap/day_bends.h"
+#include "sky/cubemap/dome_directions.h"
 #include "tests/sky/some_skies.h"
 
 namespace welkin::tests {
@@ -41,6 +45,59 @@ void requireSound(const cubemap::CubemapPlan& plan, const cubemap::CubemapLimits
 }
 
 }  // namespace
+
+TEST_CASE("DomeDay, ABlendIsAsFarFromTheDomeAsTheBlendedDomesAre") {
+  const model::Sky sky = tests::someSkies()[1].sky;
+  const cubemap::DomeDay day(sky);
+  const cubemap::DomeScale scale(sky);
+  const auto& time_h = day.time_h();
+  const std::size_t n = time_h.size();
+  const cubemap::DomeDirections even({768, 0, 0});
+  // Short and long gaps, by day, by night, over midnight and around the whole day.
+  for (const auto& [first, apart] :
+       {std::pair(n / 2, std::size_t{30}), std::pair(n / 4, std::size_t{2}), std::pair(n - 20, std::size_t{60}),
+        std::pair(n / 3, n / 2), std::pair(n / 5, n)}) {
+    const std::size_t second = first + apart;
+    const std::size_t at = first + std::max<std::size_t>(1, apart / 3);
+    const auto hour = [&](std::size_t i) { return time_h[i % n] + 24.0 * static_cast<double>(i / n); };
+    const double weight = (hour(at) - hour(first)) / (hour(second) - hour(first));
+    const model::SkyInstant before(sky, time_h[first % n]);
+    const model::SkyInstant after(sky, time_h[second % n]);
+    const model::SkyInstant model(sky, time_h[at % n]);
+    Number3 mean(0.0);
+    Number3 square(0.0);
+    for (const Number3& d : even.staying()) {
+      const Number3 want = model.dome(d, Number3(0.0));
+      const Number3 off = mix(before.dome(d, Number3(0.0)), after.dome(d, Number3(0.0)), weight) - want;
+      mean += want * (1.0 / 768.0);
+      square += off * off * (1.0 / 768.0);
+    }
+    double worst = 0.0;
+    for (int c = 0; c < 3; ++c) worst = std::max(worst, std::sqrt(square[c]) / scale.of(mean, c));
+    constexpr double kFloats = 1e-5;  // domes are held as floats, whose roundings a short blend shows most
+    CAPTURE(first, apart, worst);
+    CHECK(day.blendError(first, second, at) == Approx(worst).epsilon(kFloats).margin(1e-7));
+    CHECK(day.blendError(first, second, at) == day.blendError(first, second, at));
+  }
+}
+
+TEST_CASE("DomeRay, ShowsTheDomeToTheLastBit") {
+  for (const tests::NamedSky& named : tests::someSkies()) {
+    const model::IndicatrixTable table(named.sky.luminance.d);
+    for (const double time_h : {5.5, 12.0, 23.0}) {
+      const model::SkyInstant instant(named.sky, time_h);
+      const cubemap::DomeDirections directions({64, 0, 64});
+      for (const Number3& d : directions.staying()) {
+        const cubemap::DomeRay ray(named.sky.luminance, d);
+        const Number3 exact = instant.chromaticity(d) * instant.luminance(d) * instant.intensity() *
+                              named.sky.polarising_tint.colourAt(time_h);
+        CHECK(instant.dome(ray, nullptr) == exact);
+        const Number3 near = instant.dome(ray, &table);
+        for (int c = 0; c < 3; ++c) CHECK(near[c] == Approx(exact[c]).epsilon(1e-7));
+      }
+    }
+  }
+}
 
 TEST_CASE("CubemapPlan, ASkyThatDoesNotChangeGetsOneSmallCubemap") {
   const auto plan = cubemap::planCubemaps(uniformSky(base::Curve::constant(0.7)), 0.01);
