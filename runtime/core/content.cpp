@@ -59,7 +59,7 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
 /// The dome divides by the luminance of the normalising direction: positive at every minute of the day.
 void checkNorm(Check& check, const format::Sky& sky) {
   const auto model = luminanceModel(*sky.luminance());
-  const Course sun(*sky.sun()->path());
+  const LightPath sun(*sky.sun()->path());
   for (int minute = 0; minute < 1440; ++minute) {
     const double norm =
         f64::luminanceNorm(model, sun.directionAt(minute / 60.0), sky.luminance()->normalise_to_sun() != 0);

@@ -14,8 +14,8 @@ using format::Encoding;
 
 namespace {
 
-Number3 notNegative(const Number3& v) {
-  return {std::max(v.x, 0.0), std::max(v.y, 0.0), std::max(v.z, 0.0)};
+Number3 notNegative(const Channels& v) {
+  return {std::max(v[0], 0.0), std::max(v[1], 0.0), std::max(v[2], 0.0)};
 }
 
 }  // namespace
@@ -39,65 +39,73 @@ std::array<double, kMostModes> ModeMap::at(double column, double row) const {
   return value;
 }
 
-Day::Day(const format::Day& day) : day_(&day), bands_(day.bands()), rows_(day.rows()) {
-  if (day.modes() != nullptr) modes_ = ModeMap(*day.modes());
+Day::Day(const format::Day& day)
+    : key_time_h_(spanOf(day.key_time_h())),
+      key_scale_(spanOf(day.key_scale())),
+      row_scale_(spanOf(day.row_scale())),
+      numbers_(day.numbers()->data()),
+      bands_(day.bands()),
+      rows_(day.rows()),
+      channels_(day.channels()) {
+  switch (day.encoding()) {
+    case Encoding::float32:
+      blend_ = &Day::blend<Encoding::float32>;
+      break;
+    case Encoding::float16:
+      blend_ = &Day::blend<Encoding::float16>;
+      break;
+    case Encoding::fixed16:
+      blend_ = &Day::blend<Encoding::fixed16>;
+      break;
+    case Encoding::fixed8:
+      blend_ = &Day::blend<Encoding::fixed8>;
+      break;
+  }
+  if (day.modes() == nullptr) return;
+  modes_ = ModeMap(*day.modes());
+  mode_sh_ = spanOf(day.modes()->polar_sh());
+  mode_upwards_ = modes_.at(0.5, 1.0);
 }
 
 template <Encoding kEncoding>
-void Day::blend(double time_h, Rows& rows) const {
-  const auto s = format::findSegment(spanOf(day_->key_time_h()), time_h);
+void Day::blend(double time_h, Channels* rows) const {
+  const auto s = format::findSegment(key_time_h_, time_h);
   double weight[2] = {1.0 - s.weight, s.weight};
   if constexpr (format::hasKeyScale(kEncoding)) {
-    weight[0] *= double{day_->key_scale()->Get(static_cast<flatbuffers::uoffset_t>(s.first))};
-    weight[1] *= double{day_->key_scale()->Get(static_cast<flatbuffers::uoffset_t>(s.second))};
+    weight[0] *= double{key_scale_[s.first]};
+    weight[1] *= double{key_scale_[s.second]};
   }
-  const std::uint8_t* numbers = day_->numbers()->data();
-  const std::size_t channels = day_->channels();
-  const std::size_t count = rows_ * channels;
-  for (std::size_t i = 0; i < count; ++i) {
-    double value = weight[0] * format::storedNumber<kEncoding>(numbers, s.first * count + i) +
-                   weight[1] * format::storedNumber<kEncoding>(numbers, s.second * count + i);
-    if constexpr (format::hasRowScale(kEncoding))
-      value *= double{day_->row_scale()->Get(static_cast<flatbuffers::uoffset_t>(i))};
-    if (channels == 1)
-      rows[i] = Number3(value);
-    else
-      rows[i / 3][static_cast<int>(i % 3)] = value;
+  const std::size_t count = rows_ * channels_;
+  double value[3 * kMostRows];
+  for (std::size_t i = 0; i < count; ++i)
+    value[i] = weight[0] * format::storedNumber<kEncoding>(numbers_, s.first * count + i) +
+               weight[1] * format::storedNumber<kEncoding>(numbers_, s.second * count + i);
+  if constexpr (format::hasRowScale(kEncoding))
+    for (std::size_t i = 0; i < count; ++i) value[i] *= double{row_scale_[i]};
+  const std::size_t step = channels_ == 1 ? 0 : 1;
+  for (std::size_t i = 0; i < rows_; ++i) {
+    const double* v = value + i * channels_;
+    const Number3 colour(v[0], v[step], v[2 * step]);
+    rows[i] = {colour.x, colour.y, colour.z, f64::luminanceOf(colour)};
   }
 }
 
 void Day::shapeAt(double time_h, Shape& shape) const {
-  Rows rows;
-  switch (day_->encoding()) {
-    case Encoding::float32:
-      blend<Encoding::float32>(time_h, rows);
-      break;
-    case Encoding::float16:
-      blend<Encoding::float16>(time_h, rows);
-      break;
-    case Encoding::fixed16:
-      blend<Encoding::fixed16>(time_h, rows);
-      break;
-    case Encoding::fixed8:
-      blend<Encoding::fixed8>(time_h, rows);
-      break;
-  }
   const std::size_t coefficients = format::polarCount(bands_);
-  if (modes_.count() == 0) {
-    std::copy_n(rows.begin(), coefficients, shape.polar.begin());
-    if (rows_ > coefficients) shape.horizontal_irradiance = notNegative(rows[coefficients]);
+  const std::size_t modes = modes_.count();
+  (this->*blend_)(time_h, modes == 0 ? shape.polar.data() : shape.weight.data());
+  if (modes == 0) {
+    shape.horizontal_irradiance = rows_ > coefficients ? notNegative(shape.polar[coefficients]) : Number3(0.0);
     return;
   }
-  std::copy_n(rows.begin(), modes_.count(), shape.weight.begin());
-  const float* of_mode = day_->modes()->polar_sh()->data();
-  for (std::size_t i = 0; i < coefficients; ++i) {
-    Number3 sum(0.0);
-    for (std::size_t k = 0; k < modes_.count(); ++k) sum += rows[k] * double{of_mode[k * coefficients + i]};
-    shape.polar[i] = sum;
+  std::fill_n(shape.polar.begin(), coefficients, Channels{});
+  Channels horizontal{};
+  for (std::size_t k = 0; k < modes; ++k) {
+    const float* sh = mode_sh_.data() + k * coefficients;
+    for (std::size_t i = 0; i < coefficients; ++i)
+      for (std::size_t c = 0; c < 4; ++c) shape.polar[i][c] += shape.weight[k][c] * double{sh[i]};
+    for (std::size_t c = 0; c < 4; ++c) horizontal[c] += shape.weight[k][c] * mode_upwards_[k];
   }
-  const auto up = modes_.at(0.5, 1.0);
-  Number3 horizontal(0.0);
-  for (std::size_t k = 0; k < modes_.count(); ++k) horizontal += rows[k] * up[k];
   shape.horizontal_irradiance = notNegative(horizontal);
 }
 

@@ -39,25 +39,31 @@ class Day {
   Day() = default;
   explicit Day(const format::Day& day);
 
-  /// The shape of the sky at an hour in [0, 24), intensity 1, without ground.
+  /// The shape of the sky at an hour, intensity 1, without ground. Elements past those of the file are not set.
   struct Shape {
-    std::array<f64::Number3, kMostModes> weight{};  ///< of the modes
-    std::array<f64::Number3, 15> polar{};           ///< coefficients of radiance in the sun's frame
-    f64::Number3 horizontal_irradiance{0.0};        ///< 0 where the file needs none
+    std::array<Channels, kMostModes> weight;  ///< of the modes
+    std::array<Channels, kMostRows> polar;    ///< coefficients of radiance in the sun's frame
+    f64::Number3 horizontal_irradiance;       ///< 0 where the file needs none
   };
+  /// `time_h` in [0, 24).
   void shapeAt(double time_h, Shape& shape) const;
 
   std::size_t bands() const { return bands_; }
   const ModeMap& modes() const { return modes_; }
 
  private:
-  using Rows = std::array<f64::Number3, kMostRows>;
+  using Blend = void (Day::*)(double time_h, Channels* rows) const;
   template <format::Encoding kEncoding>
-  void blend(double time_h, Rows& rows) const;
+  void blend(double time_h, Channels* rows) const;
 
-  const format::Day* day_ = nullptr;
-  std::size_t bands_ = 0, rows_ = 0;
+  Blend blend_ = nullptr;  ///< of the file's encoding
+  std::span<const double> key_time_h_;
+  std::span<const float> key_scale_, row_scale_;
+  const std::uint8_t* numbers_ = nullptr;
+  std::size_t bands_ = 0, rows_ = 0, channels_ = 0;
   ModeMap modes_;
+  std::span<const float> mode_sh_;                 ///< mode, coefficient
+  std::array<double, kMostModes> mode_upwards_{};  ///< modes of the normal that looks up
 };
 
 }  // namespace welkin::core

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/floats.h"
 #include "core/sky.h"
 
 namespace welkin::core {
@@ -55,25 +56,22 @@ WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* s
   using namespace welkin;
   using namespace welkin::core;
   if (sky == nullptr || sample == nullptr || direction == nullptr || radiance == nullptr) return WELKIN_ERROR_ARGUMENT;
-  const Number3 d{double{direction[0]}, double{direction[1]}, double{direction[2]}};
+  const Number3 d = load(direction);
   if (!(d.y >= 0.0)) {
     std::copy_n(sample->ground_radiance, 3, radiance);
     return WELKIN_OK;
   }
   WelkinGradients gradients;
   welkin_sky_gradients(sky, &gradients);
-  const float* s = sample->sun.direction;
-  const Number3 sun{double{s[0]}, double{s[1]}, double{s[2]}};
+  const Number3 sun = load(sample->sun.direction);
   const double elevation = f64::elevationOf(d);
   const Number3 colour = mix(sampleGradient(gradients.anti, sample->time_h, elevation),
                              sampleGradient(gradients.sun, sample->time_h, elevation), f64::azimuthWeight(d, sun));
   const double luminance =
-      f64::relativeLuminance(luminanceModel(*sky->file->sky()->luminance()), d, sun, double{sample->luminance_norm}) *
-      double{sample->intensity};
-  const float* t = sample->polarising_tint;
-  const Number3 tint{double{t[0]}, double{t[1]}, double{t[2]}};
+      f64::relativeLuminance(sky->luminance, d, sun, double{sample->luminance_norm}) * double{sample->intensity};
+  const Number3 tint = load(sample->polarising_tint);
   const Number3 value = f64::chromaticity(colour, double{gradients.delta}) * luminance * tint;
-  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(value[i]);
+  store(value, radiance);
   return WELKIN_OK;
 }
 
@@ -83,7 +81,6 @@ WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float dir
   using namespace welkin::core;
   if (sample == nullptr || direction == nullptr || radiance == nullptr || !(pixel_rad >= 0.0F))
     return WELKIN_ERROR_ARGUMENT;
-  const auto load = [](const float v[3]) { return Number3(double{v[0]}, double{v[1]}, double{v[2]}); };
   const Number3 d = load(direction);
   const Number3 sun = load(sample->sun.direction);
   Number3 sum(0.0);
@@ -96,7 +93,7 @@ WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float dir
     const double sine = std::sin(radius);
     if (coverage > 0.0) sum += load(light->normal_irradiance) * (coverage * phase / (f64::kPi * sine * sine));
   }
-  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(sum[i]);
+  store(sum, radiance);
   return WELKIN_OK;
 }
 
@@ -110,12 +107,11 @@ WelkinResult welkin_star_radiance(const WelkinSky* sky, const WelkinSkySample* s
   welkin_sky_stars(sky, &map);
   std::fill_n(radiance, 3, 0.0F);
   if (map.width == 0 || !(map.intensity > 0.0F) || !(direction[1] >= 0.0F)) return WELKIN_OK;
-  const Number3 at =
-      f64::starCoordinates({double{direction[0]}, double{direction[1]}, double{direction[2]}}, double{map.latitude_rad},
-                           double{map.north_offset_rad}, f64::kTwoPi * (sample->time_h - map.midnight_h) / 24.0);
-  const double luminance = f64::luminanceOf({double{dome[0]}, double{dome[1]}, double{dome[2]}});
+  const Number3 at = f64::starCoordinates(load(direction), double{map.latitude_rad}, double{map.north_offset_rad},
+                                          f64::kTwoPi * (sample->time_h - map.midnight_h) / 24.0);
+  const double luminance = f64::luminanceOf(load(dome));
   const Number3 value =
       sampleStars(map, at.x, at.y) * (double{map.intensity} * f64::starFade(luminance, double{map.intensity}));
-  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(value[i]);
+  store(value, radiance);
   return WELKIN_OK;
 }

@@ -4,20 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/floats.h"
 #include "core/sky.h"
 
 namespace welkin::core {
 namespace {
 
 using f64::Number3;
-
-Number3 load(const float v[3]) {
-  return {double{v[0]}, double{v[1]}, double{v[2]}};
-}
-
-void store(const Number3& v, float out[3]) {
-  for (int i = 0; i < 3; ++i) out[i] = toFloat(v[i]);
-}
 
 float lerp(float a, float b, float weight) {
   return toFloat((1.0 - double{weight}) * double{a} + double{weight} * double{b});

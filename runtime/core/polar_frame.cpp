@@ -9,6 +9,9 @@ namespace {
 
 using f64::Number3;
 
+constexpr std::size_t kMostBands = 5;
+constexpr std::size_t kMost = 25;  // coefficients
+
 /// Gauss-Legendre nodes and weights of degree 9: exact for products of two functions of 5 bands.
 struct Node {
   double x, weight;
@@ -33,6 +36,7 @@ Azimuth::Azimuth(const Number3& direction) {
 
 PolarFrame::PolarFrame() {
   constexpr int kTurns = 9;  // trapezoids over the azimuth: exact up to order 8
+  std::array<std::array<double, kMost>, kMost> block{};
   for (const Node& node : gaussNodes())
     for (int i = 0; i < kTurns; ++i) {
       const double angle = f64::kTwoPi * i / kTurns;
@@ -40,33 +44,47 @@ PolarFrame::PolarFrame() {
       const Number3 d(across * std::cos(angle), across * std::sin(angle), node.x);
       const f64::ShBasis world = f64::shBasis(d);
       const f64::ShBasis polar = f64::shBasis({d.z, d.x, d.y});
-      for (std::size_t l = 0; l < 5; ++l)
+      for (std::size_t l = 0; l < kMostBands; ++l)
         for (std::size_t row = l * l; row < (l + 1) * (l + 1); ++row)
           for (std::size_t column = l * l; column < (l + 1) * (l + 1); ++column)
-            block_[row][column] += node.weight * f64::kTwoPi / kTurns * world.v[row] * polar.v[column];
+            block[row][column] += node.weight * f64::kTwoPi / kTurns * world.v[row] * polar.v[column];
     }
+  constexpr double kRounding = 1e-12;  // a factor is 0 by symmetry or at least 1/8
+  std::uint8_t count = 0;
+  for (std::size_t l = 0; l < kMostBands; ++l)
+    for (std::size_t row = l * l; row < (l + 1) * (l + 1); ++row) {
+      first_[row] = count;
+      for (int m = -static_cast<int>(l); m <= static_cast<int>(l); ++m) {
+        const double factor = block[row][static_cast<std::size_t>(static_cast<int>(l * (l + 1)) + m)];
+        if (std::abs(factor) > kRounding && count < kMostTerms)
+          term_[count++] = {factor, static_cast<std::uint8_t>(l * (l + 1) / 2 + static_cast<std::size_t>(std::abs(m))),
+                            static_cast<std::uint8_t>(m + 4)};
+      }
+    }
+  first_[kMost] = count;
 }
 
-void PolarFrame::toWorld(std::size_t bands, std::span<const Number3> polar, const Azimuth& azimuth,
-                         std::span<Number3> world) const {
-  double cosine[5] = {1.0};  // of m times the azimuth
-  double sine[5] = {0.0};
+void PolarFrame::toWorld(std::size_t bands, std::span<const Channels> polar, const Azimuth& azimuth,
+                         std::span<Channels> world) const {
+  std::array<double, 2 * kMostBands - 1> turn;  // by order m + 4: cosine of m >= 0 times the azimuth, sine of -m
+  double cosine = azimuth.share;
+  double sine = 0.0;
+  turn[4] = 1.0;
   for (std::size_t m = 1; m < bands; ++m) {
-    cosine[m] = cosine[m - 1] * azimuth.cosine - sine[m - 1] * azimuth.sine;
-    sine[m] = sine[m - 1] * azimuth.cosine + cosine[m - 1] * azimuth.sine;
+    const double before = cosine;
+    cosine = before * azimuth.cosine - sine * azimuth.sine;
+    sine = sine * azimuth.cosine + before * azimuth.sine;
+    turn[4 + m] = cosine;
+    turn[4 - m] = sine;
   }
-  for (std::size_t l = 0; l < bands; ++l) {
-    Number3 turned[9];  // by order, from -l
-    for (std::size_t m = 0; m <= l; ++m) {
-      const Number3 moment = polar[l * (l + 1) / 2 + m] * (m > 0 ? azimuth.share : 1.0);
-      turned[l + m] = moment * cosine[m];
-      if (m > 0) turned[l - m] = moment * sine[m];
+  for (std::size_t i = 0; i < bands * bands; ++i) {
+    Channels sum{};
+    for (std::size_t t = first_[i]; t < first_[i + 1]; ++t) {
+      const Term& term = term_[t];
+      const double factor = term.factor * turn[term.turn];
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += factor * polar[term.polar][c];
     }
-    for (std::size_t i = 0; i < 2 * l + 1; ++i) {
-      Number3 sum(0.0);
-      for (std::size_t j = 0; j < 2 * l + 1; ++j) sum += turned[j] * block_[l * l + i][l * l + j];
-      world[l * l + i] = sum;
-    }
+    world[i] = sum;
   }
 }
 

@@ -4,11 +4,20 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "shared.h"
 
 namespace welkin::core {
+
+/// Red, green and blue, and their luminance, which is linear too: turned along, it need not be summed again to
+/// desaturate. Four doubles are whole vectors of any processor.
+using Channels = std::array<double, 4>;
+
+inline f64::Number3 colourOf(const Channels& v) {
+  return {v[0], v[1], v[2]};
+}
 
 /// Horizontal length of the sun's direction below which what depends on its azimuth fades. At the zenith and the nadir
 /// the azimuth turns at once, and the sky does not depend on it; what a table has left of that between its keys would
@@ -27,18 +36,25 @@ struct Azimuth {
   explicit Azimuth(const f64::Number3& direction);
 };
 
-/// Turns coefficients of m >= 0 about the pole +y into all coefficients about the pole +z of the basis. Holds the
-/// blocks of every band.
+/// Turns coefficients of m >= 0 about the pole +y into all coefficients about the pole +z of the basis. The axes only
+/// change places between the two, so every coefficient of the world is a sum of at most three: of 5 bands, 45 products.
 class PolarFrame {
  public:
   PolarFrame();
 
   /// `polar`: index l (l + 1) / 2 + m, of `bands` <= 5 bands; `world`: bands^2 coefficients, axes of the world.
-  void toWorld(std::size_t bands, std::span<const f64::Number3> polar, const Azimuth& azimuth,
-               std::span<f64::Number3> world) const;
+  void toWorld(std::size_t bands, std::span<const Channels> polar, const Azimuth& azimuth,
+               std::span<Channels> world) const;
 
  private:
-  std::array<std::array<double, 25>, 25> block_{};  ///< of coefficients; 0 between bands
+  static constexpr std::size_t kMostTerms = 45;
+  /// factor times the cosine or sine of |m| times the azimuth times the coefficient (l, |m|).
+  struct Term {
+    double factor;
+    std::uint8_t polar, turn;  ///< indices of the coefficient and of Turns
+  };
+  std::array<Term, kMostTerms> term_;     ///< by coefficient of the world
+  std::array<std::uint8_t, 26> first_{};  ///< of a coefficient's terms; the next one's is their end
 };
 
 }  // namespace welkin::core

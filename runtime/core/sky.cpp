@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "core/floats.h"
 #include "format/cubemap_format.h"
 
 namespace welkin::core {
@@ -39,18 +40,36 @@ bool decodeGradient(const format::Gradient& gradient, std::unique_ptr<float[]>& 
   return true;
 }
 
+/// Hours of the cubemaps, which a search reads at every sample. False when there is no memory.
+bool listCubemaps(const format::Sky& sky, WelkinSky& opened) {
+  if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return true;
+  opened.cubemap_count = sky.cubemaps()->size();
+  opened.cubemap_time_h.reset(new (std::nothrow) double[opened.cubemap_count]);
+  if (opened.cubemap_time_h == nullptr) return false;
+  double* time_h = opened.cubemap_time_h.get();
+  for (const auto* cubemap : *sky.cubemaps()) *time_h++ = cubemap->time_h();
+  return true;
+}
+
 /// Completes a sky whose content checkContent has let pass.
 WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
+  const auto& s = *file.sky();
   opened.file = &file;
-  opened.sun = Course(*file.sky()->sun()->path());
-  if (file.sky()->moon() != nullptr) opened.moon = Course(*file.sky()->moon()->path());
-  opened.constant_norm =
-      f64::constantNorm(luminanceModel(*file.sky()->luminance()), file.sky()->luminance()->normalise_to_sun() != 0);
-  opened.day = Day(*file.sky()->day());
+  opened.intensity = Curve(*s.intensity());
+  opened.ambient_saturation = Curve(*s.ambient_saturation());
+  opened.polarising_tint = Curve(*s.polarising_tint());
+  opened.sun = Light(*s.sun());
+  if (s.moon() != nullptr) opened.moon = Light(*s.moon());
+  opened.luminance = luminanceModel(*s.luminance());
+  opened.normalise_to_sun = s.luminance()->normalise_to_sun() != 0;
+  opened.constant_norm = f64::constantNorm(opened.luminance, opened.normalise_to_sun);
+  const auto& albedo = *s.ground_albedo();
+  opened.albedo = {double{albedo.r()}, double{albedo.g()}, double{albedo.b()}};
+  opened.day = Day(*s.day());
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::uint32_t i = 0; i < 25; ++i) opened.ground_sh[i] = f64::groundLobe(bandOf(i)) * up.v[i];
-  if (!decodeGradient(*file.sky()->gradient_sun(), opened.gradient_sun) ||
-      !decodeGradient(*file.sky()->gradient_anti(), opened.gradient_anti))
+  if (!listCubemaps(s, opened) || !decodeGradient(*s.gradient_sun(), opened.gradient_sun) ||
+      !decodeGradient(*s.gradient_anti(), opened.gradient_anti))
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   *sky = new (std::nothrow) WelkinSky(std::move(opened));
   return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");

@@ -7,10 +7,12 @@
 #include <cstdarg>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/day.h"
 #include "core/file_map.h"
+#include "core/light.h"
 #include "format/container.h"
 #include "format/domain_check.h"
 #include "shared.h"
@@ -35,35 +37,24 @@ constexpr int bandOf(std::uint32_t coefficient) {
   return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
 }
 
-/// Where a light stands over the day; borrows the file's keys of a path drawn by hand.
-class Course {
- public:
-  Course() = default;
-  explicit Course(const format::LightPath& path);
-
-  /// Unit direction towards the light, at a time in [0, 24).
-  f64::Number3 directionAt(double time_h) const;
-
- private:
-  std::span<const double> time_h_, azimuth_rad_, elevation_rad_;  ///< keys; none: the circle
-  f64::DailyCircle circle_{};
-  double transit_h_ = 0.0;
-};
-
 /// Least of what is divided by: not 0 as a float either.
 inline constexpr double kLeastDivisor = 1e-30;
-
-/// Stores a double in a float field: rounds, and keeps a value past float's range finite.
-float toFloat(double value);
 
 }  // namespace welkin::core
 
 struct WelkinSky {
   welkin::core::FileMap map;
   const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
-  welkin::core::Course sun, moon;              ///< moon: only when the file has one
+  welkin::core::Curve intensity, ambient_saturation, polarising_tint;
+  welkin::core::Light sun;
+  std::optional<welkin::core::Light> moon;
+  welkin::f64::LuminanceModel luminance{};
+  bool normalise_to_sun = false;
+  welkin::f64::Number3 albedo;
   welkin::core::Day day;
   welkin::core::PolarFrame frame;
+  std::size_t cubemap_count = 0;
+  std::unique_ptr<double[]> cubemap_time_h;
   std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null: the file's own floats
   double constant_norm = 1.0;                            ///< of the luminance
   double ground_sh[25] = {};                             ///< coefficients of a radiance of 1 below the horizon

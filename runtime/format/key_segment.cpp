@@ -20,8 +20,8 @@ KeySegment findSegment(std::span<const double> key_time_h, double time_h) {
   if (count == 1) return {0, 0, 0.0};
   const double t = wrapTime(time_h);
   const auto after = std::upper_bound(key_time_h.begin(), key_time_h.end(), t);
-  const std::size_t second = static_cast<std::size_t>(after - key_time_h.begin()) % count;
-  const std::size_t first = (second + count - 1) % count;
+  const std::size_t second = after == key_time_h.end() ? 0 : static_cast<std::size_t>(after - key_time_h.begin());
+  const std::size_t first = (second == 0 ? count : second) - 1;
   double since = t - key_time_h[first];
   if (since < 0.0) since += kDay_h;
   double length = key_time_h[second] - key_time_h[first];

@@ -166,15 +166,15 @@ TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
     for (const double azimuth_rad : {0.0, 0.4, -2.2, 3.1, M_PI_2}) {
       const det::Number3 towards(std::sin(azimuth_rad), 0.7, -std::cos(azimuth_rad));
       const core::Azimuth azimuth(f64::Number3(towards.x, towards.y, towards.z));
-      std::vector<f64::Number3> polar(bands * (bands + 1) / 2);
-      for (auto& p : polar) p = {number(random), number(random), number(random)};
-      std::vector<f64::Number3> world(bands * bands);
+      std::vector<core::Channels> polar(bands * (bands + 1) / 2);
+      for (auto& p : polar) p = {number(random), number(random), number(random), number(random)};
+      std::vector<core::Channels> world(bands * bands);
       frame.toWorld(bands, polar, azimuth, world);
       // About the sun's azimuth the frame's x looks there, its z up, its y where both leave it.
       const sh::Matrix3 axes = {det::Number3(towards.x, 0, towards.z), det::Number3(towards.z, 0, -towards.x),
                                 det::Number3(0, 1, 0)};
       const sh::Rotation rotation(static_cast<int>(bands), axes);
-      for (int c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < 4; ++c) {
         std::vector<double> all(bands * bands), turned(bands * bands);
         for (std::size_t l = 0; l < bands; ++l)
           for (std::size_t m = 0; m <= l; ++m) all[l * (l + 1) + m] = polar[l * (l + 1) / 2 + m][c];

@@ -10,14 +10,14 @@
 
 namespace welkin {
 
-/// What a failed call says. `code` is WELKIN_OK when there is nothing to say.
+/// Result of a call. `message` gives the reason of a failure, and is empty on success.
 struct Status {
   WelkinResult code = WELKIN_OK;
   std::string message;
   explicit operator bool() const { return code == WELKIN_OK; }
 };
 
-/// Owns a WelkinSky. Movable; empty until an open succeeds. Threads: as welkin.h says of the sky it holds.
+/// Owns a WelkinSky. Movable; empty until an open succeeds. The rules of welkin.h about threads hold for it.
 class Sky {
  public:
   Sky() = default;
@@ -30,7 +30,7 @@ class Sky {
   Sky& operator=(const Sky&) = delete;
   ~Sky() { welkin_sky_close(sky_); }
 
-  /// Opens a file in place of the sky held until now.
+  /// Opens a file and closes the sky held before. On an error that sky stays.
   Status open(const std::string& path) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};
@@ -38,7 +38,7 @@ class Sky {
     return adopt(code, sky, message);
   }
 
-  /// Opens bytes that the caller keeps, aligned to 16.
+  /// The same for bytes in memory, aligned to 16. They stay unchanged for as long as the sky is open.
   Status open(const void* data, std::size_t size) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};

@@ -36,16 +36,16 @@ extern "C" {
 
 typedef struct WelkinVulkanSky WelkinVulkanSky;
 
-/* Memory that the caller gives. */
+/* Device memory from the caller's allocator. */
 typedef struct WelkinVulkanAllocation {
   VkDeviceMemory memory;
-  VkDeviceSize offset; /* multiple of the requirements' alignment */
-  void* mapped; /* host address of `offset`, for as long as the allocation lives, where host-visible was required */
-  void* user;   /* for the caller */
+  VkDeviceSize offset; /* bytes; a multiple of the required alignment */
+  void* mapped;        /* host address of `offset`, valid until the memory is freed, if host-visible was required */
+  void* user;          /* not read by the library */
 } WelkinVulkanAllocation;
 
-/* Lets the caller own device memory (VMA or an engine's own): at most three allocations, of the images, the uniforms
- * and the staging buffer, made by welkin_vulkan_create; nothing is allocated later. */
+/* Lets an allocator of the caller, such as VMA, own the device memory. welkin_vulkan_create makes at most three
+ * allocations: the images, the uniforms and the staging buffer. Nothing is allocated later. */
 typedef struct WelkinVulkanMemoryCallbacks {
   void* user;
   VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags required,
@@ -64,18 +64,18 @@ typedef struct WelkinVulkanCreateInfo {
   const VkAllocationCallbacks* allocator;    /* for Vulkan's host memory; may be null; must outlive the object */
   VkPipelineCache pipeline_cache;            /* may be null */
   uint32_t frames_in_flight;                 /* 1..WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT */
-  VkFormat colour_format;                    /* of the dome's colour attachment: radiance, alpha 1 */
-  VkFormat depth_format;                     /* VK_FORMAT_UNDEFINED: the dome's pass has no depth attachment */
-  VkFormat stencil_format;                   /* of that pass; VK_FORMAT_UNDEFINED: none */
-  VkCompareOp depth_compare;                 /* of the dome's depth test, which never writes; unused without depth */
+  VkFormat colour_format;                    /* of the dome's colour attachment; it writes radiance, and alpha 1 */
+  VkFormat depth_format;                     /* of the dome's pass; VK_FORMAT_UNDEFINED without a depth attachment */
+  VkFormat stencil_format;                   /* of the dome's pass; VK_FORMAT_UNDEFINED without a stencil attachment */
+  VkCompareOp depth_compare;                 /* of the dome's depth test, which writes no depth; unused without depth */
   VkSampleCountFlagBits samples;             /* 0 counts as 1 */
-  const WelkinVulkanMemoryCallbacks* memory; /* null: the library allocates; copied, not kept */
-  const VkImage* images; /* null: the library makes its images; else the caller's, of welkin_vulkan_image_infos, bound
-                            to memory, alive until the object is destroyed */
-  uint32_t image_count;  /* of `images`; unused without */
+  const WelkinVulkanMemoryCallbacks* memory; /* null: the library allocates. Copied: need not outlive the call */
+  const VkImage* images;                     /* null: the library makes its images. Else the caller's, made as
+                                                welkin_vulkan_image_infos says and bound to memory; they outlive the object */
+  uint32_t image_count;                      /* length of `images`; unused if that is null */
 } WelkinVulkanCreateInfo;
 
-/* Which radiance the dome shows. */
+/* Source of the dome's radiance. */
 typedef enum WelkinVulkanSource {
   WELKIN_VULKAN_ANALYTIC = 0, /* formulas and gradients: exact at every hour */
   WELKIN_VULKAN_CUBEMAP = 1   /* baked cubemaps, blended: two texture reads a pixel */
@@ -94,10 +94,10 @@ typedef struct WelkinVulkanView {
                                         camera's translation, for Vulkan's y-down device coordinates; any depth
                                         convention */
   float aspect;                      /* fisheye: width / height of the viewport, > 0 */
-  float depth;                       /* of the dome, in [0, 1]: 1, or 0 with a reversed depth */
-  uint32_t discs;                    /* 1: with the discs of the sun and the moon, and the stars */
-  float opacity; /* in (0, 1): blended over what is there, for the second sky of a cross-blend; 0 and
-                    1: replaces it. Needs a colour format that blends */
+  float depth;                       /* depth of the dome, in [0, 1]: 1, or 0 with reversed depth */
+  uint32_t discs;                    /* 1: draws the sun, the moon and the stars too; 0: the dome alone */
+  float opacity; /* in (0, 1): the dome is blended over the picture, for the second sky of a cross-blend,
+                    which needs a colour format that blends; 0 and 1: it replaces the picture */
 } WelkinVulkanView;
 
 /* Bytes of device memory that the object holds now. */
@@ -107,16 +107,17 @@ typedef struct WelkinVulkanMemory {
   VkDeviceSize staging;  /* host-visible; 0 after welkin_vulkan_free_staging */
 } WelkinVulkanMemory;
 
-/* Creates everything for `sky`, which is only read during this call. On failure *out is null and `message`, if given,
- * says why. */
+/* Creates images, buffers, pipelines and descriptor sets for `sky`, which need not outlive the call. On an error *out
+ * is null, and `message`, if given, has the reason: WELKIN_ERROR_ARGUMENT, WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE.
+ */
 WELKIN_API WelkinResult welkin_vulkan_create(const WelkinVulkanCreateInfo* info, const WelkinSky* sky,
                                              WelkinVulkanSky** out, WelkinMessage* message);
 
-/* What the images of a sky must be when the caller makes them: writes up to *count infos and sets *count to their
- * number; infos may be null to ask for it. */
+/* Descriptions of a sky's images, for a caller that makes them. Writes at most *count infos, and sets *count to their
+ * number. `infos` may be null: then only the number is given. */
 WELKIN_API WelkinResult welkin_vulkan_image_infos(const WelkinSky* sky, uint32_t* count, VkImageCreateInfo* infos);
 
-/* Destroys it; no command buffer that uses it may still be running. Null is allowed. */
+/* Destroys the object. No command buffer that uses it may still be running. Null is allowed. */
 WELKIN_API void welkin_vulkan_destroy(WelkinVulkanSky* object);
 
 /* Records the upload of the images and makes the cubemaps' mips, once, outside a render pass, on the graphics queue
@@ -143,13 +144,14 @@ WELKIN_API WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, ui
 WELKIN_API WelkinResult welkin_vulkan_draw_dome(const WelkinVulkanSky* object, VkCommandBuffer commands, uint32_t frame,
                                                 const WelkinVulkanView* view);
 
-/* Layout of the set, for the caller's own pipelines; visible to vertex, fragment and compute shaders. */
+/* Layout of the descriptor set, for the caller's pipelines. Visible to vertex, fragment and compute shaders. */
 WELKIN_API VkDescriptorSetLayout welkin_vulkan_descriptor_set_layout(const WelkinVulkanSky* object);
 
-/* The set of frame index `frame`; VK_NULL_HANDLE when there is no such frame. Its contents follow welkin_vulkan_update.
- */
+/* Descriptor set of frame index `frame`, as welkin_vulkan_update last wrote it. VK_NULL_HANDLE for a frame that is not
+ * below frames_in_flight. */
 WELKIN_API VkDescriptorSet welkin_vulkan_descriptor_set(const WelkinVulkanSky* object, uint32_t frame);
 
+/* Bytes of device memory that the object holds now; those of the caller's images do not count. */
 WELKIN_API WelkinResult welkin_vulkan_memory(const WelkinVulkanSky* object, WelkinVulkanMemory* memory);
 
 #ifdef __cplusplus
