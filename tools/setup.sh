@@ -9,8 +9,8 @@ build="g++ cmake ninja-build pkg-config glslang-tools spirv-tools spirv-headers 
 # what the libraries and the tool link
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libwebp-dev libtomlplusplus-dev libxxhash-dev
 libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
-# what pictures need: a Vulkan device for machines without one, and a font for their labels
-draw="mesa-vulkan-drivers fonts-dejavu-core"
+# what pictures need: a Vulkan device for machines without one, a font for their labels, a plotter for the charts of a study
+draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"
 test=""
 if [ "${1-}" = --tests ]; then
   test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr parallel

@@ -14,15 +14,30 @@
 #define WELKIN_BANDS 5
 #endif
 
-// Irradiance E, pi included, clamped at 0: a truncated series can dip below it.
+// What one band adds to the irradiance.
+vec3 welkinIrradianceOfBand(ShBasis basis, int band) {
+  vec3 sum = vec3(0.0);
+  for (int i = band * band; i < (band + 1) * (band + 1); ++i) sum += welkinSky.ambient_sh[i].rgb * basis.v[i];
+  return cosineLobe(band) * sum;
+}
+
+// Irradiance E, pi included, clamped at 0: a truncated series can dip below it. Bands are written out, so that every
+// loop has constant bounds and any compiler unrolls it.
 vec3 welkinIrradiance(vec3 normal) {
   ShBasis basis = shBasis(normal);
-  vec3 sum = vec3(0.0);
-  for (int band = 0; band < WELKIN_BANDS; ++band) {
-    vec3 of_band = vec3(0.0);
-    for (int i = band * band; i < (band + 1) * (band + 1); ++i) of_band += welkinSky.ambient_sh[i].rgb * basis.v[i];
-    sum += cosineLobe(band) * of_band;
-  }
+  vec3 sum = welkinIrradianceOfBand(basis, 0);
+#if WELKIN_BANDS > 1
+  sum += welkinIrradianceOfBand(basis, 1);
+#endif
+#if WELKIN_BANDS > 2
+  sum += welkinIrradianceOfBand(basis, 2);
+#endif
+#if WELKIN_BANDS > 3
+  sum += welkinIrradianceOfBand(basis, 3);
+#endif
+#if WELKIN_BANDS > 4
+  sum += welkinIrradianceOfBand(basis, 4);
+#endif
   return max(sum, vec3(0.0));
 }
 

@@ -70,7 +70,7 @@ class Measurement {
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const auto& [direction, solid_angle] = directions[i];
       const bool stays = i < staying;
-      const DomeRay ray = stays ? looks_.staying()[i].ray : DomeRay(looks_.sky().luminance, direction);
+      const model::DomeRay ray = stays ? looks_.staying()[i].ray : model::DomeRay(looks_.sky().luminance, direction);
       const Number3 model = instant.dome(ray, looks_.table());
       mean += model * solid_angle;
       whole += solid_angle;

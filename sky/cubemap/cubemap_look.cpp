@@ -15,12 +15,12 @@ CubemapLooks::CubemapLooks(const model::Sky& sky, const CubemapSet& cubemaps, co
   if (sky.luminance.d >= -model::IndicatrixTable::kSteepest) table_.emplace(sky.luminance.d);
   for (const Number3& direction : directions_.staying()) {
     Staying& at = staying_.emplace_back();
-    at.ray = DomeRay(sky.luminance, direction);
+    at.ray = model::DomeRay(sky.luminance, direction);
     at.compared = isClearOfHorizon(cubemaps.size, direction);
     if (!at.compared) continue;
     at.footprint = footprintOf(cubemaps.size, direction);
     for (std::size_t k = 0; k < at.texel.size(); ++k)
-      at.texel[k] = DomeRay(sky.luminance, directionOfTexel(cubemaps.size, at.footprint[k].texel));
+      at.texel[k] = model::DomeRay(sky.luminance, directionOfTexel(cubemaps.size, at.footprint[k].texel));
   }
 }
 
@@ -42,7 +42,7 @@ CubemapLook::CubemapLook(const CubemapLooks& looks, std::size_t index)
   }
 }
 
-CubemapLook::Shown CubemapLook::at(const DomeRay& ray, const Footprint& footprint, RecentTexels& recent,
+CubemapLook::Shown CubemapLook::at(const model::DomeRay& ray, const Footprint& footprint, RecentTexels& recent,
                                    bool own_time) const {
   Shown sum;
   if (!own_time) sum.model = instant_.dome(ray, looks_->table());
@@ -52,7 +52,7 @@ CubemapLook::Shown CubemapLook::at(const DomeRay& ray, const Footprint& footprin
       RenderedTexel& texel = recent[share.texel % recent.size()];
       if (texel.index != share.texel)
         texel = render(share.texel,
-                       DomeRay(looks_->sky().luminance, directionOfTexel(looks_->cubemaps().size, share.texel)));
+                       model::DomeRay(looks_->sky().luminance, directionOfTexel(looks_->cubemaps().size, share.texel)));
       sum.exact += texel.exact * share.weight;
       sum.shown += texel.rounded * share.weight;
     }
@@ -60,7 +60,7 @@ CubemapLook::Shown CubemapLook::at(const DomeRay& ray, const Footprint& footprin
   return sum;
 }
 
-RenderedTexel CubemapLook::render(std::size_t index, const DomeRay& ray) const {
+RenderedTexel CubemapLook::render(std::size_t index, const model::DomeRay& ray) const {
   RenderedTexel texel{index, Number3(0.0), Number3(0.0)};
   if (ray.direction.y >= 0.0) texel.exact = instant_.dome(ray, looks_->table());
   const format::CubemapFormat format = looks_->cubemaps().format;

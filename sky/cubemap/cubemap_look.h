@@ -37,10 +37,10 @@ class CubemapLooks {
 
   /// A direction that stays.
   struct Staying {
-    DomeRay ray;
+    model::DomeRay ray;
     bool compared;  ///< isClearOfHorizon; what follows is only there when it is
     Footprint footprint;
-    std::array<DomeRay, 4> texel;  ///< of the footprint
+    std::array<model::DomeRay, 4> texel;  ///< of the footprint
   };
   const std::vector<Staying>& staying() const { return staying_; }
 
@@ -80,10 +80,10 @@ class CubemapLook {
   /// In the i-th direction that stays, which is compared.
   const Shown& staying(std::size_t i) const { return staying_[i]; }
   /// In another direction above the horizon. At the cubemap's own time `model` is left out, at others `exact`.
-  Shown at(const DomeRay& ray, const Footprint& footprint, RecentTexels& recent, bool own_time) const;
+  Shown at(const model::DomeRay& ray, const Footprint& footprint, RecentTexels& recent, bool own_time) const;
 
  private:
-  RenderedTexel render(std::size_t index, const DomeRay& ray) const;
+  RenderedTexel render(std::size_t index, const model::DomeRay& ray) const;
   bool hasFile() const { return !looks_->cubemaps().texels.empty(); }
   Number3 fromFile(const Footprint& footprint) const;
 

@@ -24,11 +24,11 @@ CubemapStillErrors::CubemapStillErrors(const model::Sky& sky, int largest_size, 
   };
   for (int size = kSmallestCubemap; size <= largest_size; size *= 2) {
     std::vector<double>& value = resolution_.emplace_back();
-    for (const auto& parts : table::partsOf(size, format::CubemapFormat::rgba16f)) value.push_back(parts.resolution);
+    for (const auto& parts : partsOf(size, format::CubemapFormat::rgba16f)) value.push_back(parts.resolution);
   }
   for (const format::CubemapFormat format : kPlannedFormats) {
     std::vector<double>& value = encoding_.emplace_back();
-    for (const auto& parts : table::partsOf(kEncodingSize, format)) value.push_back(parts.encoding);
+    for (const auto& parts : partsOf(kEncodingSize, format)) value.push_back(parts.encoding);
   }
 }
 

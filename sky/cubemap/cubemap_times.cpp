@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sky/base/error.h"
+#include "sky/cubemap/cubemap.h"
 #include "sky/cubemap/day_bends.h"
 #include "sky/cubemap/dome_directions.h"
 
@@ -74,7 +75,7 @@ void DomeDay::render(std::size_t index) {
   const model::SkyInstant instant(*sky_, time_h_[index]);
   std::vector<float>& rgb = radiance_[index];
   Number3 mean(0.0);
-  for (const DomeRay& ray : rays_) {
+  for (const model::DomeRay& ray : rays_) {
     const Number3 radiance = instant.dome(ray, table_ ? &*table_ : nullptr);
     mean += radiance * (1.0 / kDirections);
     for (int c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(radiance[c]));

@@ -48,7 +48,7 @@ class DomeDay {
 
   const model::Sky* sky_;
   DomeScale scale_;
-  std::vector<DomeRay> rays_;
+  std::vector<model::DomeRay> rays_;
   std::optional<model::IndicatrixTable> table_;
   std::vector<double> time_h_;
   std::vector<double> bend_h_;

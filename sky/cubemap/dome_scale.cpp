@@ -18,7 +18,7 @@ constexpr int kDirections = 192;
 
 DomeScale::DomeScale(const model::Sky& sky) : floor_(0.0) {
   const DomeDirections even({kDirections, 0, 0});
-  std::vector<DomeRay> rays;
+  std::vector<model::DomeRay> rays;
   for (const Number3& d : even.staying()) rays.emplace_back(sky.luminance, d);
   std::vector<double> time_h = bendsOf(sky);
   for (int i = 0; i < 96; ++i) time_h.push_back(0.25 * i);
@@ -26,7 +26,7 @@ DomeScale::DomeScale(const model::Sky& sky) : floor_(0.0) {
   std::vector<double> mean(time_h.size());
   tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
     const model::SkyInstant instant(sky, time_h[i]);
-    for (const DomeRay& ray : rays) mean[i] += det::luminanceOf(instant.dome(ray, nullptr)) / kDirections;
+    for (const model::DomeRay& ray : rays) mean[i] += det::luminanceOf(instant.dome(ray, nullptr)) / kDirections;
   });
   floor_ = kDarkest * *std::max_element(mean.begin(), mean.end());
 }

@@ -16,7 +16,7 @@ SkyInstant::SkyInstant(const Sky& sky, double time_h)
       sun_column_(columnAt(sky.gradient_sun, time_h)),
       anti_column_(columnAt(sky.gradient_anti, time_h)) {}
 
-double SkyInstant::luminance(const cubemap::DomeRay& ray, const IndicatrixTable* table) const {
+double SkyInstant::luminance(const DomeRay& ray, const IndicatrixTable* table) const {
   const LuminanceModel& model = sky_->luminance;
   if (table == nullptr) {
     const double angle = det::angleBetween(ray.direction, sun_);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sky/cubemap/dome_ray.h"
+#include "sky/model/dome_ray.h"
 #include "sky/model/gradient.h"
 #include "sky/model/indicatrix_table.h"
 #include "sky/model/light.h"
@@ -76,17 +76,17 @@ class SkyInstant {
   /// What the dome and the cubemaps show: with the tint above the horizon. `table`, of this sky's luminance, gives the
   /// indicatrix within IndicatrixTable::kError in half the time; null: exact.
   Number3 dome(const Number3& direction, const Number3& ground, const IndicatrixTable* table = nullptr) const {
-    return direction.y < 0.0 ? ground : dome(cubemap::DomeRay(sky_->luminance, direction), table);
+    return direction.y < 0.0 ? ground : dome(DomeRay(sky_->luminance, direction), table);
   }
   /// The same, to the last bit, along a ray of this sky's luminance model that is not below the horizon.
-  Number3 dome(const cubemap::DomeRay& ray, const IndicatrixTable* table) const {
+  Number3 dome(const DomeRay& ray, const IndicatrixTable* table) const {
     return chromaticity(ray.direction, ray.elevation_rad) * luminance(ray, table) * intensity_ * tint_;
   }
   /// Radiance of the ground under the sky's horizontal irradiance at intensity 1 (`shape_irradiance`), sun and moon.
   Number3 groundRadiance(const Number3& shape_irradiance) const;
 
  private:
-  double luminance(const cubemap::DomeRay& ray, const IndicatrixTable* table) const;
+  double luminance(const DomeRay& ray, const IndicatrixTable* table) const;
   Number3 chromaticity(const Number3& direction, double elevation_rad) const;
 
   const Sky* sky_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin study: a folder of measurements from a sky file, and how it ends on bad ones.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,22 @@ TEST_CASE("Study, WritesAFolderAndSaysWhatItFound") {
   for (const auto& row : budgets["rows"]) CHECK(row["predicted_error"].get<double>() <= row["max_error"].get<double>());
   CHECK(readBytes(folder / "out/conclusion.md").find(run.out.substr(0, run.out.find('\n'))) != std::string::npos);
   CHECK(readBytes(folder / "out/pareto.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("Study, WithoutGnuplotHasTablesAndWarnsOnce") {
+  const tests::Folder folder;
+  const std::string sky = folder.write("sky.toml", tests::skyText(tests::kUniform));
+  tests::Setting setting;
+  setting.environment = {{"PATH", folder / "empty"}};
+  const tests::Run run = tests::runTool({"study", sky, "-o", folder / "out", "--quick", "--progress", "none"}, setting);
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const auto files = tests::filesUnder(folder / "out");
+  const auto charts = std::ranges::count_if(
+      files, [](const std::string& name) { return !name.ends_with(".csv") && !name.ends_with(".json"); });
+  CHECK(charts == 1);  // conclusion.md
+  CHECK(files.size() > 20);
+  CHECK(run.err == "welkin: warning: 8 charts are left out: gnuplot is not installed\n");
 }
 
 TEST_CASE("Study, SkiesThatNeverChangeAndBlackOnesAreStudiedToo") {

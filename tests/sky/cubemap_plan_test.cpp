@@ -88,7 +88,7 @@ TEST_CASE("DomeRay, ShowsTheDomeToTheLastBit") {
       const model::SkyInstant instant(named.sky, time_h);
       const cubemap::DomeDirections directions({64, 0, 64});
       for (const Number3& d : directions.staying()) {
-        const cubemap::DomeRay ray(named.sky.luminance, d);
+        const model::DomeRay ray(named.sky.luminance, d);
         const Number3 exact = instant.chromaticity(d) * instant.luminance(d) * instant.intensity() *
                               named.sky.polarising_tint.colourAt(time_h);
         CHECK(instant.dome(ray, nullptr) == exact);

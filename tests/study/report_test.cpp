@@ -3,6 +3,7 @@
 #include "study/report.h"
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ StudyReport sample() {
 
 TEST_CASE("WriteReport, WritesEveryFile") {
   const tests::Folder folder;
-  writeReport(sample(), folder / "out");
+  CHECK(writeReport(sample(), folder / "out") == 0);
   CHECK(tests::filesUnder(folder / "out") == std::vector<std::string>{"bands.csv", "bands.json", "bands.png",
                                                                       "bands.svg", "conclusion.md", "more.csv",
                                                                       "more.json"});
@@ -39,6 +40,20 @@ TEST_CASE("WriteReport, WritesEveryFile") {
         "# A study\n\nTake three bands.\n\n![Bands](bands.png)\n\n## Bands\n\n| bands | error |\n|---:|---:|\n"
         "| 2 | 40 % |\n| 3 | 12 % |\n\nAll figures: [bands.csv](bands.csv), [bands.json](bands.json)\n\n## More\n\n"
         "All figures: [more.csv](more.csv), [more.json](more.json)\n");
+}
+
+TEST_CASE("WriteReport, WithoutGnuplotLeavesOutChartsAndSaysSo") {
+  const tests::Folder folder;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder / "empty").c_str(), 1);
+  const std::size_t left_out = writeReport(sample(), folder / "out");
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(left_out == 1);
+  CHECK(tests::filesUnder(folder / "out") ==
+        std::vector<std::string>{"bands.csv", "bands.json", "conclusion.md", "more.csv", "more.json"});
+  const std::string conclusion = tests::readBytes(folder / "out/conclusion.md");
+  CHECK(conclusion.find("\n1 charts were left out: gnuplot is not installed.\n") != std::string::npos);
+  CHECK(conclusion.find(".png") == std::string::npos);
 }
 
 TEST_CASE("WriteReport, RefusesBeforeItWrites") {

@@ -36,11 +36,11 @@ bool goOn() {
 TEST_CASE("StudyDay, MoreBandsAndModesLoseLess") {
   const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, kHalfHour, goOn);
-  const auto ways = collectWays(day, {.quick = true});
+  const auto candidates = collectCandidates(day, {.quick = true});
   const auto errorOf = [&](const std::string& name) {
-    for (const Way& way : ways)
-      if (way.name == name) return way.error;
-    FAIL("no way is called " << name);
+    for (const Candidate& candidate : candidates)
+      if (candidate.name == name) return candidate.error;
+    FAIL("no candidate is called " << name);
     return 0.0;
   };
   CHECK(errorOf("3 bands") < errorOf("2 bands"));
@@ -59,38 +59,40 @@ TEST_CASE("StudyDay, BytesOfAWayAreThoseOfItsTable") {
   file.sky.ground_albedo = det::Number3(0.1, 0.2, 0.3);
   const StudyDay day(file.sky, kHalfHour, goOn);
   const DayWeights modes = modeWeights(day, table::DayModes(day.fields(), day.grid()), 3);
-  for (const Way& way : {coefficientsWay(day, 3, Fit::projected), modesWay(day, modes, kSmallMap, Fit::projected)})
+  for (const Candidate& candidate :
+       {bandsCandidate(day, 3, Fit::projected), modesCandidate(day, modes, kSmallMap, Fit::projected)})
     for (const auto encoding : {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed8}) {
       const auto keys = evenKeys(day, 12);
-      const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
-      CHECK(way.bytes(day.sky(), keys.size(), encoding) == table::bytesOf(way.representation, table, encoding));
+      const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
+      CHECK(candidate.bytes(day.sky(), keys.size(), encoding) ==
+            table::bytesOf(candidate.representation, table, encoding));
     }
 }
 
 TEST_CASE("StudyKeys, MoreEvenKeysErrLessAndPlacedOnesLeast") {
   const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, 0.25, goOn);
-  const Way way = coefficientsWay(day, 5, Fit::projected);
+  const Candidate candidate = bandsCandidate(day, 5, Fit::projected);
   double before = 1e9;
   for (const std::size_t keys : {6, 12, 24, 48}) {
     const auto even = evenKeys(day, keys);
     REQUIRE(even.size() == keys);
-    const double error = linearError(day.values(), way.representation, even);
-    const table::DayTable table = table::tableAt(day.values(), way.representation, even);
-    CHECK(error == Approx(table::errorOf(day.values(), way.representation, table, table::Encoding::float32).value)
+    const double error = linearError(day.values(), candidate.representation, even);
+    const table::DayTable table = table::tableAt(day.values(), candidate.representation, even);
+    CHECK(error == Approx(table::errorOf(day.values(), candidate.representation, table, table::Encoding::float32).value)
                        .epsilon(1e-4));  // float32 rounds by 6e-8
     CHECK(error < before);
     before = error;
   }
-  const auto placed = table::placeKeys(day.values(), way.representation, before);
+  const auto placed = table::placeKeys(day.values(), candidate.representation, before);
   REQUIRE(!placed.empty());
   CHECK(placed.size() < 48);
-  CHECK(placeHermiteKeys(day.values(), way.representation, before).size() <= placed.size());
+  CHECK(placeHermiteKeys(day.values(), candidate.representation, before).size() <= placed.size());
 }
 
 /// The largest error of interpolating a day whose irradiance is the same in all directions, `value` of the hour.
 double errorBetween(const StudyDay& day, double (*value)(double time_h), bool cubic) {
-  table::Representation r = coefficientsWay(day, 2, Fit::projected).representation;
+  table::Representation r = bandsCandidate(day, 2, Fit::projected).representation;
   table::DayValues values = day.values();
   for (std::size_t i = 0; i < day.count(); ++i) {
     for (std::size_t k = 0; k < r.rows; ++k)
@@ -115,7 +117,7 @@ TEST_CASE("Pareto, TheFrontFallsAndNothingLiesBelowIt") {
   const bake::SkyFile file = clearSky();
   const StudyDay day(file.sky, kHalfHour, goOn);
   TableStudy study;
-  study.tables = measureTables(day, collectWays(day, {.quick = true}), {.quick = true});
+  study.tables = measureTables(day, collectCandidates(day, {.quick = true}), {.quick = true});
   study.front = frontOf(study.tables);
   REQUIRE(study.front.size() > 3);
   for (std::size_t i = 1; i < study.front.size(); ++i) {

@@ -27,14 +27,14 @@ TEST_CASE("Table, CsvQuotesByRfc4180") {
 }
 
 TEST_CASE("Table, CsvQuotesLineEndsAndHeaders") {
-  Table table(std::vector<Column>{{"a,b", "c\"d"}});
+  Table table(std::vector<TableColumn>{{"a,b", "c\"d"}});
   table.addRow({"two\r\nlines"});
   CHECK(table.csv() == "\"a,b (c\"\"d)\"\r\n\"two\r\nlines\"\r\n");
 }
 
 TEST_CASE("Table, NumbersReadBackExactly") {
   for (const double number : {0.1, 1.0 / 3.0, 5e-324, std::numeric_limits<double>::max(), -0.007, 123456789.0}) {
-    Table table(std::vector<Column>{{"x", ""}});
+    Table table(std::vector<TableColumn>{{"x", ""}});
     table.addRow({number});
     const std::string csv = table.csv();
     CHECK(std::strtod(csv.c_str() + csv.find('\n') + 1, nullptr) == number);
@@ -58,8 +58,8 @@ TEST_CASE("Table, MarkdownIsInWords") {
 }
 
 TEST_CASE("Table, RefusesWhatItCannotHold") {
-  CHECK_THROWS_AS(Table(std::vector<Column>{}), base::Error);
-  CHECK_THROWS_AS(Table(std::vector<Column>{{"x", ""}, {"x", "m"}}), base::Error);
+  CHECK_THROWS_AS(Table(std::vector<TableColumn>{}), base::Error);
+  CHECK_THROWS_AS(Table(std::vector<TableColumn>{{"x", ""}, {"x", "m"}}), base::Error);
   Table table({{"x", ""}, {"y", ""}});
   CHECK_THROWS_AS(table.addRow({1.0}), base::Error);
   CHECK_THROWS_WITH(table.addRow({1.0, std::nan("")}), Catch::Contains("'y' of row 0 is nan"));

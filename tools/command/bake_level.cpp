@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "command/level_files.h"
 #include "command/sector_report.h"
@@ -71,7 +72,7 @@ class SectorBaker {
     rays_ += rays;
     const double per_s = static_cast<double>(rays_) / std::max(secondsSince(start_), 1e-9);
     progress_.note(fmt::format("sector {}, {:.2f} Mrays/s", nameOf(sector), 1e-6 * per_s),
-                   fmt::format(", \"sector\": \"{}\", \"rays_per_s\": {:.0f}", nameOf(sector), per_s));
+                   {{"sector", nameOf(sector)}, {"rays_per_s", std::llround(per_s)}});
     return progress_.step(0);
   }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -70,10 +71,10 @@ bool ProgressReport::step(std::size_t pieces) {
   return !stop_wanted;
 }
 
-void ProgressReport::note(std::string text, std::string json) {
+void ProgressReport::note(std::string text, nlohmann::ordered_json members) {
   const std::lock_guard lock(mutex_);
   note_ = std::move(text);
-  json_note_ = std::move(json);
+  members_ = std::move(members);
 }
 
 void ProgressReport::print(std::size_t done, bool last) {
@@ -94,11 +95,18 @@ void ProgressReport::print(std::size_t done, bool last) {
       show(fmt::format("{}: {}/{}, {:.1f} s{}{}{}{}\n", what_, done, total, elapsed, last || !left ? "" : ", ",
                        last ? "" : left_text, note_.empty() ? "" : ", ", note_));
       break;
-    case Style::json:
-      show(fmt::format(
-          "{{\"progress\": \"{}\", \"done\": {}, \"total\": {}, \"elapsed_s\": {:.3f}, \"left_s\": {}{}}}\n", what_,
-          done, total, elapsed, left ? fmt::format("{:.3f}", *left) : "null", json_note_));
+    case Style::json: {
+      const auto toMilliseconds = [](double time_s) { return std::round(time_s * 1000.0) / 1000.0; };
+      nlohmann::ordered_json line = {{"progress", what_},
+                                     {"done", done},
+                                     {"total", total},
+                                     {"elapsed_s", toMilliseconds(elapsed)},
+                                     {"left_s", nullptr}};
+      if (left) line["left_s"] = toMilliseconds(*left);
+      line.update(members_);
+      show(line.dump() + "\n");
       break;
+    }
     case Style::none:
       break;
   }

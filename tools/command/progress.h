@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace welkin::command {
@@ -26,8 +27,8 @@ class ProgressReport {
 
   /// So many more pieces are done; from any thread. False when the work should stop.
   bool step(std::size_t pieces = 1);
-  /// What it shows beside: text, and members of the JSON object, each after ", ".
-  void note(std::string text, std::string json);
+  /// Shown beside the counts: text, and members that the JSON line gets.
+  void note(std::string text, nlohmann::ordered_json members);
 
  private:
   void print(std::size_t done, bool last);
@@ -38,7 +39,8 @@ class ProgressReport {
   std::atomic<std::size_t> done_ = 0;
   std::chrono::steady_clock::time_point start_, printed_;
   std::mutex mutex_;
-  std::string note_, json_note_;
+  std::string note_;
+  nlohmann::ordered_json members_ = nlohmann::ordered_json::object();
 };
 
 }  // namespace welkin::command

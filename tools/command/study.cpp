@@ -29,7 +29,8 @@ void study(const Options& options) {
   ProgressReport progress(options.progress.style(), "study", study::kAxes);
   const study::StudyOptions how{options.quick, [&] { return progress.step(); }, [] { return !interrupted(); }};
   const study::StudyReport report = study::studySky(file, how);
-  study::writeReport(report, options.folder);
+  if (const std::size_t left_out = study::writeReport(report, options.folder); left_out > 0)
+    fmt::print(stderr, "welkin: warning: {} charts are left out: gnuplot is not installed\n", left_out);
   for (const std::string& paragraph : report.paragraphs) fmt::print("{}\n", paragraph);
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "picture/pen.h"
 #include "probes/placement/column.h"
 #include "probes/placement/grid_cells.h"
-#include "study/chart_pen.h"
 
 namespace welkin::picture {
 namespace {
@@ -18,9 +18,6 @@ using geometry::kCells;
 using geometry::kNoProbe;
 using geometry::kSector_m;
 using geometry::PlacedSector;
-using study::Colour;
-using study::Corner;
-using study::Pen;
 
 constexpr double kMost_px = 2000.0;
 constexpr double kMargin_px = 4.0;
@@ -75,21 +72,21 @@ void drawRelief(Pen& pen, const Frame& frame, const geometry::Tracer& tracer, co
 }
 
 void drawCross(Pen& pen, const Corner& at) {
-  pen.line({{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}}, study::kInk, 1.0);
-  pen.line({{at.x - 2, at.y + 2}, {at.x + 2, at.y - 2}}, study::kInk, 1.0);
+  pen.line({{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}}, kInk, 1.0);
+  pen.line({{at.x - 2, at.y + 2}, {at.x + 2, at.y - 2}}, kInk, 1.0);
 }
 
 void drawProbe(Pen& pen, const Corner& at, std::size_t probe) {
   constexpr double kRadius_px = 5.0;
-  pen.line({{at.x - kRadius_px, at.y}, {at.x + kRadius_px, at.y}}, study::colourOf(probe), 2.0 * kRadius_px);
-  pen.ring(at, kRadius_px, study::kInk);
+  pen.line({{at.x - kRadius_px, at.y}, {at.x + kRadius_px, at.y}}, colourOf(probe), 2.0 * kRadius_px);
+  pen.ring(at, kRadius_px, kInk);
 }
 
 }  // namespace
 
 std::string drawFromAbove(const geometry::Tracer& tracer, const std::vector<PlacedSector>& sectors) {
   const Frame frame = frameOf(sectors);
-  Pen pen(Pen::Target::png, frame.width(), frame.height());
+  Pen pen(frame.width(), frame.height());
   for (const PlacedSector& s : sectors) drawRelief(pen, frame, tracer, s);
   for (const PlacedSector& s : sectors) {
     const double x = kSector_m * s.id.x;
@@ -99,14 +96,14 @@ std::string drawFromAbove(const geometry::Tracer& tracer, const std::vector<Plac
         const std::uint8_t probe = s.top[static_cast<std::size_t>(i + kCells * k)];
         if (probe == kNoProbe) continue;
         const Number3& p = s.probe[probe].position;
-        pen.line({frame.at(x + (i + 0.5) * kCell_m, z + (k + 0.5) * kCell_m), frame.at(p.x, p.z)},
-                 study::colourOf(probe), 1.5);
+        pen.line({frame.at(x + (i + 0.5) * kCell_m, z + (k + 0.5) * kCell_m), frame.at(p.x, p.z)}, colourOf(probe),
+                 1.5);
       }
     for (std::size_t i = 0; i < s.probe.size(); ++i)
       drawProbe(pen, frame.at(s.probe[i].position.x, s.probe[i].position.z), i);
     pen.line({frame.at(x, z), frame.at(x + kSector_m, z), frame.at(x + kSector_m, z + kSector_m),
               frame.at(x, z + kSector_m), frame.at(x, z)},
-             study::kInk, 1.0, true);
+             kInk, 1.0, true);
   }
   return pen.finish();
 }
@@ -124,7 +121,7 @@ std::string drawSection(const geometry::Tracer& tracer, const std::vector<Placed
   }
   frame.top = -high_y;
   frame.bottom = -low_y;
-  Pen pen(Pen::Target::png, frame.width(), frame.height());
+  Pen pen(frame.width(), frame.height());
   for (const PlacedSector& s : row) {
     constexpr double kStep_m = 0.125;
     const double top_y = placement::topOver(tracer.surfaces(), s.id).value_or(0.0);
@@ -151,7 +148,7 @@ std::string drawSection(const geometry::Tracer& tracer, const std::vector<Placed
         }
         named[probe] = true;
         const Number3& p = s.probe[probe].position;
-        pen.line({middle, frame.at(p.x, -p.y)}, study::colourOf(probe), 1.5);
+        pen.line({middle, frame.at(p.x, -p.y)}, colourOf(probe), 1.5);
       }
     for (std::size_t i = 0; i < named.size(); ++i)
       if (named[i]) drawProbe(pen, frame.at(s.probe[i].position.x, -s.probe[i].position.y), i);

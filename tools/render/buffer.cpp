@@ -28,4 +28,18 @@ Buffer::~Buffer() {
   vkFreeMemory(device_, memory_, nullptr);
 }
 
+void recordHostRead(VkCommandBuffer commands, VkPipelineStageFlags2 stage, VkAccessFlags2 access) {
+  VkMemoryBarrier2 memory{};
+  memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+  memory.srcStageMask = stage;
+  memory.srcAccessMask = access;
+  memory.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  memory.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  VkDependencyInfo dependency{};
+  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &memory;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
 }  // namespace welkin::render

@@ -28,4 +28,7 @@ class Buffer {
   void* mapped_ = nullptr;
 };
 
+/// Records a barrier after which the host may read the bytes that `stage` has written by `access`.
+void recordHostRead(VkCommandBuffer commands, VkPipelineStageFlags2 stage, VkAccessFlags2 access);
+
 }  // namespace welkin::render

@@ -5,24 +5,6 @@
 #include <cstring>
 
 namespace welkin::render {
-namespace {
-
-void recordHostRead(VkCommandBuffer commands) {
-  VkMemoryBarrier2 memory{};
-  memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-  memory.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  memory.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  memory.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-  memory.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &memory;
-  vkCmdPipelineBarrier2(commands, &dependency);
-}
-
-}  // namespace
-
 Offscreen::Offscreen(VulkanDevice& device, uint32_t width, uint32_t height, VkImageUsageFlags more)
     : device_(device),
       image_(device, kFormat, {width, height},
@@ -50,7 +32,7 @@ FloatImage Offscreen::read(const std::function<void(VkCommandBuffer)>& record) {
     region.imageExtent = {extent.width, extent.height, 1};
     vkCmdCopyImageToBuffer(commands, image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback_.handle(), 1,
                            &region);
-    recordHostRead(commands);
+    recordHostRead(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
   });
   FloatImage image{extent.width, extent.height, std::vector<float>(std::size_t{4} * extent.width * extent.height)};
   std::memcpy(image.rgba.data(), readback_.as<float>(), image.rgba.size() * sizeof(float));

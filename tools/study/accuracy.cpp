@@ -22,12 +22,12 @@ ModelRow measureModel(const std::string& name, const model::Sky& sky, bool grey,
   ModelRow row{name, grey};
   const StudyDay day(sky, step_h, interrupt);
   for (std::size_t b = 0; b < std::size(kBandCounts); ++b) {
-    row.bands[b] = coefficientsWay(day, kBandCounts[b], Fit::projected).error;
-    row.fitted_bands[b] = coefficientsWay(day, kBandCounts[b], Fit::fitted).error;
+    row.bands[b] = bandsCandidate(day, kBandCounts[b], Fit::projected).error;
+    row.fitted_bands[b] = bandsCandidate(day, kBandCounts[b], Fit::fitted).error;
   }
   const table::DayModes modes(day.fields(), day.grid());
   for (std::size_t k = 0; k < std::size(kModeCounts); ++k)  // a plain sky has fewer modes, and all of them serve
-    row.modes[k] = modesWay(day, modeWeights(day, modes, kModeCounts[k]), kLargestMap, Fit::fitted).error;
+    row.modes[k] = modesCandidate(day, modeWeights(day, modes, kModeCounts[k]), kLargestMap, Fit::fitted).error;
   for (std::size_t b = 0; b < std::size(kBudgets); ++b) {
     table::PlanRequest request;
     request.max_error = kBudgets[b];
@@ -47,7 +47,7 @@ const ModelRow& worstOf(const std::vector<ModelRow>& rows, std::size_t modes) {
 }
 
 std::string errorsTable(const std::vector<ModelRow>& rows, bool grey) {
-  std::vector<Column> columns = {{"model"}};
+  std::vector<TableColumn> columns = {{"model"}};
   for (const int bands : kBandCounts) columns.push_back({fmt::format("{} bands", bands), "", Quantity::share});
   for (const int bands : kBandCounts) columns.push_back({fmt::format("{} fitted", bands), "", Quantity::share});
   for (const auto modes : kModeCounts) columns.push_back({fmt::format("{} modes", modes), "", Quantity::share});
@@ -64,7 +64,7 @@ std::string errorsTable(const std::vector<ModelRow>& rows, bool grey) {
 }
 
 std::string budgetsTable(const std::vector<ModelRow>& rows) {
-  std::vector<Column> columns = {{"model"}, {"colours"}};
+  std::vector<TableColumn> columns = {{"model"}, {"colours"}};
   for (const double budget : kBudgets) {
     columns.push_back({fmt::format("bytes at {}", share(budget)), "", Quantity::bytes});
     columns.push_back({fmt::format("keys at {}", share(budget))});
@@ -82,7 +82,7 @@ std::string budgetsTable(const std::vector<ModelRow>& rows) {
 
 std::string islandTable(const Study& study) {
   Table table({{"budget", "", Quantity::share},
-               {"way"},
+               {"representation"},
                {"encoding"},
                {"keys"},
                {"bytes", "", Quantity::bytes},
@@ -94,118 +94,41 @@ std::string islandTable(const Study& study) {
   return table.markdown(3);
 }
 
-/// Largest of a number over rows that are wanted.
-template <typename Rows, typename Wanted, typename Number>
-double largest(const Rows& rows, const Wanted& wanted, const Number& number) {
-  double most = 0.0;
-  for (const auto& row : rows)
-    if (wanted(row)) most = std::max(most, number(row));
-  return most;
-}
-
-std::string approximations(const Study& study) {
-  Table table({{"approximation"}, {"domain"}, {"largest error"}, {"cost"}, {"slow reference"}, {"test"}});
-  const auto add = [&](std::vector<Cell> cells) { table.addRow(std::move(cells)); };
-  const auto encoding = [&](table::Encoding e) {
-    return largest(
-        study.tables.encodings, [&](const EncodingRow& r) { return r.encoding == e; },
-        [](const EncodingRow& r) { return r.encoding_error; });
-  };
-  const auto format = [&](format::CubemapFormat f) {
-    return largest(
-        study.cubemaps.sizes, [&](const CubemapSizeRow& r) { return r.format == f; },
-        [](const CubemapSizeRow& r) { return r.encoding; });
-  };
-  add({"exp(d theta) of the indicatrix from a table (IndicatrixTable)", "-16 <= d < 0, theta in [0, pi]",
-       fmt::format("{:.0e}, absolute", model::IndicatrixTable::kError), "half of exp and atan",
-       "det::exp(d det::angleBetween)", "tests/sky/luminance_test.cpp"});
-  for (const QuadratureRow& row : study.quadrature.quadrature)
-    if (row.tolerance > 1e-12)
-      add({fmt::format("SH coefficients under a tolerance of {:.0e} (SkyProjector)", row.tolerance),
-           "every model and sun elevation", fmt::format("{:.0e} of c0 promised, {:.0e} here", row.tolerance, row.error),
-           fmt::format("{:.0f} evaluations a key", row.evaluations), "the quadrature under 1e-12",
-           "tests/sky/projection_test.cpp"});
-  if (!study.quadrature.irradiance.empty())
-    add({"irradiance of every normal from circles (IrradianceProjector)", "every named model and sun elevation",
-         fmt::format("{} of the mean promised, {} here", share(model::IrradianceProjector::kError),
-                     share(study.quadrature.irradiance.front().error)),
-         "one quadrature for all normals", "SkyProjector::irradiance, one integral a normal",
-         "tests/sky/irradiance_test.cpp"});
-  for (std::size_t i = 1; i < std::size(model::kIrradianceRules); ++i)
-    add({fmt::format("the same in {} panels of elevation, where a plan's budget allows it",
-                     model::kIrradianceRules[i].panels),
-         "every named model and sun elevation",
-         fmt::format("{} of the mean promised", share(model::kIrradianceRules[i].error)),
-         fmt::format("down from {} panels", model::kIrradianceRules[0].panels), "48 panels",
-         "tests/sky/irradiance_test.cpp"});
-  for (const auto& [e, bound, bytes] : {std::tuple(table::Encoding::float32, "2^-24 of a number", 4),
-                                        {table::Encoding::float16, "2^-11 of a number, 2^-25 of its key's largest", 2},
-                                        {table::Encoding::fixed16, "1/65534 of key's times row's largest", 2},
-                                        {table::Encoding::fixed8, "1/254 of key's times row's largest", 1}})
-    add({fmt::format("numbers as {}", nameOf(e)), "finite tables",
-         fmt::format("{}; {} of the irradiance here", bound, share(encoding(e))),
-         fmt::format("{} {} a number", bytes, bytes == 1 ? "byte" : "bytes"), "the numbers in double",
-         "tests/runtime/day_table_test.cpp"});
-  for (const MapSize map : {kSmallMap, kMiddleMap, kLargeMap, kLargestMap})
-    for (const Way& way : study.ways)
-      if (way.isModes() && way.numbers() == 8 && way.fit == Fit::projected &&
-          way.representation.modes->columns == map.columns && way.representation.modes->rows == map.rows)
-        add({fmt::format("8 modes from a map of {} x {}", map.columns, map.rows), "every normal",
-             fmt::format("{} with the modes left out, here", share(way.error)),
-             inWords(static_cast<double>(way.representation.fixedBytes()), Quantity::bytes, 3), "the modes' own series",
-             "tests/runtime/modes_test.cpp"});
-  for (const auto f : {format::CubemapFormat::rgba16f, format::CubemapFormat::rgb9e5, format::CubemapFormat::b10g11r11})
-    add({fmt::format("cubemaps in {}", format::nameOf(f)), "0 to the format's largest value",
-         fmt::format("{} of the mean radiance here, root mean square", share(format(f))),
-         fmt::format("{} bytes a texel", format::texelBytes(f)), "texels in double",
-         "tests/sky/cubemap_format_test.cpp"});
-  for (const DomeRow& row : study.cubemaps.dome)
-    if (row.error > 0.0)
-      add({fmt::format("gradients in {}", nameOf(row.format)), "every gradient",
-           fmt::format("2^-9 of a texel's largest; {} of the dome here", share(row.error)), "4 bytes a texel, for 12",
-           "gradients as floats", "tests/sky/dome_error_test.cpp"});
-  add({"a GPU's filter of the map of modes", "subTexelPrecisionBits b, 8 on common devices",
-       "2^-b of the differences to the next column and row, of each mode", "none: it is the hardware's",
-       "the same product in double", "tests/runtime/modes_test.cpp"});
-  return table.markdown(3);
-}
-
-/// Whether a bake of the example takes modes, and what they cost a pixel.
+/// How often a bake of the example takes modes, and what a pixel costs.
 std::string modesAdvice(const Study& study) {
   std::size_t modes = 0;
   for (const BudgetRow& row : study.tables.budgets)
     if (row.plan.met && row.plan.representation.modes) ++modes;
   std::string text =
-      fmt::format("for the island they are the least at {} of {} budgets", modes, study.tables.budgets.size());
+      fmt::format("For the island they take the fewest bytes at {} of {} budgets.", modes, study.tables.budgets.size());
   for (const auto& [name, cost] : study.shaders)
     if (name == "irradiance 3 bands" || name == "irradiance 8 modes")
-      text += fmt::format("{} take a pixel {} scalar operations, {} fetches and {} uniform loads",
-                          name == "irradiance 3 bands" ? "; 3 bands" : ", 8 modes", cost.scalar_operations,
-                          cost.texture_fetches, cost.uniform_loads);
-  return text + ".";
+      text += fmt::format(" A pixel takes {} scalar operations, {} fetches and {} uniform loads with {}.",
+                          cost.scalar_operations, cost.texture_fetches, cost.uniform_loads, name.substr(11));
+  return text;
 }
 
 std::string aim(const std::vector<ModelRow>& models) {
   std::string text =
       "The aim was a worst error under 1 % with at most 8 floats a channel and instant, over all models "
-      "with colours. In colours";
+      "with colours. The largest errors are";
   for (std::size_t k = 0; k < std::size(kModeCounts); ++k) {
     const ModelRow& worst = worstOf(models, k);
-    text += fmt::format("{} {} modes err by at most {} ({})",
+    text += fmt::format("{} {} with {}{} ({})",
                         k == 0                            ? ""
-                        : k + 1 == std::size(kModeCounts) ? ", and"
+                        : k + 1 == std::size(kModeCounts) ? " and"
                                                           : ",",
-                        kModeCounts[k], share(worst.modes[k]), worst.model);
+                        share(worst.modes[k]), kModeCounts[k], k == 0 ? " modes" : "", worst.model);
   }
   const ModelRow& worst = worstOf(models, std::size(kModeCounts) - 1);
   text += worst.modes[std::size(kModeCounts) - 1] < 0.01
-              ? ": the aim is met for modes of a day of one sky."
-              : fmt::format(": the aim is missed, and {} is the limit of 8.", worst.model);
+              ? ". The modes of a day of one sky meet the aim."
+              : fmt::format(". The aim is missed: {} is the limit of 8.", worst.model);
   std::size_t count = 0;
   std::size_t met = 0;
   for (const ModelRow& row : models)
     if (!row.grey) ++count, met += row.modes[0] < 0.01 ? 1 : 0;
-  return text + fmt::format(" 4 modes, one fetch, keep 1 % for {} of {} models.", met, count);
+  return text + fmt::format(" One fetch of 4 modes keeps 1 % for {} of {} models.", met, count);
 }
 
 }  // namespace
@@ -240,46 +163,46 @@ std::vector<ModelRow> measureModels(const model::Sky& example, double step_h, co
 std::string accuracyPage(const std::vector<ModelRow>& models, const Study& example, double step_h,
                          const std::string& command) {
   std::string page = fmt::format(
-      "# Accuracy\n\nWhat the ways to bake a sky cost and lose. This page is written by\n\n    {}\n\nand holds no "
-      "times: it "
-      "is the same on every machine. Errors are irradiance errors as docs/conventions.md defines them: the largest "
-      "over "
-      "normals, channels and instants, of the mean irradiance. `welkin study FILE.toml -o DIR` makes the same study of "
-      "any "
-      "sky, with times, charts and all figures.\n\n",
+      "# Accuracy\n\nThis page compares the representations that a bake can choose, by cost and error. Written by\n\n"
+      "    {}\n\n"
+      "It holds no times, so it is the same on every machine. Errors are irradiance errors as docs/conventions.md "
+      "defines them: the largest over normals, channels and instants, as a share of the mean irradiance. `welkin study "
+      "FILE.toml -o DIR` makes the same study of any sky, with times, charts and all figures.\n\n",
       command);
   page +=
       "## What to choose\n\n"
       "- State a budget and leave the rest open: `welkin bake --max-error 0.01`, or `--quality final`. The planner "
-      "weighs "
-      "everything on this page, and the certificate measures what came of it.\n"
-      "- Modes where the light on surfaces counts: " +
+      "weighs everything on this page, and the certificate measures the result.\n"
+      "- Take modes where the light on surfaces counts. " +
       modesAdvice(example) +
       "\n"
-      "- 3 bands, fitted, where a consumer wants SH and nothing else: a third less error than projected, at the same "
-      "cost.\n"
-      "- fixed16 numbers: as small as halfs and more exact, since every row has its own scale; fixed8 from 3 % on.\n"
-      "- The analytic dome, without cubemaps, wherever nothing has to be mirrored.\n"
-      "- No windows: they cost more than they save, and are there only for who cannot bear negative light.\n\n";
+      "- Take 3 bands, fitted, where a consumer wants SH and nothing else. They err by a third less than projected "
+      "ones, "
+      "at the same cost.\n"
+      "- Take fixed16 numbers: they are as small as halfs and more exact, since every row has its own scale. From 3 % "
+      "on, "
+      "fixed8 is enough.\n"
+      "- Take the analytic dome, without cubemaps, wherever nothing has to be mirrored.\n"
+      "- Take no windows, unless negative light cannot be borne: they cost more than they save.\n\n";
   page += "## Every model at exact keys\n\n" + aim(models) +
           fmt::format(
-              " The sun climbs from -18 degrees to the zenith and sinks again, looked at every {:.3g} minutes; modes "
-              "are those of the day, fitted, in a map of {} x {}.\n\n",
+              " The sun climbs from -18 degrees to the zenith and sinks again. The study samples this day every {:.3g} "
+              "minutes. Modes are those of the day, fitted, in a map of {} x {}.\n\n",
               step_h * 60.0, kLargestMap.columns, kLargestMap.rows);
   page +=
       "In the colours of examples/island:\n\n" + errorsTable(models, false) + "\nGrey:\n\n" + errorsTable(models, true);
   page +=
-      "\n## Every model under a budget\n\nThe least table, modes included, that a plan finds at these instants. A bake "
-      "looks more closely, every 2.5 minutes or less, and takes more keys: compare the island. Empty: "
-      "cannot "
-      "be met at them.\n\n" +
+      "\n## Every model under a budget\n\nThe smallest table, modes included, that a plan finds at these instants. A "
+      "bake "
+      "samples more finely, every 2.5 minutes or less, and takes more keys: compare the island. An empty cell is a "
+      "budget that cannot be met.\n\n" +
       budgetsTable(models);
   page += "\n## The island\n\n" + islandTable(example) + "\n";
   for (const std::string& paragraph : conclusionOf(example)) page += paragraph + "\n\n";
   page +=
-      "## Approximations\n\nEach with its domain, its largest error, what it costs, the slow reference that it is "
-      "measured against and the test that sweeps it. \"Here\": of examples/island.\n\n" +
-      approximations(example);
+      "## Approximations\n\nEach row gives the domain, the largest error, the cost, the slow reference of the "
+      "measurement and the test that sweeps the domain. \"Here\" is examples/island.\n\n" +
+      approximationsTable(example);
   return page;
 }
 

@@ -26,6 +26,10 @@ std::vector<ModelRow> measureModels(const model::Sky& example, double step_h, co
 /// The sky of a row: intensity 1 all day, no ground, no desaturation.
 model::Sky modelSky(const model::LuminanceModel& model, const model::Sky& example, bool grey);
 
+/// The table of all approximations of Welkin: domain, largest error, cost, slow reference and test. "Here" is the
+/// study's sky.
+std::string approximationsTable(const Study& study);
+
 /// Markdown; the same for the same measurements.
 std::string accuracyPage(const std::vector<ModelRow>& models, const Study& example, double step_h,
                          const std::string& command);

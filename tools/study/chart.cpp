@@ -4,264 +4,225 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sky/base/error.h"
 #include "study/chart_axis.h"
-#include "study/chart_legend.h"
-#include "study/chart_pen.h"
+#include "study/gnuplot.h"
 
 namespace welkin::study {
 namespace {
 
+constexpr double kTextSize = 12.0;  // pixels, of ticks and the legend
 constexpr double kTitleSize = 17.0;
 constexpr double kAxisTitleSize = 13.0;
-constexpr double kTickSize = 12.0;
 constexpr double kLabelSize = 11.0;
-constexpr double kEdge = 16.0;  // of the picture, left free
+constexpr double kCharacter = 0.55;      // mean width of a character, in the size of the text
+constexpr double kWideCharacter = 0.68;  // the same where nothing may be cut
+constexpr double kEdge = 16.0;           // free at the sides of the picture
 constexpr double kTop = 54.0;
-constexpr double kBottom = kChartHeight - 62.0;
-constexpr double kMarkerRadius = 5.0;
-constexpr double kRingRadius = 8.0;
-constexpr double kLeadFrom = 14.0;  // distance from which a line joins a label to its point
+constexpr double kBottom = 62.0;
+constexpr double kSymbol = 44.0;  // of the legend
+constexpr std::size_t kLegendCharacters = 26;
+constexpr double kRightmost = 0.8;  // share of the axis: labels further right end at their points
+constexpr double kTopmost = 0.95;   // labels further up stand beside their points
+constexpr double kMarkerSize = 1.05;
+
+constexpr const char* kInk = "#212121";
+constexpr const char* kGrey = "#6b6b6b";
+constexpr const char* kGrid = "#e6e6e6";
+// Okabe and Ito's colours but yellow, which is too light on white. Pairs of colour and marker repeat after 56 series.
+constexpr std::array<unsigned, 7> kColours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x595959};
+// Filled circle, square, triangles, diamond and pentagon of gnuplot, a cross and a star.
+constexpr std::array<int, 8> kMarkers = {7, 5, 9, 13, 11, 15, 2, 3};
+constexpr unsigned kWhite = 0xffffff;
+
+std::string terminal(std::string_view name) {
+  // pngcairo takes points of 96 dots an inch.
+  return fmt::format("set terminal {} size {},{} noenhanced font 'DejaVu Sans,{}' fontscale {} background 'white'\n",
+                     name, kChartWidth, kChartHeight, kTextSize, name == "svg" ? 1.0 : 0.75);
+}
 
 std::vector<double> valuesOf(const Chart& chart, double Point::*coordinate) {
   std::vector<double> values;
-  for (const Series& series : chart.series) {
+  for (const Series& series : chart.series)
     for (const Point& point : series.points) values.push_back(point.*coordinate);
-  }
+  if (coordinate == &Point::y && !values.empty())
+    for (const ReferenceLine& line : chart.lines) values.push_back(line.y);
   return values;
 }
 
-std::vector<double> heightsOf(const Chart& chart) {
-  std::vector<double> values = valuesOf(chart, &Point::y);
-  if (!values.empty()) {
-    for (const Level& level : chart.levels) values.push_back(level.y);
+std::vector<std::string> brokenIntoLines(const std::string& words, std::size_t most) {
+  std::vector<std::string> lines(1);
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t end = std::min(words.find(' ', from), words.size());
+    const std::string word = words.substr(from, end - from);
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > most) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    from = end + 1;
   }
-  return values;
+  return lines;
 }
 
-class Painter {
+/// Quoted words and a font of at most `size` in which they fit `room` pixels.
+std::string fitting(const std::string& words, double size, double room, const char* weight = "") {
+  const double width = kWideCharacter * size * static_cast<double>(std::max<std::size_t>(words.size(), 1));
+  return fmt::format("{} font 'DejaVu Sans{},{:.1f}'", quoted(words), weight,
+                     width > room ? size * room / width : size);
+}
+
+/// Writes the script of a chart, its terminal apart.
+class Script {
  public:
-  Painter(const Chart& chart, Pen& pen)
-      : chart_(chart),
-        pen_(pen),
-        x_(chart.x, valuesOf(chart, &Point::x)),
-        y_(chart.y, heightsOf(chart)),
-        legend_(pen_, chart.series, kBottom - kTop) {
-    double ticks = 0.0;
-    for (const Tick& tick : y_.ticks()) ticks = std::max(ticks, pen_.textWidth(tick.label, kTickSize));
-    for (const Level& level : chart.levels)
-      level_width_ = std::max(level_width_, pen_.textWidth(level.label, kLabelSize));
-    const double beside =
-        legend_.width() + (legend_.width() > 0.0 ? kEdge : 0.0) + (level_width_ > 0.0 ? level_width_ + 14.0 : 0.0);
-    frame_ = {kEdge + kAxisTitleSize + 10.0 + ticks + 10.0, kTop, kChartWidth - kEdge - std::max(beside, 10.0),
-              kBottom};
-  }
+  explicit Script(const Chart& chart)
+      : chart_(chart), x_(chart.x, valuesOf(chart, &Point::x)), y_(chart.y, valuesOf(chart, &Point::y)) {}
 
-  void paint() {
-    drawGrid();
-    drawTitles();
-    drawLevels();
-    pen_.beginClip(
-        {frame_.left - kRingRadius, frame_.top - kRingRadius, frame_.right + kRingRadius, frame_.bottom + kRingRadius});
-    for (std::size_t i = 0; i < chart_.series.size(); ++i) drawLine(i);
-    for (std::size_t i = 0; i < chart_.series.size(); ++i) drawMarkers(i);
-    pen_.endClip();
-    drawLabels();
-    legend_.draw(pen_, {kChartWidth - kEdge - legend_.width(), frame_.top});
+  std::string text() {
+    addFrame();
+    for (const ReferenceLine& line : chart_.lines) addLine(line);
+    for (const Series& series : chart_.series)
+      for (const Point& point : series.points)
+        if (!point.label.empty()) addLabel(point);
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) addData(i);
+    std::string plots;
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += pathOf(i);
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += markersOf(i);
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += legendOf(i);
+    plots.resize(plots.size() - 2);  // the last comma
+    return text_ + "plot " + plots + "\n";
   }
 
  private:
-  Corner at(const Point& point) const { return {left(x_.position(point.x)), top(y_.position(point.y))}; }
-  double left(double position) const { return frame_.left + position * (frame_.right - frame_.left); }
-  double top(double position) const { return frame_.bottom - position * (frame_.bottom - frame_.top); }
-
-  // Labels of minor ticks give way to those of major ones, and later ones to earlier ones.
-  template <typename Extent, typename Draw>
-  static void drawTickLabels(const std::vector<Tick>& ticks, const Extent& extent, const Draw& draw) {
-    std::vector<Range> taken;
-    for (const bool minor : {false, true}) {
-      for (const Tick& tick : ticks) {
-        if (tick.minor != minor || tick.label.empty()) continue;
-        const Range range = extent(tick);
-        const auto overlaps = [&](const Range& other) { return range.low < other.high && other.low < range.high; };
-        if (std::ranges::any_of(taken, overlaps)) continue;
-        taken.push_back(range);
-        draw(tick);
-      }
-    }
+  template <typename... Values>
+  void add(fmt::format_string<Values...> format, const Values&... values) {
+    text_ += fmt::vformat(format, fmt::make_format_args(values...)) + "\n";
   }
 
-  void drawGrid() {
-    for (const Tick& tick : x_.ticks()) {
-      const double x = left(tick.position);
-      pen_.line({{x, frame_.top}, {x, frame_.bottom}}, kGrid, tick.minor ? 0.5 : 1.0);
-      pen_.line({{x, frame_.bottom}, {x, frame_.bottom + (tick.minor ? 3.0 : 5.0)}}, kInk, 1.0);
-    }
-    for (const Tick& tick : y_.ticks()) {
-      const double y = top(tick.position);
-      pen_.line({{frame_.left, y}, {frame_.right, y}}, kGrid, tick.minor ? 0.5 : 1.0);
-      pen_.line({{frame_.left - (tick.minor ? 3.0 : 5.0), y}, {frame_.left, y}}, kInk, 1.0);
-    }
-    const auto width = [&](const Tick& tick) {
-      const double half = pen_.textWidth(tick.label, kTickSize) / 2.0 + 5.0;
-      return Range{left(tick.position) - half, left(tick.position) + half};
-    };
-    drawTickLabels(x_.ticks(), width, [&](const Tick& tick) {
-      pen_.text(tick.label, {left(tick.position), frame_.bottom + 16.0}, Anchor::middle, kTickSize);
-    });
-    const auto height = [&](const Tick& tick) {
-      return Range{top(tick.position) - kTickSize * 0.6, top(tick.position) + kTickSize * 0.6};
-    };
-    drawTickLabels(y_.ticks(), height, [&](const Tick& tick) {
-      pen_.text(tick.label, {frame_.left - 9.0, top(tick.position)}, Anchor::right, kTickSize);
-    });
-    pen_.line({{frame_.left, frame_.top},
-               {frame_.right, frame_.top},
-               {frame_.right, frame_.bottom},
-               {frame_.left, frame_.bottom},
-               {frame_.left, frame_.top}},
-              kGrey, 1.0);
+  void addFrame() {
+    std::size_t legend = 0;
+    for (const Series& series : chart_.series)
+      for (const std::string& line : brokenIntoLines(series.name, kLegendCharacters))
+        legend = std::max(legend, line.size());
+    std::size_t beside = 0;
+    for (const ReferenceLine& line : chart_.lines) beside = std::max(beside, line.label.size());
+    const double characters = kCharacter * kTextSize;
+    const double left = kEdge + 2.0 * kAxisTitleSize + characters * static_cast<double>(y_.labelLength());
+    const double key = kChartWidth - kEdge - kSymbol - characters * static_cast<double>(legend);
+    const double right = key - 2.0 * kEdge - characters * static_cast<double>(beside);
+    add("set encoding utf8");
+    add("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}", left / kChartWidth, right / kChartWidth);
+    add("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}", kBottom / kChartHeight,
+        1.0 - kTop / kChartHeight);
+    add("set border 15 lc rgb '{}' lw 1\nset tics nomirror out scale 0.7,0.4 textcolor rgb '{}'", kGrey, kInk);
+    add("set grid xtics ytics mxtics mytics back lt 1 lc rgb '{0}' lw 1, lt 1 lc rgb '{0}' lw 0.5", kGrid);
+    add("set style textbox opaque noborder margins 0.2,0.2 fillcolor rgb '#33ffffff'");
+    add("set key at screen {:.5f},{:.5f} left top vertical maxrows 99 Left reverse samplen 2 spacing 1.25",
+        key / kChartWidth, 1.0 - (kTop - 6.0) / kChartHeight);
+    text_ += x_.commands("x") + y_.commands("y");
+    add("set label {} at screen 0.5,{:.5f} center textcolor rgb '{}'",
+        fitting(chart_.title, kTitleSize, kChartWidth - 2.0 * kEdge, " Bold"), 1.0 - 27.0 / kChartHeight, kInk);
+    add("set label {} at screen {:.5f},{:.5f} center textcolor rgb '{}'",
+        fitting(chart_.x.title, kAxisTitleSize, right - left), (left + right) / 2.0 / kChartWidth, 20.0 / kChartHeight,
+        kInk);
+    add("set label {} at screen {:.5f},{:.5f} center rotate by 90 textcolor rgb '{}'",
+        fitting(chart_.y.title, kAxisTitleSize, kChartHeight - kTop - kBottom),
+        (kEdge + kAxisTitleSize / 2.0) / kChartWidth, (kBottom + kChartHeight - kTop) / 2.0 / kChartHeight, kInk);
   }
 
-  void drawFitting(const std::string& words, const Corner& middle, double size, double room, bool bold, bool upwards) {
-    const double width = pen_.textWidth(words, size, bold);
-    pen_.text(words, middle, Anchor::middle, width > room ? size * room / width : size, kInk, bold, upwards);
+  void addLine(const ReferenceLine& line) {
+    const double y = y_.coordinate(line.y);
+    add("set arrow from graph 0,first {0:.17g} to graph 1,first {0:.17g} nohead back dt (10,7) lw 1.2 lc rgb '{1}'", y,
+        kGrey);
+    add("set label {} at graph 1,first {:.17g} left offset character 0.8,0 font ',{}' textcolor rgb '{}'",
+        quoted(line.label), y, kLabelSize, kGrey);
   }
 
-  void drawTitles() {
-    const double middle = (frame_.left + frame_.right) / 2.0;
-    drawFitting(chart_.title, {kChartWidth / 2.0, 27.0}, kTitleSize, kChartWidth - 2.0 * kEdge, true, false);
-    drawFitting(chart_.x.title, {middle, kChartHeight - 20.0}, kAxisTitleSize, frame_.right - frame_.left, false,
-                false);
-    drawFitting(chart_.y.title, {kEdge + kAxisTitleSize / 2.0, (frame_.top + frame_.bottom) / 2.0}, kAxisTitleSize,
-                frame_.bottom - frame_.top, false, true);
+  void addLabel(const Point& point) {
+    const bool right = x_.position(point.x) > kRightmost;
+    const double up = y_.position(point.y) > kTopmost ? 0.0 : 0.9;
+    add("set label {} at {:.17g},{:.17g} {} offset character {},{} front boxed font ',{}' textcolor rgb '{}'",
+        quoted(point.label), x_.coordinate(point.x), y_.coordinate(point.y), right ? "right" : "left",
+        right ? 0.8 : 0.9, up, kLabelSize, kInk);
   }
 
-  // The words stand beside the frame, moved apart where lines are close.
-  void drawLevels() {
-    std::vector<Level> levels = chart_.levels;
-    std::ranges::stable_sort(levels, std::ranges::greater(), &Level::y);
-    double below = frame_.top;
-    std::vector<double> heights;
-    for (const Level& level : levels) {
-      const double y = top(y_.position(level.y));
-      heights.push_back(std::max(y, below));
-      below = heights.back() + kLabelSize * 1.3;
-    }
-    double above = frame_.bottom;
-    for (std::size_t i = heights.size(); i-- > 0;) {
-      heights[i] = std::min(heights[i], above);
-      above = heights[i] - kLabelSize * 1.3;
-    }
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      const double y = top(y_.position(levels[i].y));
-      pen_.line({{frame_.left, y}, {frame_.right, y}}, kGrey, 1.2, true);
-      pen_.line({{frame_.right, y}, {frame_.right + 7.0, heights[i]}}, kGrey, 1.0);
-      pen_.text(levels[i].label, {frame_.right + 10.0, heights[i]}, Anchor::left, kLabelSize, kGrey);
-    }
-  }
+  static unsigned colourOf(std::size_t series) { return kColours[series % kColours.size()]; }
+  static int markerOf(std::size_t series) { return kMarkers[series % kMarkers.size()]; }
 
-  std::vector<Corner> cornersOf(const Series& series) const {
-    std::vector<Corner> corners;
-    if (series.points.empty() || series.style == SeriesStyle::markers) return corners;
-    if (series.style == SeriesStyle::front) corners.push_back({at(series.points.front()).x, frame_.top});
-    for (const Point& point : series.points) {
-      const Corner corner = at(point);
-      if (series.style == SeriesStyle::front) corners.push_back({corner.x, corners.back().y});
-      corners.push_back(corner);
-    }
-    if (series.style == SeriesStyle::front) corners.push_back({frame_.right, corners.back().y});
-    return corners;
-  }
-
-  void drawLine(std::size_t i) {
+  /// The points as coordinates, marker size and colour: each on a white one, which parts markers that overlap.
+  void addData(std::size_t i) {
     const Series& series = chart_.series[i];
-    pen_.line(cornersOf(series), series.style == SeriesStyle::front ? kInk : colourOf(i), 1.8);
+    add("$points{} << EOD", i);
+    for (const Point& point : series.points)
+      for (const auto& [size, colour] : {std::pair(kMarkerSize + 0.35, kWhite), std::pair(kMarkerSize, colourOf(i))})
+        add("{:.17g} {:.17g} {} {}", x_.coordinate(point.x), y_.coordinate(point.y), size, colour);
+    add("EOD");
+    if (series.style == SeriesStyle::markers || series.points.empty()) return;
+    add("$path{} << EOD", i);
+    const bool front = series.style == SeriesStyle::front;
+    if (front) add("{:.17g} {:.17g}", x_.coordinate(series.points.front().x), y_.high());
+    for (const Point& point : series.points) add("{:.17g} {:.17g}", x_.coordinate(point.x), y_.coordinate(point.y));
+    if (front) add("{:.17g} {:.17g}", x_.high(), y_.coordinate(series.points.back().y));
+    add("EOD");
   }
 
-  void drawMarkers(std::size_t i) {
-    for (const Point& point : chart_.series[i].points) {
-      if (chart_.series[i].style == SeriesStyle::front) {
-        pen_.ring(at(point), kRingRadius, kInk);
-      } else {
-        pen_.marker(i, at(point), kMarkerRadius);
-      }
-    }
+  std::string pathOf(std::size_t i) const {
+    const Series& series = chart_.series[i];
+    if (series.style == SeriesStyle::markers || series.points.empty()) return {};
+    if (series.style == SeriesStyle::front)
+      return fmt::format("$path{} with steps lw 1.8 lc rgb '{}' notitle, ", i, kInk);
+    return fmt::format("$path{} with lines lw 1.8 lc rgb {} notitle, ", i, colourOf(i));
   }
 
-  std::vector<Obstacle> obstacles() const {
-    std::vector<Obstacle> found;
-    const auto add = [&](const Corner& middle, double half, double weight) {
-      found.push_back({{middle.x - half, middle.y - half, middle.x + half, middle.y + half}, weight});
-    };
-    for (const Series& series : chart_.series) {
-      const double radius = series.style == SeriesStyle::front ? kRingRadius : kMarkerRadius;
-      for (const Point& point : series.points) add(at(point), radius, 1.0);
-      const std::vector<Corner> corners = cornersOf(series);
-      for (std::size_t i = 1; i < corners.size(); ++i) {
-        const double x = corners[i].x - corners[i - 1].x;
-        const double y = corners[i].y - corners[i - 1].y;
-        const double steps = std::ceil(std::hypot(x, y) / 4.0);
-        for (double step = 0.5; step < steps; step += 1.0) {
-          add({corners[i - 1].x + x * step / steps, corners[i - 1].y + y * step / steps}, 2.0, 0.5);
-        }
-      }
-    }
-    for (const Level& level : chart_.levels) {
-      const double y = top(y_.position(level.y));
-      found.push_back({{frame_.left, y - 1.0, frame_.right, y + 1.0}, 0.2});
-    }
-    return found;
+  std::string markersOf(std::size_t i) const {
+    const Series& series = chart_.series[i];
+    if (series.points.empty()) return {};
+    if (series.style == SeriesStyle::front)
+      return fmt::format("$points{} using 1:2 with points pt 6 ps 2.4 lw 1.5 lc rgb '{}' notitle, ", i, kInk);
+    return fmt::format("$points{} using 1:2:3:4 with points pt {} ps variable lc rgb variable notitle, ", i,
+                       markerOf(i));
   }
 
-  void drawLabels() {
-    std::vector<LabelRequest> requests;
-    std::vector<const Point*> points;
-    for (const Series& series : chart_.series) {
-      for (const Point& point : series.points) {
-        if (point.label.empty()) continue;
-        requests.push_back({at(point).x, at(point).y, pen_.textWidth(point.label, kLabelSize), kLabelSize + 2.0});
-        points.push_back(&point);
-      }
+  std::string legendOf(std::size_t i) const {
+    const Series& series = chart_.series[i];
+    if (series.name.empty()) return {};
+    std::string symbol =
+        fmt::format("{} pt {} ps {} lw 1.8 lc rgb {}", series.style == SeriesStyle::line ? "linespoints" : "points",
+                    markerOf(i), kMarkerSize, colourOf(i));
+    if (series.style == SeriesStyle::front) symbol = fmt::format("linespoints pt 6 ps 2.4 lw 1.5 lc rgb '{}'", kInk);
+    std::string text;
+    for (const std::string& line : brokenIntoLines(series.name, kLegendCharacters)) {
+      text += fmt::format("keyentry {}{} title {}, ", symbol.empty() ? "" : "with ", symbol, quoted(line));
+      symbol.clear();
     }
-    const Box inside = {frame_.left + 2.0, frame_.top + 2.0, frame_.right - 2.0, frame_.bottom - 2.0};
-    const std::vector<std::optional<PlacedLabel>> labels = placeLabels(requests, obstacles(), inside);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      if (!labels[i]) continue;
-      const double away = std::hypot(labels[i]->lead_x - requests[i].x, labels[i]->lead_y - requests[i].y);
-      if (away > kLeadFrom)
-        pen_.line({{requests[i].x, requests[i].y}, {labels[i]->lead_x, labels[i]->lead_y}}, kGrey, 0.8);
-    }
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      if (labels[i]) pen_.label(points[i]->label, labels[i]->box, kLabelSize);
-    }
+    return text;
   }
 
   const Chart& chart_;
-  Pen& pen_;
   AxisScale x_;
   AxisScale y_;
-  Legend legend_;
-  double level_width_ = 0.0;
-  Box frame_ = {};
+  std::string text_;
 };
 
 }  // namespace
 
-ChartPictures drawChart(const Chart& chart) {
-  if (chart.series.size() > kMostSeries) {
+std::optional<ChartPictures> drawChart(const Chart& chart) {
+  if (chart.series.size() > kMostSeries)
     throw base::Error(base::ExitStatus::internal, fmt::format("chart '{}': {} series; at most {} can be told apart",
                                                               chart.title, chart.series.size(), kMostSeries));
-  }
-  // Not a recording that is played back: cairo 1.16 writes its matrices with 0 or -0, as it happens.
-  Pen extent(Pen::Target::extent, kChartWidth, kChartHeight);
-  Pen svg(Pen::Target::svg, kChartWidth, kChartHeight);
-  Pen png(Pen::Target::png, kChartWidth, kChartHeight);
-  for (Pen* const pen : {&extent, &svg, &png}) Painter(chart, *pen).paint();
-  const Box ink = extent.ink();
-  return {svg.finish(), png.finish(), {ink.left, ink.right}, {ink.top, ink.bottom}};
+  const std::string script = Script(chart).text();
+  const auto draw = [&](std::string_view name, std::string_view end) {
+    std::optional<std::string> picture = runGnuplot(terminal(name) + script);
+    if (picture && picture->find(end) == std::string::npos)
+      throw base::Error(base::ExitStatus::file,
+                        fmt::format("gnuplot: chart '{}' is cut: is the disk for temporary files full?", chart.title));
+    return picture;
+  };
+  std::optional<std::string> svg = draw("svg", "</svg>");
+  if (!svg) return std::nullopt;
+  std::optional<std::string> png = draw("pngcairo", "IEND");
+  if (!png) return std::nullopt;
+  return ChartPictures{std::move(*svg), std::move(*png)};
 }
 
 }  // namespace welkin::study

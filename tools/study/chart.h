@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chart: what it shows, as numbers and words, and its picture as SVG and PNG. Drawn by cairo, by the same code for
-// both; the same input gives the same bytes on a machine with the same cairo and fonts. Colours are told apart by
-// colour-blind people (Okabe and Ito, "Color Universal Design", 2008), and every series has a marker of its own beside.
+// A chart: numbers and words, and its picture as SVG and PNG, drawn by gnuplot. The same input gives the same bytes on
+// a machine with the same gnuplot and fonts. Colours are told apart by colour-blind people (Okabe and Ito, "Color
+// Universal Design", 2008), and every series has a marker of its own beside.
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@ struct Range {
 
 struct Axis {
   std::string title;
-  Quantity quantity = Quantity::number;
+  Quantity quantity = Quantity::number;  ///< of an axis of decades; a linear one shows plain numbers
   Scale scale = Scale::linear;
-  std::optional<Range> range = std::nullopt;  ///< what is shown at least; the data can widen it
+  std::optional<Range> range = std::nullopt;  ///< shown at least; the data can widen it
 };
 
 struct Point {
@@ -38,7 +38,7 @@ struct Point {
 enum class SeriesStyle {
   markers,  ///< points alone
   line,     ///< points, joined in their order
-  front,    ///< a Pareto front: points joined by steps, right and then down, since nothing between them is to be had
+  front,    ///< a Pareto front: points joined by steps, right and then down, since nothing between them can be had
 };
 
 struct Series {
@@ -48,7 +48,7 @@ struct Series {
 };
 
 /// A horizontal line across the chart: a budget.
-struct Level {
+struct ReferenceLine {
   double y;
   std::string label;
 };
@@ -58,7 +58,7 @@ struct Chart {
   Axis x;
   Axis y;
   std::vector<Series> series;
-  std::vector<Level> levels = {};
+  std::vector<ReferenceLine> lines = {};
 };
 
 constexpr int kChartWidth = 960;
@@ -69,12 +69,10 @@ constexpr std::size_t kMostSeries = 20;
 struct ChartPictures {
   std::string svg;
   std::string png;
-  Range ink_x;  ///< extent of everything that is drawn, in pixels; within the picture when nothing is cut
-  Range ink_y;
 };
 
-/// Throws Error(internal) for a chart without points, with more than kMostSeries series, with a number that is not
-/// finite, or with one below 0 on an axis of decades.
-ChartPictures drawChart(const Chart& chart);
+/// None when gnuplot is not installed. Throws Error(internal) for a chart without points, with more than kMostSeries
+/// series, with a number that is not finite, or with one below 0 on an axis of decades; Error(file) when gnuplot fails.
+std::optional<ChartPictures> drawChart(const Chart& chart);
 
 }  // namespace welkin::study

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,105 +14,85 @@ namespace {
 
 constexpr double kZeroBand = 0.06;        // share of an axis of decades that is set apart for zeros
 constexpr double kMargin_decades = 0.06;  // between the outermost values and the frame
-constexpr double kMostSteps = 8.0;
-constexpr double kClearance_steps = 0.15;
-constexpr double kRounding = 1e-9;  // of a step
+constexpr double kMargin = 0.03;          // the same of a linear axis, as a share of it
+constexpr double kRounding = 1e-9;        // of a decade
 constexpr int kTickDigits = 6;
-
-// The least of 1, 2, 2.5, 5 times a power of ten that is not below `least`; a whole number for `whole`.
-double niceStep(double least, bool whole) {
-  if (whole && least <= 1.0) return 1.0;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-    const double step = factor * power;
-    if (step >= least * (1.0 - kRounding) && !(whole && step != std::floor(step))) return step;
-  }
-  return 10.0 * power;
-}
 
 }  // namespace
 
-AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values) : scale_(axis.scale) {
-  std::vector<double> shown = values;
-  if (axis.range) shown.insert(shown.end(), {axis.range->low, axis.range->high});
+AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values) : decades_(axis.scale == Scale::log) {
   if (values.empty())
     throw base::Error(base::ExitStatus::internal, fmt::format("chart: nothing to show along '{}'", axis.title));
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  bool zero = false;
-  for (const double value : shown) {
-    if (!std::isfinite(value) || (scale_ == Scale::log && value < 0.0)) {
-      throw base::Error(base::ExitStatus::internal,
-                        fmt::format("chart: {} along '{}'; allowed are finite numbers{}", value, axis.title,
-                                    scale_ == Scale::log ? " from 0" : ""));
-    }
-    if (scale_ == Scale::log && value == 0.0) {
-      zero = true;
-      continue;
-    }
-    low = std::min(low, value);
-    high = std::max(high, value);
+  std::vector<double> shown = values;
+  if (axis.range) shown.insert(shown.end(), {axis.range->low, axis.range->high});
+  for (const double value : shown)
+    if (!std::isfinite(value) || (decades_ && value < 0.0))
+      throw base::Error(base::ExitStatus::internal, fmt::format("chart: {} along '{}'; allowed are finite numbers{}",
+                                                                value, axis.title, decades_ ? " from 0" : ""));
+  const bool zero = decades_ && std::ranges::find(shown, 0.0) != shown.end();
+  if (decades_) std::erase(shown, 0.0);
+  if (shown.empty()) shown = {1.0};
+  low_ = std::ranges::min(shown);
+  high_ = std::ranges::max(shown);
+  if (!decades_) {
+    const double margin = high_ > low_ ? kMargin * (high_ - low_) : low_ == 0.0 ? 1.0 : std::abs(low_) / 2.0;
+    if (low_ != 0.0) low_ -= margin;  // points stay off the frame, unless it is at 0
+    high_ += margin;
+    return;
   }
-  if (low > high) low = high = 1.0;  // nothing but zeros
-  if (scale_ == Scale::linear) {
-    const bool whole =
-        high - low > 2.0 && std::ranges::all_of(shown, [](double value) { return value == std::floor(value); });
-    markLinear(axis, low, high, whole);
-  } else {
-    markDecades(axis, low, high, zero);
-  }
+  const double few = std::max(0.0, 1.0 - 2.0 * kMargin_decades - std::log10(high_ / low_)) / 2.0;  // at least a decade
+  low_ *= std::pow(10.0, -kMargin_decades - few);
+  high_ *= std::pow(10.0, kMargin_decades + few);
+  addDecades(axis);
+  if (!zero) return;
+  const double decades = std::log10(high_ / low_);
+  zero_ = low_ * std::pow(10.0, -decades * kZeroBand / 2.0);
+  low_ *= std::pow(10.0, -decades * kZeroBand);
+  addTick(zero_, inWords(0.0, axis.quantity, kTickDigits));
 }
 
 double AxisScale::position(double value) const {
-  if (scale_ == Scale::linear) return (value - low_) / (high_ - low_);
-  if (value == 0.0) return start_ / 2.0;
-  return start_ + (1.0 - start_) * (std::log10(value) - low_) / (high_ - low_);
+  if (!decades_) return (value - low_) / (high_ - low_);
+  return std::log10(coordinate(value) / low_) / std::log10(high_ / low_);
 }
 
-void AxisScale::markLinear(const Axis& axis, double low, double high, bool whole) {
-  if (low == high) {
-    const double around = low == 0.0 ? 1.0 : std::abs(low) / 2.0;
-    low -= around;
-    high += around;
-  }
-  const double step = niceStep((high - low) / kMostSteps, whole);
-  const double first = std::floor(low / step + kRounding);
-  const double last = std::ceil(high / step - kRounding);
-  // Points stay off the frame, unless it is at 0.
-  low_ = (low / step - first < kClearance_steps && first != 0.0 ? first - 0.5 : first) * step;
-  high_ = (last - high / step < kClearance_steps && last != 0.0 ? last + 0.5 : last) * step;
-  for (double i = first; i <= last; i += 1.0) {
-    ticks_.push_back({position(i * step), inWords(i * step, axis.quantity, kTickDigits)});
-  }
+void AxisScale::addTick(double value, const std::string& label) {
+  std::string format;  // gnuplot takes labels of ticks for formats of their numbers
+  for (const char c : label) format.append(c == '%' ? 2 : 1, c);
+  ticks_ += fmt::format("{}{} {:.17g} {}", ticks_.empty() ? "" : ", ", quoted(format), value, label.empty() ? 1 : 0);
+  label_length_ = std::max(label_length_, label.size());
 }
 
-void AxisScale::markDecades(const Axis& axis, double low, double high, bool zero) {
-  low_ = std::log10(low) - kMargin_decades;
-  high_ = std::log10(high) + kMargin_decades;
-  if (high_ - low_ < 1.0) {  // at least a decade, so that a tick is seen
-    const double middle = (low_ + high_) / 2.0;
-    low_ = middle - 0.5;
-    high_ = middle + 0.5;
-  }
-  if (zero) {
-    start_ = kZeroBand;
-    ticks_.push_back({kZeroBand / 2.0, inWords(0.0, axis.quantity, kTickDigits)});
-  }
-  const double decades = high_ - low_;
+void AxisScale::addDecades(const Axis& axis) {
+  const double low = std::log10(low_) - kRounding;
+  const double high = std::log10(high_) + kRounding;
+  const double decades = high - low;
   const double every = std::ceil(decades / 10.0);  // labelled decades
-  for (double power = std::floor(low_); power <= std::ceil(high_); power += 1.0) {
+  for (double power = std::floor(low); power <= std::ceil(high); power += 1.0)
     for (int factor = 1; factor < 10; ++factor) {
       const double exponent = power + std::log10(static_cast<double>(factor));
-      if (exponent < low_ - kRounding || exponent > high_ + kRounding) continue;
+      if (exponent < low || exponent > high || (factor > 1 && decades > 6.0)) continue;
       const bool labelled = factor == 1
                                 ? std::fmod(power, every) == 0.0
                                 : (decades <= 3.0 && (factor == 2 || factor == 5)) || (decades <= 1.2 && factor == 3);
-      if (factor > 1 && decades > 6.0) continue;
       const double value = factor * std::pow(10.0, power);
-      ticks_.push_back({start_ + (1.0 - start_) * (exponent - low_) / decades,
-                        labelled ? inWords(value, axis.quantity, kTickDigits) : std::string(), factor > 1});
+      addTick(value, labelled ? inWords(value, axis.quantity, kTickDigits) : std::string());
     }
+}
+
+std::string AxisScale::commands(const std::string& name) const {
+  std::string text = fmt::format("set {}range [{:.17g}:{:.17g}]\n", name, low_, high_);
+  if (decades_) text += fmt::format("set logscale {0}\nset {0}tics ({1})\n", name, ticks_);
+  return text;
+}
+
+std::string quoted(const std::string& words) {
+  std::string text = "'";
+  for (const char c : words) {
+    if (c == '\'') text += c;
+    text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
+  return text + "'";
 }
 
 }  // namespace welkin::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where numbers lie along an axis of a chart, and which of them are marked.
+// The range and the tick labels along an axis of a chart, as commands of gnuplot.
 #pragma once
 
 #include <string>
@@ -9,33 +9,40 @@
 
 namespace welkin::study {
 
-/// A mark on an axis. The finer divisions of decades are minor; not all of them have a label.
-struct Tick {
-  double position;  ///< in [0, 1] along the axis
-  std::string label;
-  bool minor = false;
-};
-
 class AxisScale {
  public:
-  /// An axis that shows every value and axis.range, widened to round numbers. Throws Error(internal) naming the axis
-  /// for no values, one that is not finite, or one below 0 for decades.
+  /// An axis that shows every value and axis.range. Throws Error(internal) naming the axis for no values, for one that
+  /// is not finite, or for one below 0 for decades.
   AxisScale(const Axis& axis, const std::vector<double>& values);
 
-  /// In [0, 1] for what the axis shows.
+  /// The coordinate at which a value is drawn: the value itself, but zeros of decades lie on the lower edge.
+  double coordinate(double value) const { return decades_ && value == 0.0 ? zero_ : value; }
+
+  /// Share of the axis below a value; of what the axis shows in [0, 1].
   double position(double value) const;
 
-  const std::vector<Tick>& ticks() const { return ticks_; }
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+  /// Characters of the longest label.
+  std::size_t labelLength() const { return label_length_; }
+
+  /// Sets scale, range and ticks of axis `name`, "x" or "y".
+  std::string commands(const std::string& name) const;
 
  private:
-  void markLinear(const Axis& axis, double low, double high, bool whole);
-  void markDecades(const Axis& axis, double low, double high, bool zero);
+  void addDecades(const Axis& axis);
+  void addTick(double value, const std::string& label);
 
-  Scale scale_;
-  double low_ = 0.0;  // of the scale: values, or their decimal logarithms
-  double high_ = 1.0;
-  double start_ = 0.0;  // position of low_: above 0 when zeros lie below it
-  std::vector<Tick> ticks_;
+  bool decades_;
+  double low_ = 0.0;  // of everything that is shown
+  double high_ = 0.0;
+  double zero_ = 0.0;
+  std::string ticks_;  // of gnuplot: 'label' value [0 major, 1 minor], ...
+  std::size_t label_length_ = 6;
 };
+
+/// `words` in single quotes, in which gnuplot substitutes nothing; characters that end a line become spaces.
+std::string quoted(const std::string& words);
 
 }  // namespace welkin::study

@@ -16,17 +16,19 @@ std::string bytes(double value) {
   return inWords(value, Quantity::bytes, 3);
 }
 
-/// The way of a name, or null.
-const Way* find(const std::vector<Way>& ways, const std::string& name) {
-  const auto at = std::find_if(ways.begin(), ways.end(), [&](const Way& way) { return way.name == name; });
-  return at == ways.end() ? nullptr : &*at;
+/// The candidate of a name, or null.
+const Candidate* find(const std::vector<Candidate>& candidates, const std::string& name) {
+  const auto at = std::find_if(candidates.begin(), candidates.end(),
+                               [&](const Candidate& candidate) { return candidate.name == name; });
+  return at == candidates.end() ? nullptr : &*at;
 }
 
-/// Of `count` modes the way with the least error, or null.
-const Way* bestModes(const std::vector<Way>& ways, std::size_t count) {
-  const Way* best = nullptr;
-  for (const Way& way : ways)
-    if (way.isModes() && way.numbers() == count && (best == nullptr || way.error < best->error)) best = &way;
+/// Of `count` modes the candidate with the least error, or null.
+const Candidate* bestModes(const std::vector<Candidate>& candidates, std::size_t count) {
+  const Candidate* best = nullptr;
+  for (const Candidate& candidate : candidates)
+    if (candidate.isModes() && candidate.numbers() == count && (best == nullptr || candidate.error < best->error))
+      best = &candidate;
   return best;
 }
 
@@ -38,31 +40,31 @@ std::string budgetSentence(const BudgetRow& row) {
   return fmt::format("Within {} the least is {}: {} with {} keys of {}, at {}{}.", share(row.max_error),
                      bytes(static_cast<double>(row.plan.bytes)), row.plan.representation.name(),
                      row.plan.table.key_time_h.size(), nameOf(row.plan.encoding), share(row.plan.predicted_error),
-                     modes && modes->count > 8 ? "; more modes than the shader includes read" : "");
+                     modes && modes->count > 8 ? "; the shader includes do not read so many modes" : "");
 }
 
-std::string bandsParagraph(const std::vector<Way>& ways) {
+std::string bandsParagraph(const std::vector<Candidate>& candidates) {
   std::string text = "At exact keys";
   for (const int bands : {2, 3, 5}) {
-    const Way* projected = find(ways, fmt::format("{} bands", bands));
-    const Way* fitted = find(ways, fmt::format("{} bands, fitted", bands));
+    const Candidate* projected = find(candidates, fmt::format("{} bands", bands));
+    const Candidate* fitted = find(candidates, fmt::format("{} bands, fitted", bands));
     if (projected == nullptr || fitted == nullptr) continue;
-    text += fmt::format("{} {} bands err by up to {} projected and {} fitted",
+    text += fmt::format("{} {} bands {} {} projected and {} fitted",
                         bands == 2   ? ""
                         : bands == 5 ? ", and"
                                      : ",",
-                        bands, share(projected->error), share(fitted->error));
+                        bands, bands == 2 ? "err by up to" : "by", share(projected->error), share(fitted->error));
   }
   return text + ".";
 }
 
-std::string windowParagraph(const std::vector<Way>& ways) {
+std::string windowParagraph(const std::vector<Candidate>& candidates) {
   std::string text = "The mildest window that keeps irradiance from being negative";
   bool wins = false;
   bool taken = false;
   for (const int bands : {2, 3, 5}) {
-    const Way* projected = find(ways, fmt::format("{} bands", bands));
-    const Way* windowed = find(ways, fmt::format("{} bands, mildest window", bands));
+    const Candidate* projected = find(candidates, fmt::format("{} bands", bands));
+    const Candidate* windowed = find(candidates, fmt::format("{} bands, mildest window", bands));
     if (projected == nullptr || windowed == nullptr) continue;
     wins = wins || windowed->error < projected->error;
     const char* joint = bands == 2 ? "" : bands == 5 ? ", and" : ",";
@@ -72,43 +74,41 @@ std::string windowParagraph(const std::vector<Way>& ways) {
                 : fmt::format("{} leaves {} bands alone, which are never negative", joint, bands);
     taken = taken || windowed->window_strength > 0.0;
   }
-  return text + (wins ? ": for some it lessens the error, so it is worth trying for this sky."
-                      : ": it lessens no error, so windows stay off unless negative light cannot be borne.");
+  return text + (wins ? ". For some it lessens the error, so it is worth trying for this sky."
+                      : ". It lessens no error, so windows stay off unless negative light cannot be borne.");
 }
 
-std::string modesParagraph(const std::vector<Way>& ways) {
+std::string modesParagraph(const std::vector<Candidate>& candidates) {
   std::size_t first = 0;
   for (std::size_t count = 1; count <= table::DayModes::kMost && first == 0; ++count) {
-    const Way* way = bestModes(ways, count);
-    if (way != nullptr && way->error < 0.01) first = count;
+    const Candidate* candidate = bestModes(candidates, count);
+    if (candidate != nullptr && candidate->error < 0.01) first = count;
   }
-  std::string text = first > 0 ? fmt::format("{} modes are the fewest that keep 1 %", first)
+  std::string text = first > 0 ? fmt::format("The fewest modes that keep 1 % are {}", first)
                                : std::string("No number of modes that was looked at keeps 1 %");
   for (const std::size_t count : {4, 8})
-    if (const Way* way = bestModes(ways, count))
-      text += fmt::format("; {} reach {} (map {} x {}{})", count, share(way->error), way->representation.modes->columns,
-                          way->representation.modes->rows, way->fit == Fit::fitted ? ", fitted" : "");
+    if (const Candidate* candidate = bestModes(candidates, count))
+      text += fmt::format("; {} reach {} (map {} x {}{})", count, share(candidate->error),
+                          candidate->representation.modes->columns, candidate->representation.modes->rows,
+                          candidate->fit == Fit::fitted ? ", fitted" : "");
   text += ".";
-  const Way* eight = bestModes(ways, 8);
-  const Way* twelve = bestModes(ways, table::DayModes::kMost);
+  const Candidate* eight = bestModes(candidates, 8);
+  const Candidate* twelve = bestModes(candidates, table::DayModes::kMost);
   if (eight != nullptr && twelve != nullptr)
     text +=
-        fmt::format(" The limit of 8 is {}: four more modes, which the shader includes do not read, would bring {}.",
-                    share(eight->error), share(twelve->error));
+        fmt::format(" Four more modes, which the shader includes do not read, would bring {}.", share(twelve->error));
   return text;
 }
 
 std::string shadersParagraph(const std::vector<NamedShaderCost>& shaders) {
-  std::string text = "A pixel's irradiance takes";
-  bool first = true;
+  std::string text = "These are the costs of a pixel's irradiance.";
   for (const auto& [name, cost] : shaders) {
     if (!name.starts_with("irradiance ")) continue;
-    text += fmt::format("{} {} scalar operations, {} {} and {} uniform loads with {}", first ? "" : ",",
-                        cost.scalar_operations, cost.texture_fetches, cost.texture_fetches == 1 ? "fetch" : "fetches",
-                        cost.uniform_loads, name.substr(11));
-    first = false;
+    text +=
+        fmt::format(" With {}: {} scalar operations, {} {}, {} uniform loads.", name.substr(11), cost.scalar_operations,
+                    cost.texture_fetches, cost.texture_fetches == 1 ? "fetch" : "fetches", cost.uniform_loads);
   }
-  return text + ".";
+  return text + " These are static instructions of the optimised SPIR-V with its loops unrolled.";
 }
 
 std::string cubicParagraph(const KeyStudy& keys) {
@@ -116,8 +116,10 @@ std::string cubicParagraph(const KeyStudy& keys) {
   std::size_t worse = 0;
   for (const KeyCounts& row : keys.counts) ++(row.catmull_rom < 0.95 * row.max_error ? better : worse);
   std::string text = fmt::format(
-      "Cubic interpolation through the keys that are placed for linear does no better than the aim in {} of {} cases",
+      "Cubic interpolation through the keys that linear interpolation takes does no better than the aim in {} of {} "
+      "cases.",
       worse, better + worse);
+  if (keys.counts.empty()) return text;
   double most_numbers = 0.0;
   double least_numbers = 1e30;
   for (const KeyCounts& row : keys.counts) {
@@ -125,12 +127,10 @@ std::string cubicParagraph(const KeyStudy& keys) {
     most_numbers = std::max(most_numbers, ratio);
     least_numbers = std::min(least_numbers, ratio);
   }
-  if (!keys.counts.empty())
-    text += fmt::format(
-        "; the most favourable cubic, with slopes of its own on both sides of every key, takes {:.2g} to {:.2g} times "
-        "fewer "
-        "keys at three times the numbers",
-        least_numbers, most_numbers);
+  text += fmt::format(
+      " The most favourable cubic has slopes of its own on both sides of every key. It takes {:.2g} to {:.2g} times "
+      "fewer keys at three times the numbers",
+      least_numbers, most_numbers);
   text += most_numbers > 3.0
               ? ": for some aims that pays."
               : ": it does not pay. Days bend at the columns of the gradients, at sunrise and at sunset, "
@@ -138,11 +138,11 @@ std::string cubicParagraph(const KeyStudy& keys) {
   double ratio = 1.0;
   for (const KeyCounts& row : keys.counts)
     for (const EvenKeys& even : keys.even)
-      if (even.way == row.way && even.linear <= row.max_error) {
+      if (even.representation == row.representation && even.linear <= row.max_error) {
         ratio = std::max(ratio, static_cast<double>(even.keys) / static_cast<double>(row.placed));
         break;
       }
-  return text + fmt::format(" Where keys sit matters more: even ones take up to {:.2g} times as many.", ratio);
+  return text + fmt::format(" The placement of keys matters more: even keys take up to {:.2g} times as many.", ratio);
 }
 
 std::string encodingsParagraph(const std::vector<EncodingRow>& rows) {
@@ -174,15 +174,12 @@ std::string cubemapsParagraph(const CubemapStudy& study) {
 }
 
 std::string quadratureParagraph(const QuadratureStudy& study) {
-  std::string text = "The quadrature keeps its promise when";
-  bool first = true;
+  std::string text = "The quadrature keeps its tolerances.";
   for (const QuadratureRow& row : study.quadrature) {
     if (&row == &study.quadrature.back()) break;
-    text += fmt::format("{} {:.0e} stays within {:.1e} by {:.0f} evaluations a key", first ? "" : ",", row.tolerance,
-                        row.error, row.evaluations);
-    first = false;
+    text += fmt::format(" Under {:.0e} the error is {:.1e}, for {:.0f} evaluations a key.", row.tolerance, row.error,
+                        row.evaluations);
   }
-  text += ".";
   if (!study.irradiance.empty())
     text += fmt::format(" Circles (IrradianceProjector) give every normal at once within {} of direct integration.",
                         share(study.irradiance.front().error));
@@ -199,15 +196,15 @@ std::vector<std::string> conclusionOf(const Study& study) {
   }
   return {
       budgets,
-      bandsParagraph(study.ways) + " " + modesParagraph(study.ways),
-      windowParagraph(study.ways),
+      bandsParagraph(study.candidates) + " " + modesParagraph(study.candidates),
+      windowParagraph(study.candidates),
       shadersParagraph(study.shaders),
       cubicParagraph(study.keys),
       encodingsParagraph(study.tables.encodings),
       cubemapsParagraph(study.cubemaps),
       quadratureParagraph(study.quadrature),
-      "Errors are the largest over normals, channels and instants, by the measure of docs/conventions.md; times are of "
-      "the machine that made this study, everything else is the same on every one."};
+      "Errors are the largest over normals, channels and instants, by the measure of docs/conventions.md. Times are of "
+      "the machine that made this study; everything else is the same on every machine."};
 }
 
 }  // namespace welkin::study

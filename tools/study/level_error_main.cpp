@@ -26,34 +26,35 @@
 namespace welkin::study {
 
 using f64::Number3;
+
 namespace {
 
-struct Place {
+struct SurfacePoint {
   Number3 position, normal;
-  std::optional<std::pair<geometry::SectorId, std::size_t>> probe = {};  ///< at whose place it is
+  std::optional<std::pair<geometry::SectorId, std::size_t>> probe = {};  ///< the probe that it stands at
 };
 
-/// Places of probes, any of them, with normals over the sphere.
-std::vector<Place> placesOfProbes(const std::vector<sectors::SectorFile>& sectors, std::size_t count) {
-  std::vector<Place> all;
+/// Random points of probes with normals over the sphere.
+std::vector<SurfacePoint> pointsAtProbes(const std::vector<sectors::SectorFile>& sectors, std::size_t count) {
+  std::vector<SurfacePoint> all;
   for (const sectors::SectorFile& file : sectors) {
     const transfer::SectorProbes probes = transfer::decodedProbes(file.probes, file.id);
     for (std::size_t i = 0; i < probes.position.size(); ++i)
       all.push_back({probes.position[i], {}, std::pair(file.id, i)});
   }
   geometry::Random random(7);
-  std::vector<Place> places;
+  std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < count && !all.empty(); ++i) {
-    places.push_back(all[static_cast<std::size_t>(random.unit() * static_cast<double>(all.size()))]);
+    points.push_back(all[static_cast<std::size_t>(random.unit() * static_cast<double>(all.size()))]);
     const double s = random.unit();
-    places.back().normal = geometry::sphereDirection(s, random.unit());
+    points.back().normal = geometry::sphereDirection(s, random.unit());
   }
-  return places;
+  return points;
 }
 
-/// Places spread over the fronts of static surfaces by area, in air, within the sectors.
-std::vector<Place> placesOn(const geometry::Surfaces& s, const geometry::Tracer& tracer,
-                            const sectors::LevelLight& light, std::size_t count, std::size_t& without) {
+/// Points spread over the fronts of static surfaces by area, in air, within the sectors.
+std::vector<SurfacePoint> pointsOn(const geometry::Surfaces& s, const geometry::Tracer& tracer,
+                                   const sectors::LevelLight& light, std::size_t count, std::size_t& without) {
   std::vector<double> sum;
   for (const geometry::Triangle& t : s.triangle) {
     const auto load = [&](int i) {
@@ -65,8 +66,8 @@ std::vector<Place> placesOn(const geometry::Surfaces& s, const geometry::Tracer&
     sum.push_back((sum.empty() ? 0.0 : sum.back()) + (is_static ? std::sqrt(dot(normal, normal)) : 0.0));
   }
   geometry::Random random(20261124);
-  std::vector<Place> places;
-  for (int tries = 0; places.size() < count && tries < 1000000; ++tries) {
+  std::vector<SurfacePoint> points;
+  for (int tries = 0; points.size() < count && tries < 1000000; ++tries) {
     const auto found = std::upper_bound(sum.begin(), sum.end(), random.unit() * sum.back());
     const geometry::Triangle& t = s.triangle[static_cast<std::size_t>(found - sum.begin())];
     const auto load = [&](std::size_t i) {
@@ -86,12 +87,12 @@ std::vector<Place> placesOn(const geometry::Surfaces& s, const geometry::Tracer&
       ++without;
       continue;
     }
-    places.push_back({position, normal, {}});
+    points.push_back({position, normal, {}});
   }
-  return places;
+  return points;
 }
 
-struct Spread {
+struct ErrorStatistics {
   double square = 0.0, bias = 0.0, worst = 0.0;
   std::size_t count = 0;
   void add(double e) {
@@ -107,17 +108,18 @@ struct Spread {
 };
 
 void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build::BakeSection& section,
-             const std::vector<sectors::SectorFile>& sectors, const std::vector<Place>& places, std::size_t samples) {
+             const std::vector<sectors::SectorFile>& sectors, const std::vector<SurfacePoint>& points,
+             std::size_t samples) {
   const char* const column[] = {"sky", "sky, fitted", "sun bounce", "total"};
   fmt::print("{:>5}", "hour");
   for (const char* name : column) fmt::print("  {:^17}", name);
   fmt::print("\n");
-  const auto show = [](const auto& hour, const std::array<Spread, 4>& error) {
+  const auto show = [](const auto& hour, const std::array<ErrorStatistics, 4>& error) {
     fmt::print("{:>5}", hour);
-    for (const Spread& of : error) fmt::print("  {}", of.text());
+    for (const ErrorStatistics& of : error) fmt::print("  {}", of.text());
     fmt::print("\n");
   };
-  std::array<Spread, 4> all;
+  std::array<ErrorStatistics, 4> all;
   for (int i = 0; i < 8; ++i) {
     const double time_h = 3.0 * i;
     const sectors::LevelLight light(sectors, sky, time_h, section.scale);
@@ -127,14 +129,14 @@ void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build:
         det::luminanceOf(
             model::SkyProjector(sky.luminance, 2, 1e-6).irradiance(model::SkyInstant(sky, time_h), {0, 1, 0})) *
         model::SkyInstant(sky, time_h).intensity();
-    std::array<Spread, 4> error;
-    for (const Place& place : places) {
+    std::array<ErrorStatistics, 4> error;
+    for (const SurfacePoint& point : points) {
       const auto irradianceBy = [&](const sectors::LevelLight& l) {
-        return place.probe ? l.ofProbe(place.probe->first, place.probe->second, place.normal)
-                           : *l.at(place.position, place.normal);
+        return point.probe ? l.ofProbe(point.probe->first, point.probe->second, point.normal)
+                           : *l.at(point.position, point.normal);
       };
       const sectors::LevelIrradiance got = irradianceBy(light);
-      const auto want = reference::traceReference(tracer, distant, {}, place.position, place.normal,
+      const auto want = reference::traceReference(tracer, distant, {}, point.position, point.normal,
                                                   {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
       const std::array<Number3, 4> off = {got.sky - want.sky.value, irradianceBy(fitted).sky - want.sky.value,
                                           got.sun_bounce - want.sun_bounce.value, got.total() - want.total.value};
@@ -149,7 +151,7 @@ void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build:
   show("all", all);
 }
 
-void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t points,
+void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t count,
          std::size_t samples) {
   const level::LevelFile level = level::readLevelFile(file);
   const bake::SkyFile sky = bake::readSkyFile(level.sky);
@@ -167,13 +169,13 @@ void run(const std::filesystem::path& file, const std::filesystem::path& folder,
     probes += sectors.back().probes.probes();
   }
   std::size_t without = 0;
-  const auto places = placesOn(surfaces, tracer, sectors::LevelLight(sectors, sky.sky, 12.0), points, without);
+  const auto points = pointsOn(surfaces, tracer, sectors::LevelLight(sectors, sky.sky, 12.0), count, without);
   fmt::print("{} sectors, {} probes, {} bytes; {} points, {} more had no probe\n", sectors.size(), probes, bytes,
-             places.size(), without);
+             points.size(), without);
   fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\non surfaces:\n");
-  compare(tracer, sky.sky, section, sectors, places, samples);
+  compare(tracer, sky.sky, section, sectors, points, samples);
   fmt::print("at the probes, any normal:\n");
-  compare(tracer, sky.sky, section, sectors, placesOfProbes(sectors, points), samples);
+  compare(tracer, sky.sky, section, sectors, pointsAtProbes(sectors, count), samples);
 }
 
 }  // namespace

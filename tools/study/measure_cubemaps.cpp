@@ -81,7 +81,7 @@ void reportCubemaps(const CubemapStudy& study, StudyReport& report) {
   for (const CubemapSizeRow& row : study.sizes)
     sizes.addRow({static_cast<double>(row.size), std::string(format::nameOf(row.format)), row.bytes, row.resolution,
                   row.encoding, row.error()});
-  chart.levels = {{0.1, "10 %"}, {0.03, "3 %"}, {0.01, "1 %"}};
+  chart.lines = {{0.1, "10 %"}, {0.03, "3 %"}, {0.01, "1 %"}};
   Table times({{"max_error", "of the mean radiance", Quantity::share}, {"times"}});
   Chart times_chart{"Cubemaps over the day against the error of blending them",
                     {"cubemaps", Quantity::number, Scale::log},
@@ -101,7 +101,7 @@ void reportCubemaps(const CubemapStudy& study, StudyReport& report) {
                  {"bytes", "bytes", Quantity::bytes},
                  {"measured_error", "of the mean radiance", Quantity::share},
                  {"plan_time", "seconds", Quantity::seconds}});
-  Series plans{"what a bake plans", SeriesStyle::markers, {}};
+  Series plans{"planned by a bake", SeriesStyle::markers, {}};
   for (const CubemapBudgetRow& row : study.budgets) {
     const auto times_count = static_cast<double>(row.plan.time_h.size());
     budgets.addRow({row.max_error, std::string(row.plan.met ? "yes" : "no"), static_cast<double>(row.plan.size),
@@ -114,7 +114,7 @@ void reportCubemaps(const CubemapStudy& study, StudyReport& report) {
   for (const DomeRow& row : study.dome) dome.addRow({std::string(nameOf(row.format)), row.bytes, row.error});
   report.tables.push_back({"cubemaps", "Cubemaps at their own times", std::move(sizes)});
   report.tables.push_back({"cubemap_times", "Times of cubemaps", std::move(times)});
-  report.tables.push_back({"cubemap_budgets", "What a bake plans for cubemaps", std::move(budgets)});
+  report.tables.push_back({"cubemap_budgets", "The plan of a bake for cubemaps", std::move(budgets)});
   report.tables.push_back({"dome", "The analytic dome: no cubemaps", std::move(dome)});
   report.charts.push_back({"cubemaps", std::move(chart)});
   report.charts.push_back({"cubemap_times", std::move(times_chart)});

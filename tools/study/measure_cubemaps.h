@@ -23,7 +23,7 @@ struct CubemapTimesRow {
   std::size_t times = 0;
 };
 
-/// What sky::planCubemaps finds for a budget.
+/// The plan of sky::planCubemaps for a budget.
 struct CubemapBudgetRow {
   double max_error = 0.0;
   cubemap::CubemapPlan plan;

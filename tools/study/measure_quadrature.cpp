@@ -16,7 +16,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Nothing for what the others are compared with.
+/// An empty cell for the reference.
 Cell errorCell(double error, bool is_reference) {
   Cell cell;
   if (!is_reference) cell = error;
@@ -76,8 +76,8 @@ std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vec
     const det::Number3& sun = instant.sunDirection();
     const double length = det::horizontalLength(sun);
     const det::Number3 along = length > 0.0 ? det::Number3(sun.x / length, 0.0, sun.z / length) : det::Number3(0, 0, 1);
-    double looked = 0.0;
-    for (std::size_t p = 0; p < day.grid().count(); p += kNormalsApart, looked += 1.0) {
+    double integrated_normals = 0.0;
+    for (std::size_t p = 0; p < day.grid().count(); p += kNormalsApart, integrated_normals += 1.0) {
       const det::Number3 n = day.grid().normal(p).inSunFrame();
       const det::Number3 world = along * n.z + det::Number3(along.z, 0.0, -along.x) * n.x + det::Number3(0.0, n.y, 0.0);
       start = std::chrono::steady_clock::now();
@@ -93,8 +93,8 @@ std::vector<IrradianceRow> measureIrradiance(const StudyDay& day, const std::vec
       }
     }
     if (&instant == &instants.back()) {  // as if all normals had been integrated
-      integrated.instant_s *= normals / looked;
-      reference.instant_s *= normals / looked;
+      integrated.instant_s *= normals / integrated_normals;
+      reference.instant_s *= normals / integrated_normals;
     }
   }
   return {circles, integrated, reference};

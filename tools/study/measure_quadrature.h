@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sixth axis of a study: what integrating the sky costs, and how exact it is.
+// The sixth axis of a study: cost and accuracy of integrating the sky.
 #pragma once
 
 #include "study/report.h"

@@ -18,42 +18,42 @@ constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encod
 /// Errors that keys are placed for.
 constexpr double kAims[] = {0.5, 0.3, 0.2, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003};
 
-/// A way is tried with aims up to this many times its own error: past it one of fewer numbers is smaller.
+/// Aims up to this many times its own error are tried for a candidate: past it one of fewer numbers is smaller.
 constexpr double kFarthest = 4.0;
 
 }  // namespace
 
-std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Way>& ways) {
+std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Candidate>& candidates) {
   std::vector<EncodingRow> rows;
   const auto keys = evenKeys(day, std::min<std::size_t>(288, day.count() / 2));
-  for (const Way& way : ways) {
-    const bool bands = !way.isModes() && way.fit == Fit::projected;
-    const bool modes = way.isModes() && way.fit == Fit::projected && way.numbers() % 4 == 0 &&
-                       way.representation.modes->columns == kLargestMap.columns;
+  for (const Candidate& candidate : candidates) {
+    const bool bands = !candidate.isModes() && candidate.fit == Fit::projected;
+    const bool modes = candidate.isModes() && candidate.fit == Fit::projected && candidate.numbers() % 4 == 0 &&
+                       candidate.representation.modes->columns == kLargestMap.columns;
     if (!bands && !modes) continue;
-    const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
+    const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
     for (const table::Encoding encoding : kEncodings)
-      rows.push_back({way.name, encoding, keys.size(), table::bytesOf(way.representation, table, encoding),
-                      table::partsOf(day.values(), way.representation, table, encoding).encoding,
-                      table::errorOf(day.values(), way.representation, table, encoding).value});
+      rows.push_back({candidate.name, encoding, keys.size(), table::bytesOf(candidate.representation, table, encoding),
+                      table::partsOf(day.values(), candidate.representation, table, encoding).encoding,
+                      table::errorOf(day.values(), candidate.representation, table, encoding).value});
   }
   return rows;
 }
 
-std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Way>& ways,
+std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Candidate>& candidates,
                                          const StudyOptions& options) {
   std::vector<MeasuredTable> tables;
-  for (const Way& way : ways) {
+  for (const Candidate& candidate : candidates) {
     for (const double aim : kAims) {
-      if (way.error > aim || way.error * kFarthest < aim || way.fit == Fit::windowed) continue;
-      const auto keys = table::placeKeys(day.values(), way.representation, aim);
+      if (candidate.error > aim || candidate.error * kFarthest < aim || candidate.fit == Fit::windowed) continue;
+      const auto keys = table::placeKeys(day.values(), candidate.representation, aim);
       if (keys.empty()) continue;
-      const table::DayTable table = table::tableAt(day.values(), way.representation, keys);
+      const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
       for (const table::Encoding encoding : kEncodings)
-        tables.push_back({fmt::format("{}, {} keys, {}", way.name, keys.size(), nameOf(encoding)), keys.size(),
-                          table::bytesOf(way.representation, table, encoding),
-                          table::errorOf(day.values(), way.representation, table, encoding).value, way.isModes(),
-                          way.fit == Fit::fitted});
+        tables.push_back({fmt::format("{}, {} keys, {}", candidate.name, keys.size(), nameOf(encoding)), keys.size(),
+                          table::bytesOf(candidate.representation, table, encoding),
+                          table::errorOf(day.values(), candidate.representation, table, encoding).value,
+                          candidate.isModes(), candidate.fit == Fit::fitted});
     }
     if (options.interrupt && !options.interrupt()) break;
   }
@@ -86,9 +86,9 @@ void addPlans(TableStudy& study) {
 }
 
 std::vector<std::size_t> frontOf(const std::vector<MeasuredTable>& tables) {
-  std::vector<Trade> trades;
-  for (const MeasuredTable& table : tables) trades.push_back({static_cast<double>(table.bytes), table.error});
-  return paretoFront(trades);
+  std::vector<Tradeoff> tradeoffs;
+  for (const MeasuredTable& table : tables) tradeoffs.push_back({static_cast<double>(table.bytes), table.error});
+  return paretoFront(tradeoffs);
 }
 
 namespace {
@@ -108,17 +108,17 @@ Chart paretoChart(const TableStudy& study) {
   Series front{"Pareto front", SeriesStyle::front, {}};
   for (const std::size_t i : study.front)
     front.points.push_back({static_cast<double>(study.tables[i].bytes), study.tables[i].error});
-  Series plans{"what a bake plans", SeriesStyle::markers, {}};
+  Series plans{"planned by a bake", SeriesStyle::markers, {}};
   for (const BudgetRow& row : study.budgets)
     if (row.plan.met) plans.points.push_back({static_cast<double>(row.plan.bytes), row.plan.predicted_error});
   for (Series* series : {&bands, &fitted, &modes, &front, &plans})
     if (!series->points.empty()) chart.series.push_back(std::move(*series));
-  chart.levels = {{0.1, "10 %"}, {0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
+  chart.lines = {{0.1, "10 %"}, {0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
   return chart;
 }
 
 Chart encodingsChart(const std::vector<EncodingRow>& rows) {
-  Chart chart{"What rounding the numbers adds, at even keys",
+  Chart chart{"Error that rounding the numbers adds, at even keys",
               {"bytes, modes included", Quantity::bytes, Scale::log},
               {"error of the encoding alone", Quantity::share, Scale::log},
               {}};
@@ -126,18 +126,19 @@ Chart encodingsChart(const std::vector<EncodingRow>& rows) {
     Series series{nameOf(encoding), SeriesStyle::line, {}};
     for (const EncodingRow& row : rows)
       if (row.encoding == encoding)
-        series.points.push_back({static_cast<double>(row.bytes), row.encoding_error,
-                                 encoding == table::Encoding::fixed8 ? row.way.substr(0, row.way.find(',')) : ""});
+        series.points.push_back(
+            {static_cast<double>(row.bytes), row.encoding_error,
+             encoding == table::Encoding::fixed8 ? row.representation.substr(0, row.representation.find(',')) : ""});
     chart.series.push_back(std::move(series));
   }
-  chart.levels = {{0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
+  chart.lines = {{0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};
   return chart;
 }
 
 }  // namespace
 
 void reportTables(const TableStudy& study, StudyReport& report) {
-  const std::vector<Column> columns = {
+  const std::vector<TableColumn> columns = {
       {"table"}, {"keys"}, {"bytes", "bytes", Quantity::bytes}, {"error", "of the mean irradiance", Quantity::share}};
   Table front(columns);
   Table all(columns);
@@ -146,18 +147,18 @@ void reportTables(const TableStudy& study, StudyReport& report) {
   };
   for (const MeasuredTable& row : study.tables) add(all, row);
   for (const std::size_t i : study.front) add(front, study.tables[i]);
-  Table encodings({{"way"},
+  Table encodings({{"representation"},
                    {"encoding"},
                    {"keys"},
                    {"bytes", "bytes", Quantity::bytes},
                    {"encoding_error", "of the mean irradiance", Quantity::share},
                    {"error", "of the mean irradiance", Quantity::share}});
   for (const EncodingRow& row : study.encodings)
-    encodings.addRow({row.way, std::string(nameOf(row.encoding)), static_cast<double>(row.keys),
+    encodings.addRow({row.representation, std::string(nameOf(row.encoding)), static_cast<double>(row.keys),
                       static_cast<double>(row.bytes), row.encoding_error, row.error});
   Table budgets({{"max_error", "of the mean irradiance", Quantity::share},
                  {"met"},
-                 {"way"},
+                 {"representation"},
                  {"encoding"},
                  {"keys"},
                  {"bytes", "bytes", Quantity::bytes},
@@ -167,7 +168,7 @@ void reportTables(const TableStudy& study, StudyReport& report) {
     budgets.addRow({row.max_error, std::string(row.plan.met ? "yes" : "no"), row.plan.representation.name(),
                     std::string(nameOf(row.plan.encoding)), static_cast<double>(row.plan.table.key_time_h.size()),
                     static_cast<double>(row.plan.bytes), row.plan.predicted_error, row.plan_s});
-  report.tables.push_back({"budgets", "What a bake plans for a budget", std::move(budgets)});
+  report.tables.push_back({"budgets", "The plan of a bake for a budget", std::move(budgets)});
   report.tables.push_back({"pareto", "The Pareto front of bytes and error", std::move(front)});
   report.tables.push_back({"encodings", "Encodings at even keys", std::move(encodings)});
   report.tables.push_back({"tables", "All tables that were measured", std::move(all), false});

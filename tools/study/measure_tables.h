@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // The third and fourth axes of a study: encodings of the numbers, and what an error budget buys. All complete tables
-// that were measured, their Pareto front, and what the planner of a bake makes of each budget.
+// that were measured, their Pareto front, and the plan of a bake for each budget.
 #pragma once
 
 #include "sky/table/plan.h"
-#include "study/measure_ways.h"
+#include "study/measure_representations.h"
 
 namespace welkin::study {
 
 /// One encoding at even keys.
 struct EncodingRow {
-  std::string way;
+  std::string representation;
   table::Encoding encoding;
   std::size_t keys = 0;
   std::size_t bytes = 0;
-  double encoding_error = 0.0;  ///< what rounding alone adds
+  double encoding_error = 0.0;  ///< of rounding alone
   double error = 0.0;           ///< of everything
 };
 
-/// A complete table: a way, placed keys, an encoding.
+/// A complete table: a representation, placed keys, an encoding.
 struct MeasuredTable {
   std::string name;
   std::size_t keys = 0;
@@ -28,7 +28,7 @@ struct MeasuredTable {
   bool is_fitted = false;
 };
 
-/// What sky::planDay finds for a budget.
+/// The plan of sky::planDay for a budget.
 struct BudgetRow {
   double max_error = 0.0;
   table::DayPlan plan;
@@ -44,8 +44,8 @@ struct TableStudy {
   std::vector<BudgetRow> budgets;
 };
 
-std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Way>& ways);
-std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Way>& ways,
+std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector<Candidate>& candidates);
+std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<Candidate>& candidates,
                                          const StudyOptions& options);
 std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& options);
 /// Adds the tables of the budgets that were met to all tables.

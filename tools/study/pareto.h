@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Pareto front of trades between cost and error: those that no other beats in both.
+// The Pareto front of cost and error: the tradeoffs that no other one beats in both.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace welkin::study {
 
-/// A way of doing something: less is better in both.
-struct Trade {
+/// What something costs and how far it errs: less is better in both.
+struct Tradeoff {
   double cost;
   double error;
 };
 
-/// Indices of the trades on the front, cost rising and error falling strictly. Of equal trades the first is on it.
-/// O(n log n). Throws Error(internal) for a NaN.
-std::vector<std::size_t> paretoFront(std::span<const Trade> trades);
+/// Indices of the tradeoffs on the front, cost rising and error falling strictly. Of equal tradeoffs the first is on
+/// it. O(n log n). Throws Error(internal) for a NaN.
+std::vector<std::size_t> paretoFront(std::span<const Tradeoff> tradeoffs);
 
 }  // namespace welkin::study

@@ -6,7 +6,7 @@
 
 namespace welkin::study {
 
-/// What a number stands for, which decides how it is written.
+/// The kind of a number, which decides how it is written.
 enum class Quantity {
   number,   ///< as it is
   share,    ///< of 1, written in per cent

@@ -23,10 +23,14 @@ void checkName(const std::string& name, std::set<std::string>& taken) {
     throw base::Error(base::ExitStatus::internal, fmt::format("study: '{}' is there twice", name));
 }
 
-std::string conclusionOf(const StudyReport& report) {
+std::string conclusionOf(const StudyReport& report, std::size_t charts_left_out) {
   std::string text = fmt::format("# {}\n", report.title);
   for (const std::string& paragraph : report.paragraphs) text += fmt::format("\n{}\n", paragraph);
-  for (const StudyChart& chart : report.charts) text += fmt::format("\n![{}]({}.png)\n", chart.chart.title, chart.name);
+  if (charts_left_out > 0)
+    text += fmt::format("\n{} charts were left out: gnuplot is not installed.\n", charts_left_out);
+  else
+    for (const StudyChart& chart : report.charts)
+      text += fmt::format("\n![{}]({}.png)\n", chart.chart.title, chart.name);
   for (const StudyTable& table : report.tables) {
     text += fmt::format("\n## {}\n\n", table.title);
     if (table.in_conclusion) text += table.table.markdown() + '\n';
@@ -37,10 +41,11 @@ std::string conclusionOf(const StudyReport& report) {
 
 }  // namespace
 
-void writeReport(const StudyReport& report, const std::filesystem::path& folder) {
+std::size_t writeReport(const StudyReport& report, const std::filesystem::path& folder) {
   std::set<std::string> tables;
   std::set<std::string> charts;
   std::map<std::string, std::string> files;
+  std::size_t left_out = 0;
   for (const StudyTable& table : report.tables) {
     checkName(table.name, tables);
     files[table.name + ".csv"] = table.table.csv();
@@ -48,13 +53,18 @@ void writeReport(const StudyReport& report, const std::filesystem::path& folder)
   }
   for (const StudyChart& chart : report.charts) {
     checkName(chart.name, charts);
-    ChartPictures pictures = drawChart(chart.chart);
-    files[chart.name + ".svg"] = std::move(pictures.svg);
-    files[chart.name + ".png"] = std::move(pictures.png);
+    std::optional<ChartPictures> pictures = drawChart(chart.chart);
+    if (!pictures) {
+      ++left_out;
+      continue;
+    }
+    files[chart.name + ".svg"] = std::move(pictures->svg);
+    files[chart.name + ".png"] = std::move(pictures->png);
   }
   base::makeFolder(folder);
   for (const auto& [name, text] : files) base::writeFile(folder / name, text);
-  base::writeFile(folder / "conclusion.md", conclusionOf(report));
+  base::writeFile(folder / "conclusion.md", conclusionOf(report, left_out));
+  return left_out;
 }
 
 }  // namespace welkin::study

@@ -32,9 +32,10 @@ struct StudyReport {
 };
 
 /// Writes NAME.csv and NAME.json of every table, NAME.svg and NAME.png of every chart, and last conclusion.md, which
-/// shows them; makes the folder. The same report gives the same bytes. Throws Error(file) for the disk, and before
-/// anything is written Error(internal) for a name that is no file name or is there twice, or a chart that drawChart
-/// refuses.
-void writeReport(const StudyReport& report, const std::filesystem::path& folder);
+/// shows them; makes the folder. The same report gives the same bytes. Returns the number of charts that are left out:
+/// all of them without gnuplot, which conclusion.md then says. Throws Error(file) for the disk or a failing gnuplot,
+/// and before anything is written Error(internal) for a name that is no file name or is there twice, or a chart that
+/// drawChart refuses.
+std::size_t writeReport(const StudyReport& report, const std::filesystem::path& folder);
 
 }  // namespace welkin::study

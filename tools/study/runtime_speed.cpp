@@ -38,19 +38,20 @@ void require(WelkinResult result, const std::string& name) {
 
 }  // namespace
 
-RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys) {
-  const table::DayTable table = table::tableAt(day.values(), way.representation, evenKeys(day, keys));
+RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Candidate& candidate,
+                            std::size_t keys) {
+  const table::DayTable table = table::tableAt(day.values(), candidate.representation, evenKeys(day, keys));
   const auto bytes = bake::encodeSky(file, table, {});
   WelkinSky* opened = nullptr;
   WelkinMessage message{};
-  require(welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message), way.name + ": " + message.text);
+  require(welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message), candidate.name + ": " + message.text);
   const std::unique_ptr<WelkinSky, void (*)(WelkinSky*)> owner(opened, welkin_sky_close);
   WelkinSkySample sample{};
   RuntimeSpeed speed;
   speed.file_bytes = bytes.size();
-  speed.sample_ns =
-      leastTime([&](int i) { require(welkin_sky_sample(opened, format::kDay_h * i / kCalls, &sample), way.name); });
-  require(welkin_sky_sample(opened, 12.0, &sample), way.name);
+  speed.sample_ns = leastTime(
+      [&](int i) { require(welkin_sky_sample(opened, format::kDay_h * i / kCalls, &sample), candidate.name); });
+  require(welkin_sky_sample(opened, 12.0, &sample), candidate.name);
   std::vector<std::array<float, 3>> normals;
   for (std::size_t p = 0; p < day.grid().count(); ++p) {
     const det::Number3 n = day.grid().normal(p).inSunFrame();
@@ -60,7 +61,7 @@ RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, cons
   speed.irradiance_ns = leastTime([&](int i) {
     require(welkin_sky_irradiance(opened, &sample, normals[static_cast<std::size_t>(i) % normals.size()].data(),
                                   irradiance),
-            way.name);
+            candidate.name);
   });
   return speed;
 }

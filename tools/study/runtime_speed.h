@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reading a baked sky costs a game's processor.
+// Time that a game's processor takes to read a baked sky.
 #pragma once
 
 #include "sky/bake/sky_file.h"
@@ -14,8 +14,9 @@ struct RuntimeSpeed {
   std::size_t file_bytes = 0;  ///< of the whole file, without cubemaps
 };
 
-/// Of a file that holds `way` at `keys` even instants as float32.
-RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Way& way, std::size_t keys);
+/// Measures a file that holds `candidate` at `keys` even instants as float32.
+RuntimeSpeed measureRuntime(const bake::SkyFile& file, const StudyDay& day, const Candidate& candidate,
+                            std::size_t keys);
 
 /// Indices of the instants nearest to `count` even hours, each once, ascending.
 std::vector<std::size_t> evenKeys(const StudyDay& day, std::size_t count);

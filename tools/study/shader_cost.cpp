@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
+// Numbers of sections are those of The Khronos Group, "SPIR-V Specification", version 1.6.
+#define SPV_ENABLE_UTILITY_CODE
 #include "study/shader_cost.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
+#include <map>
+#include <spirv/unified1/spirv.hpp11>
+#include <string_view>
 
-#include "study/spirv_trace.h"
+#include "sky/base/error.h"
 
 namespace welkin::study {
 namespace {
 
 #include "spirv/kDomeAnalytic.h"
 #include "spirv/kDomeCubemaps.h"
-#include "spirv/kEmpty.h"
 #include "spirv/kIrradiance2.h"
 #include "spirv/kIrradiance3.h"
 #include "spirv/kIrradiance4.h"
 #include "spirv/kIrradiance5.h"
 #include "spirv/kModes4.h"
 #include "spirv/kModes8.h"
+
+using spv::Op;
 
 struct StudyShader {
   const char* name;
@@ -35,54 +42,87 @@ constexpr std::array<StudyShader, 8> kShaders = {{{"irradiance 2 bands", kIrradi
                                                   {"dome analytic", kDomeAnalytic},
                                                   {"dome cubemaps", kDomeCubemaps}}};
 
-// The numbers of a function of whole vectors are parts of one operation.
-int scalarsOf(const std::vector<TraceOperation>& trace, std::size_t index, const std::vector<int>& parts) {
-  return std::max({1, parts[index], parts[index] > 0 ? static_cast<int>(trace[index].operands.size()) : 0});
+constexpr std::size_t kHeaderWords = 5;  // section 2.3
+
+void require(bool holds, std::string_view otherwise) {
+  if (!holds) throw base::Error(base::ExitStatus::internal, fmt::format("SPIR-V: {}", otherwise));
 }
+
+/// Sections 3.49.11 and 3.49.13 to 3.49.16 are one range of numbers: conversion, arithmetic, bits, relations, logic and
+/// derivatives.
+bool isArithmetic(Op op) {
+  return op == Op::OpExtInst || (op >= Op::OpConvertFToU && op <= Op::OpFwidthCoarse && op != Op::OpBitcast);
+}
+
+bool isFetch(Op op) {
+  return op >= Op::OpImageSampleImplicitLod && op <= Op::OpImageDrefGather;
+}
+
+/// Counts the instructions of a module in their order: types and variables come before their use.
+class Counter {
+ public:
+  void add(Op op, std::span<const std::uint32_t> operands) {
+    require(op != Op::OpLoopMerge, "a loop is not unrolled: its bounds depend on data");
+    require(op != Op::OpFunctionCall, "a function is not inlined");
+    bool has_result = false;
+    bool has_type = false;
+    spv::HasResultAndType(op, &has_result, &has_type);
+    require(operands.size() >= 0U + has_result + has_type, "an instruction is cut");
+    if (op == Op::OpTypeVector) components_[operands[0]] = static_cast<int>(operands[2]);
+    if (op == Op::OpTypePointer)
+      is_uniform_[operands[0]] = spv::StorageClass(operands[1]) == spv::StorageClass::Uniform;
+    if (has_type && has_result) type_[operands[1]] = operands[0];
+    if (isFetch(op)) ++cost_.texture_fetches;
+    if (op == Op::OpLoad && is_uniform_[type_[operands[2]]]) ++cost_.uniform_loads;
+    if (isArithmetic(op)) {
+      ++cost_.instructions;
+      cost_.scalar_operations += widestOf(operands, op == Op::OpExtInst ? 4 : 2);
+    }
+  }
+
+  const ShaderCost& cost() const { return cost_; }
+
+ private:
+  int componentsOf(std::uint32_t type) const {
+    const auto found = components_.find(type);
+    return found == components_.end() ? 1 : found->second;
+  }
+
+  /// Components of the result or of an operand from `first` on, whichever are more.
+  int widestOf(std::span<const std::uint32_t> operands, std::size_t first) const {
+    int widest = componentsOf(operands[0]);
+    for (std::size_t i = first; i < operands.size(); ++i)
+      if (const auto type = type_.find(operands[i]); type != type_.end())
+        widest = std::max(widest, componentsOf(type->second));
+    return widest;
+  }
+
+  std::map<std::uint32_t, int> components_;      // of a vector type; other types count as one
+  std::map<std::uint32_t, bool> is_uniform_;     // of a pointer type
+  std::map<std::uint32_t, std::uint32_t> type_;  // of a value
+  ShaderCost cost_;
+};
 
 }  // namespace
 
 ShaderCost countShader(std::span<const std::uint32_t> spirv) {
-  const std::vector<TraceOperation> trace = traceShader(readSpirv(spirv));
-  std::vector<int> parts(trace.size(), 0);
-  for (const TraceOperation& operation : trace) {
-    if (!operation.needed || operation.operation.op != spv::Op::OpCompositeExtract) continue;
-    ++parts[static_cast<std::size_t>(operation.operands.at(0).operation)];
+  require(spirv.size() > kHeaderWords && spirv[0] == spv::MagicNumber, "these words are no module");
+  Counter counter;
+  Op op = Op::OpNop;
+  for (auto rest = spirv.subspan(kHeaderWords); !rest.empty();) {
+    const std::size_t words = rest[0] >> spv::WordCountShift;
+    require(words > 0 && words <= rest.size(), "an instruction is cut");
+    op = static_cast<Op>(rest[0] & spv::OpCodeMask);
+    counter.add(op, rest.subspan(1, words - 1));
+    rest = rest.subspan(words);
   }
-  ShaderCost cost;
-  std::set<int> instructions;
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    if (!trace[i].needed) continue;
-    switch (trace[i].kind) {
-      case TraceOperation::Kind::arithmetic:
-        instructions.insert(trace[i].instruction);
-        cost.scalar_operations += scalarsOf(trace, i, parts);
-        break;
-      case TraceOperation::Kind::fetch:
-        ++cost.texture_fetches;
-        break;
-      case TraceOperation::Kind::uniform_load:
-        ++cost.uniform_loads;
-        break;
-      case TraceOperation::Kind::free:
-        break;
-    }
-  }
-  cost.instructions = static_cast<int>(instructions.size());
-  return cost;
+  require(op == Op::OpFunctionEnd, "the module is cut");
+  return counter.cost();
 }
 
 std::vector<NamedShaderCost> measuredShaders() {
-  const ShaderCost empty = countShader(kEmpty);
   std::vector<NamedShaderCost> costs;
-  for (const StudyShader& shader : kShaders) {
-    ShaderCost cost = countShader(shader.spirv);
-    cost.instructions -= empty.instructions;
-    cost.scalar_operations -= empty.scalar_operations;
-    cost.texture_fetches -= empty.texture_fetches;
-    cost.uniform_loads -= empty.uniform_loads;
-    costs.push_back({shader.name, cost});
-  }
+  for (const StudyShader& shader : kShaders) costs.push_back({shader.name, countShader(shader.spirv)});
   return costs;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the shader includes cost a pixel, counted in the SPIR-V that spirv-opt -O makes of them. These are counts and no
-// times: the only device that every machine has is lavapipe, whose times say nothing about a GPU, while the counts
-// order ways of doing the same thing on every GPU.
+// Cost of the shader includes a pixel, counted in SPIR-V. These are counts and no times: the only device that every
+// machine has is lavapipe, whose times say nothing about a GPU. Counts order shaders of the same purpose on every GPU.
+// optimise_shader.cmake makes the SPIR-V: spirv-opt -O with every loop of constant bounds unrolled.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 
 namespace welkin::study {
 
+/// Static counts: every instruction of the module counts once, on both sides of a branch too. Copies, swizzles, phis
+/// and branches are free.
 struct ShaderCost {
-  int instructions = 0;       ///< that compute: arithmetic and library functions, once for all components
-  int scalar_operations = 0;  ///< the same by component, which is how most GPUs run them; functions of whole vectors
-                              ///< (normalize, length) count the numbers that they take or give, whichever are more
+  int instructions = 0;       ///< arithmetic, comparisons, selections, conversions and library functions
+  int scalar_operations = 0;  ///< the same by component, which is how most GPUs run them: the components of the result
+                              ///< or of the longest operand, whichever are more (dot and length take whole vectors)
   int texture_fetches = 0;
-  int uniform_loads = 0;  ///< distinct vectors or single numbers read from uniform blocks
+  int uniform_loads = 0;  ///< vectors or single numbers loaded from uniform blocks
 };
 
-/// Counts along the whole program with loops unrolled and, where a branch depends on data, both of its sides; what is
-/// not needed for the result is not counted, nor are copies and swizzles. Throws Error(internal) for what it cannot
-/// follow.
+/// Counts a module of one function. Throws Error(internal) for words that are no such module, and for a loop that is
+/// not unrolled: its count would depend on data.
 ShaderCost countShader(std::span<const std::uint32_t> spirv);
 
 struct NamedShaderCost {
@@ -31,7 +32,7 @@ struct NamedShaderCost {
   ShaderCost cost;
 };
 
-/// The costs of Welkin's own functions, less those of a shader that returns its input. In the order above.
+/// The costs of Welkin's own functions, in the order above.
 std::vector<NamedShaderCost> measuredShaders();
 
 }  // namespace welkin::study

@@ -24,14 +24,14 @@ Study measureSky(const StudyDay& day, const StudyOptions& options) {
   };
   Study study;
   study.shaders = measuredShaders();
-  study.ways = collectWays(day, options);
+  study.candidates = collectCandidates(day, options);
   axisDone();
   study.tables.budgets = measureBudgets(day, options);
   axisDone();
-  study.keys = measureKeys(day, study.ways, options);
+  study.keys = measureKeys(day, study.candidates, options);
   axisDone();
-  study.tables.encodings = measureEncodings(day, study.ways);
-  study.tables.tables = measureTables(day, study.ways, options);
+  study.tables.encodings = measureEncodings(day, study.candidates);
+  study.tables.tables = measureTables(day, study.candidates, options);
   addPlans(study.tables);
   study.tables.front = frontOf(study.tables.tables);
   axisDone();
@@ -50,7 +50,7 @@ StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options) {
   require(!options.progress || options.progress());
   const Study study = measureSky(day, options);
   reportTables(study.tables, report);
-  reportWays(file, day, study.ways, report);
+  reportRepresentations(file, day, study.candidates, report);
   reportKeys(study.keys, report);
   reportCubemaps(study.cubemaps, report);
   reportQuadrature(study.quadrature, report);

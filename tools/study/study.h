@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole study of a sky: what every way of baking it costs and what it loses.
+// A whole study of a sky: cost and error of every representation that a bake can choose.
 #pragma once
 
 #include "sky/bake/sky_file.h"
@@ -12,7 +12,7 @@ namespace welkin::study {
 
 /// Everything that was measured.
 struct Study {
-  std::vector<Way> ways;
+  std::vector<Candidate> candidates;
   std::vector<NamedShaderCost> shaders;
   KeyStudy keys;
   TableStudy tables;
@@ -30,7 +30,7 @@ inline constexpr std::size_t kAxes = 8;
 /// Samples the day, measures and reports; nothing is written. Throws as measureSky.
 StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options);
 
-/// What the numbers say, a sentence or a few a paragraph.
+/// The conclusions in words: paragraphs of a sentence or a few.
 std::vector<std::string> conclusionOf(const Study& study);
 
 }  // namespace welkin::study

@@ -46,30 +46,31 @@ StudyDay::StudyDay(const model::Sky& sky, double step_h, const table::Progress& 
     : fields_(table::sampleDay(sky, table::hoursOfInterest(sky, step_h), table::brightestOf(sky), progress)),
       values_(fields_, grid_) {}
 
-std::size_t Way::numbers() const {
+std::size_t Candidate::numbers() const {
   const bool has_band_3 = !isModes() && representation.bands > 3;  // which no irradiance has
   return representation.functions - (has_band_3 ? 4 : 0);
 }
 
-std::size_t Way::bytesOfKey(const model::Sky& sky, table::Encoding encoding) const {
+std::size_t Candidate::bytesOfKey(const model::Sky& sky, table::Encoding encoding) const {
   return bytes(sky, 2, encoding) - bytes(sky, 1, encoding);
 }
 
-std::size_t Way::bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const {
+std::size_t Candidate::bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const {
   const std::size_t numbers_of_key = representation.rows * (table::isGrey(sky) ? 1 : 3);
   const std::size_t of_key = 8 + numbers_of_key * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
   return representation.fixedBytes() + keys * of_key + (format::hasRowScale(encoding) ? 4 * numbers_of_key : 0);
 }
 
-Way coefficientsWay(const StudyDay& day, int bands, Fit fit) {
-  Way way{fmt::format("{} bands", bands), table::coefficientsOf(day.values(), bands, fit == Fit::fitted), fit};
-  if (fit == Fit::fitted) way.name += ", fitted";
+Candidate bandsCandidate(const StudyDay& day, int bands, Fit fit) {
+  Candidate candidate{fmt::format("{} bands", bands), table::coefficientsOf(day.values(), bands, fit == Fit::fitted),
+                      fit};
+  if (fit == Fit::fitted) candidate.name += ", fitted";
   if (fit == Fit::windowed) {
-    way.name += ", mildest window";
-    way.window_strength = applyMildestWindow(day, way.representation);
+    candidate.name += ", mildest window";
+    candidate.window_strength = applyMildestWindow(day, candidate.representation);
   }
-  way.error = errorAtKeys(day, way.representation);
-  return way;
+  candidate.error = errorAtKeys(day, candidate.representation);
+  return candidate;
 }
 
 DayWeights modeWeights(const StudyDay& day, const table::DayModes& modes, std::size_t count) {
@@ -78,15 +79,16 @@ DayWeights modeWeights(const StudyDay& day, const table::DayModes& modes, std::s
   return result;
 }
 
-Way modesWay(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit) {
-  Way way{fmt::format("{} modes, map {} x {}", modes.set.count(), map.columns, map.rows),
-          table::modesOf(day.values(), modes.set, modes.weights, map.columns, map.rows, kBandsBesideModes), fit};
+Candidate modesCandidate(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit) {
+  Candidate candidate{fmt::format("{} modes, map {} x {}", modes.set.count(), map.columns, map.rows),
+                      table::modesOf(day.values(), modes.set, modes.weights, map.columns, map.rows, kBandsBesideModes),
+                      fit};
   if (fit == Fit::fitted) {
-    table::fitWeights(day.values(), way.representation);
-    way.name += ", fitted";
+    table::fitWeights(day.values(), candidate.representation);
+    candidate.name += ", fitted";
   }
-  way.error = errorAtKeys(day, way.representation);
-  return way;
+  candidate.error = errorAtKeys(day, candidate.representation);
+  return candidate;
 }
 
 double errorAtKeys(const StudyDay& day, const table::Representation& r) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day that a study measures, sampled once for all axes, and the ways to hold it that are compared.
+// The day that a study measures, sampled once for all axes, and the representations of it that are compared.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace welkin::study {
 
 /// How much of a study is made, and who is told.
 struct StudyOptions {
-  bool quick = false;              ///< fewer instants, ways and cubemaps
+  bool quick = false;              ///< fewer instants, candidates and cubemaps
   table::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
   table::Progress interrupt = {};  ///< asked often within an axis
 };
@@ -36,15 +36,15 @@ class StudyDay {
   table::DayValues values_;
 };
 
-/// How the numbers of a way are found.
+/// How the numbers of a representation are found.
 enum class Fit {
   projected,  ///< coefficients of the radiance; of modes, the nearest combination in the mean square
   fitted,     ///< the least largest error of the irradiance
   windowed    ///< projected, then the mildest window that keeps irradiance from being negative (sh/window.h)
 };
 
-/// A way to hold the day's irradiance.
-struct Way {
+/// A representation of the day's irradiance that the study compares with others.
+struct Candidate {
   std::string name;
   table::Representation representation;
   Fit fit = Fit::projected;
@@ -59,7 +59,7 @@ struct Way {
   std::size_t bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const;
 };
 
-Way coefficientsWay(const StudyDay& day, int bands, Fit fit);
+Candidate bandsCandidate(const StudyDay& day, int bands, Fit fit);
 
 /// Texels of a map of modes.
 struct MapSize {
@@ -73,7 +73,7 @@ struct DayWeights {
   std::vector<det::Number3> weights;
 };
 DayWeights modeWeights(const StudyDay& day, const table::DayModes& modes, std::size_t count);
-Way modesWay(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit);
+Candidate modesCandidate(const StudyDay& day, const DayWeights& modes, MapSize map, Fit fit);
 
 /// The largest error over the instants when every one is a key.
 double errorAtKeys(const StudyDay& day, const table::Representation& r);

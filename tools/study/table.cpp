@@ -30,16 +30,16 @@ std::string escapedForMarkdown(std::string_view text) {
   return escaped;
 }
 
-std::string headerOf(const Column& column) {
+std::string headerOf(const TableColumn& column) {
   return column.unit.empty() ? column.name : fmt::format("{} ({})", column.name, column.unit);
 }
 
 }  // namespace
 
-Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
+Table::Table(std::vector<TableColumn> columns) : columns_(std::move(columns)) {
   if (columns_.empty()) throw base::Error(base::ExitStatus::internal, "table: it has no columns");
   std::set<std::string_view> names;
-  for (const Column& column : columns_) {
+  for (const TableColumn& column : columns_) {
     if (!names.insert(column.name).second) {
       throw base::Error(base::ExitStatus::internal, fmt::format("table: two columns are named '{}'", column.name));
     }
@@ -63,7 +63,7 @@ void Table::addRow(std::vector<Cell> cells) {
 
 std::string Table::csv() const {
   std::string text;
-  for (const Column& column : columns_) {
+  for (const TableColumn& column : columns_) {
     if (!text.empty()) text += ',';
     text += quotedForCsv(headerOf(column));
   }
@@ -81,7 +81,7 @@ std::string Table::csv() const {
 
 nlohmann::ordered_json Table::json() const {
   nlohmann::ordered_json columns = nlohmann::ordered_json::array();
-  for (const Column& column : columns_) columns.push_back({{"name", column.name}, {"unit", column.unit}});
+  for (const TableColumn& column : columns_) columns.push_back({{"name", column.name}, {"unit", column.unit}});
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const std::vector<Cell>& row : rows_) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
@@ -97,7 +97,7 @@ nlohmann::ordered_json Table::json() const {
 
 std::string Table::markdown(int digits) const {
   std::string text = "|";
-  for (const Column& column : columns_) {
+  for (const TableColumn& column : columns_) {
     const bool said = column.quantity != Quantity::number;  // the cells have the unit
     text += fmt::format(" {} |", escapedForMarkdown(said ? column.name : headerOf(column)));
   }

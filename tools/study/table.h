@@ -12,7 +12,7 @@
 namespace welkin::study {
 
 /// A column: names are unique within a table. CSV and JSON hold its numbers as they are, Markdown by `quantity`.
-struct Column {
+struct TableColumn {
   std::string name;
   std::string unit = {};  ///< as CSV and JSON state it, for example "bytes"; empty for a number or words
   Quantity quantity = Quantity::number;
@@ -24,12 +24,12 @@ using Cell = std::variant<std::monostate, double, std::string>;
 class Table {
  public:
   /// Throws Error(internal) for no columns or two of one name.
-  explicit Table(std::vector<Column> columns);
+  explicit Table(std::vector<TableColumn> columns);
 
   /// Throws Error(internal) naming the column for a number that is not finite, or for another count than the columns'.
   void addRow(std::vector<Cell> cells);
 
-  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<TableColumn>& columns() const { return columns_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
   /// A header of `name (unit)`, then the rows; lines end with CR LF. Numbers are the shortest that read back exactly.
@@ -42,7 +42,7 @@ class Table {
   std::string markdown(int digits = 3) const;
 
  private:
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   std::vector<std::vector<Cell>> rows_;
 };
 

@@ -5,14 +5,14 @@
 
 #include "sky/model/luminance.h"
 
-namespace welkin::cubemap {
+namespace welkin::model {
 
 using det::Number3;
 
 struct DomeRay {
   DomeRay() = default;
   /// `direction` is a unit vector.
-  DomeRay(const model::LuminanceModel& model, const Number3& direction_)
+  DomeRay(const LuminanceModel& model, const Number3& direction_)
       : direction(direction_),
         elevation_rad(det::elevationOf(direction_)),
         gradation(det::gradation(model, direction_.y)) {}
@@ -22,4 +22,4 @@ struct DomeRay {
   double gradation = 1.0;  ///< of the model
 };
 
-}  // namespace welkin::cubemap
+}  // namespace welkin::model

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines and rings on a PNG, by cairo.
+#pragma once
+
+#include <cairo.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace welkin::picture {
+
+/// Red, green and blue in [0, 1].
+struct Colour {
+  double red, green, blue;
+};
+
+constexpr Colour kInk = {0.13, 0.13, 0.13};
+
+/// The colour of the i-th of many things: seven that colour-blind people tell apart, again and again.
+Colour colourOf(std::size_t index);
+
+/// A corner of a line, in pixels from the top left.
+struct Corner {
+  double x, y;
+};
+
+class Pen {
+ public:
+  /// A white picture of so many pixels. Throws Error(internal) with cairo's words when it has no memory.
+  Pen(int width, int height);
+
+  void line(const std::vector<Corner>& corners, const Colour& colour, double width, bool dashed = false);
+  void ring(const Corner& at, double radius, const Colour& colour);
+
+  /// Ends the drawing: the bytes of a PNG. Throws Error(internal) with cairo's words when it failed.
+  std::string finish();
+
+ private:
+  void setColour(const Colour& colour);
+
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+  std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
+};
+
+}  // namespace welkin::picture
