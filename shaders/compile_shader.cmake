@@ -3,9 +3,9 @@
 find_program(WELKIN_GLSLANG NAMES glslangValidator glslang REQUIRED)
 set(WELKIN_SHADER_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "Folder of welkin/*.glsl and shared/*.glsl")
 
-# welkin_compile_shader(TARGET SOURCE NAME [DEFINITION...]): SOURCE is relative to the calling folder; its suffix gives the
-# stage. Each DEFINITION is a macro, NAME or NAME=VALUE.
-# SPIR-V of Vulkan 1.2: for 1.3 glslang writes LocalSizeId, which needs the feature maintenance4.
+# welkin_compile_shader(TARGET SOURCE NAME [DEFINITION...])
+# SOURCE is relative to the calling folder; its suffix gives the stage. Each DEFINITION is a macro, NAME or NAME=VALUE.
+# The SPIR-V is of Vulkan 1.2: for 1.3 glslang writes LocalSizeId, which needs the feature maintenance4.
 # TARGET can then include "spirv/NAME.h", which declares `const uint32_t NAME[]` (include <cstdint> before it).
 function(welkin_compile_shader target source name)
   get_filename_component(source ${source} ABSOLUTE)

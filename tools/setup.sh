@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages that building, baking and drawing need, when some are missing.
-#   tools/setup.sh [--tests]      --tests: and those that only the tests need
+# Installs the missing Debian packages that Welkin needs to build, bake and draw.
+#   tools/setup.sh [--tests]      --tests: also the packages that only the tests need
 set -eu
 
-# what builds: compiler, build system, shader compiler and optimiser, schema compiler
+# to build: compiler, build system, shader compiler and optimiser, schema compiler
 build="g++ cmake ninja-build pkg-config glslang-tools spirv-tools spirv-headers flatbuffers-compiler"
-# what the libraries and the tool link
+# linked by the libraries and the tool
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libwebp-dev libtomlplusplus-dev libxxhash-dev
 libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
-# what pictures need: a Vulkan device for machines without one, a font for their labels, a plotter for the charts of a study
+# for pictures: a Vulkan device for machines without one, a font for labels, a plotter for the charts of a study
 draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"
 test=""
 if [ "${1-}" = --tests ]; then

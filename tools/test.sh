@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds with warnings as errors and runs every test: by Clang with the address and
-# undefined-behaviour sanitizers the unit tests and every fuzzer for half a minute, then all tests of GCC's release
-# build. Ends with ctest's summary. Tests on real levels run when WELKIN_DATA names their folder.
-#   tools/test.sh [--long]      --long: before the release build also every fuzzer for 20 minutes, the unit tests
+# Installs missing packages, builds with warnings as errors and runs every test. First a build by Clang, with the address
+# and undefined-behaviour sanitizers, runs the unit tests and every fuzzer for half a minute. Then GCC's release build
+# runs all tests. Ends with ctest's summary. Tests on real levels run when WELKIN_DATA names their folder.
+#   tools/test.sh [--long]      --long: each fuzzer runs for 20 minutes; before the release build also the unit tests
 #                               without optimisation, and the faults of tests/mutation
 set -eu
 cd "$(dirname "$0")/.."
 
 long=""
 seconds=30
-seed=1  # so that a fault that CI finds is found again
+seed=1  # repeats a fault that CI found
 case "${1-}" in
   '') ;;
   --long) long=1 seconds=1200 seed=0 ;;

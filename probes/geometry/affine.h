@@ -18,15 +18,15 @@ struct Affine {
   double determinant() const { return dot(cross(x, y), z); }
 };
 
-/// First `b`, then `a`.
+/// Applies `b` first, then `a`.
 inline Affine operator*(const Affine& a, const Affine& b) {
   return {a.linear(b.x), a.linear(b.y), a.linear(b.z), a.point(b.translation)};
 }
 
-/// Translation after rotation after scale; the rotation is the unit quaternion (x, y, z, w) of glTF.
+/// Scales, then rotates, then translates; the rotation is the unit quaternion (x, y, z, w) of glTF.
 Affine fromTrs(const f64::Number3& translation, const double quaternion[4], const f64::Number3& scale);
 
-/// The same with a rotation about x, then y, then z of the world, radians (level.toml's XYZ Euler).
+/// The same, but the rotation turns about x, then y, then z of the world, in radians (level.toml's XYZ Euler).
 Affine fromEuler(const f64::Number3& translation, const f64::Number3& rotation_rad, const f64::Number3& scale);
 
 }  // namespace welkin::geometry

@@ -19,7 +19,7 @@ Halves halvesOf(const base::Hash128& hash) {
   return {hash.high, hash.low};
 }
 
-/// By thing the first of those that are equal to it.
+/// For each hash, the index of the first equal one.
 std::vector<std::uint32_t> firstOfEqual(const std::vector<base::Hash128>& hash) {
   std::map<Halves, std::uint32_t> first;
   std::vector<std::uint32_t> result;
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> firstOfEqual(const std::vector<base::Hash128>& hash) 
 
 struct Corners {
   std::array<std::array<float, 3>, 3> position;
-  std::array<std::array<float, 2>, 3> uv{};  ///< 0 without a texture
+  std::array<std::array<float, 2>, 3> uv{};  ///< 0 if there is no texture
   std::array<std::array<float, 3>, 3> colour{{{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}}};
 };
 
@@ -104,7 +104,7 @@ class Ordering {
     return c;
   }
 
-  /// Neighbours in the world are near each other in memory too.
+  /// Puts neighbours in the world near each other in memory too.
   std::pair<int, int> patchOf(const Triangle& t) const {
     constexpr double kPatch_m = 16.0;
     const auto& p = level_.position[t.vertex[0]];
@@ -121,7 +121,7 @@ class Ordering {
     return base::hashOf(std::as_bytes(std::span(&content, 1)));
   }
 
-  /// By object of vegetation the hash of its triangles in any order; equal ones elsewhere.
+  /// For each vegetation object, a hash of its triangles in any order; the same value for all other objects.
   std::vector<base::Hash128> vegetationHashes(const std::vector<base::Hash128>& content) const {
     std::vector<std::vector<Halves>> triangles(level_.object.size());
     for (std::size_t i = 0; i < content.size(); ++i)
@@ -154,7 +154,7 @@ class Ordering {
   }
 
   Surfaces level_;
-  std::vector<std::uint32_t> texture_, material_;  // by number the first of those that are equal to it
+  std::vector<std::uint32_t> texture_, material_;  // for each index, the first one that is equal
   std::vector<base::Hash128> material_hash_;
 };
 

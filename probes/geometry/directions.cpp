@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/geometry/directions.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "sh/deterministic.h"
 
@@ -9,7 +9,7 @@ namespace welkin::geometry {
 
 Number3 sphereDirection(double s, double t) {
   const double y = 1.0 - 2.0 * s;
-  const double across = std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0));
+  const double across = det::sineFromCosine(y);
   const double azimuth = det::kTwoPi * t;
   return {across * det::sin(azimuth), y, across * det::cos(azimuth)};
 }

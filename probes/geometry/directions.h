@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions for rays: uniform over the sphere, cosine-distributed about a normal; the same bits everywhere.
+// Ray directions, uniform over the sphere or cosine-distributed about a normal, with the same bits everywhere.
 #pragma once
 
 #include <cmath>
@@ -10,15 +10,15 @@ namespace welkin::geometry {
 
 using f64::Number3;
 
-/// A vector of length > 0 over its length.
+/// A vector of length > 0, normalised.
 inline Number3 unit(const Number3& v) {
   return v * (1.0 / std::sqrt(dot(v, v)));
 }
 
-/// Of two numbers in [0, 1): uniform over the sphere (Archimedes: y is uniform).
+/// Maps two numbers in [0, 1) to a direction uniform over the sphere (Archimedes: y is uniform).
 Number3 sphereDirection(double s, double t);
 
-/// (x, y, z) in a frame whose third axis is a unit normal.
+/// The vector (x, y, z) of a frame whose third axis is a unit normal.
 inline Number3 inFrameOf(const Number3& normal, double x, double y, double z) {
   // Two tangents without a branch near the pole (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
   const double sign = std::copysign(1.0, normal.z);
@@ -29,7 +29,7 @@ inline Number3 inFrameOf(const Number3& normal, double x, double y, double z) {
   return across * x + along * y + normal * z;
 }
 
-/// Of two numbers in [0, 1): density cos / pi about a unit normal, and never in its plane.
+/// Maps two numbers in [0, 1) to a direction of density cos / pi about a unit normal, never in its plane.
 Number3 cosineDirection(const Number3& normal, double s, double t);
 
 }  // namespace welkin::geometry

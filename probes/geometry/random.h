@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counter-based random numbers: the n-th number of a key is a hash of the two, so that a sample is the same whoever
-// draws it, and when.
+// Counter-based random numbers: number n of a key is a hash of n and the key. A sample is the same whoever draws it,
+// and when.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ constexpr std::uint64_t mixed(std::uint64_t z) {
 
 class Random {
  public:
-  /// Of what is drawn for, from the widest to the narrowest: sector, probe, sample.
+  /// Keys from the widest to the narrowest: sector, probe, sample.
   template <typename... Keys>
   explicit constexpr Random(Keys... keys) {
     ((key_ = mixed(key_ ^ static_cast<std::uint64_t>(keys))), ...);

@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Numbers things in the order in which they are asked for.
+/// Numbers items in the order in which they are asked for.
 class Renumbering {
  public:
   explicit Renumbering(std::size_t things) : number_(things, kNone) {}
 
-  /// The new number of a thing; `first` is called with its old one when it gets it.
+  /// The new number of an item. `first` is called with the old number when the item gets a new one.
   template <typename First>
   std::uint32_t of(std::uint32_t old, const First& first) {
     if (number_[old] == kNone) {
@@ -77,7 +77,7 @@ class Part {
  private:
   static constexpr std::array<float, 3> kWhite{1.0F, 1.0F, 1.0F};
 
-  /// Which object stands for one: only those of vegetation are told apart, by their boxes.
+  /// The object that stands for this one. Only vegetation objects stay separate, because their boxes matter.
   std::uint32_t oneForAll(std::uint32_t object) {
     const Role role = level_.object[object].role;
     return role == Role::vegetation ? object : of_role_.emplace(role, object).first->second;

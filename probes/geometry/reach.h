@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a level a sector's bake reads: the surfaces within reach of its square.
+// The part of a level that one sector's bake reads: the surfaces within reach of its square.
 #pragma once
 
 #include "probes/geometry/sector.h"
@@ -10,7 +10,7 @@ namespace welkin::geometry {
 
 using f64::Number3;
 
-/// A square of the ground and all above and below it, metres.
+/// A square of the ground with everything above and below it, metres.
 struct Column {
   double low_x = 0.0, high_x = 0.0;
   double low_z = 0.0, high_z = 0.0;
@@ -21,31 +21,33 @@ struct Column {
   bool holds(const Number3& p) const { return touches(p.x, p.x, p.z, p.z); }
 };
 
-/// The sector's square, wider by `reach_m` on each side.
+/// The sector's square, extended by `reach_m` on each side.
 Column columnOf(SectorId sector, double reach_m);
 
-/// A part of a level that says the same whatever else the level holds, where the level is inCanonicalOrder: every
-/// triangle has three vertices of its own; materials and textures are those that the triangles use, in the order of
-/// their first use; so are objects, of which each of vegetation is one and all others of a role are one; texture
-/// coordinates only where a texture uses them, vertex colours only where one is not white; no names but of roles.
+/// A part of a level in canonical order, the same whatever else the level holds.
+/// - Every triangle has three vertices of its own.
+/// - Only materials and textures that the triangles use are there, in the order of first use.
+/// - Objects are in the order of first use. Each vegetation object stays; all other objects of one role become one.
+/// - Texture coordinates are there only if a texture uses them, and vertex colours only if one is not white.
+/// - Objects have no names but those of their roles.
 struct NearSurfaces {
-  Surfaces surfaces;                   ///< without texels: `texture` has the wraps and sizes
-  std::vector<std::uint32_t> texture;  ///< which of the level's they are
+  Surfaces surfaces;                   ///< without texels; `texture` has only wraps and sizes
+  std::vector<std::uint32_t> texture;  ///< index of each texture in the level
 };
 
-/// The triangles whose boxes touch the column, in the level's order, and the lights within it.
+/// The triangles whose boxes touch the column, in the level's order, and the lights within the column.
 NearSurfaces surfacesWithin(const Surfaces& level, const Column& column);
 
-/// With the level's texels: what rays are traced through.
+/// Adds the level's texels, so that rays can be traced.
 Surfaces withTexels(NearSurfaces near, const Surfaces& level);
 
-/// The hashes of a level's textures, which surfacesHash needs.
+/// Hashes of a level's textures, as addTo needs them.
 std::vector<base::Hash128> textureHashes(const Surfaces& level);
 
-/// Of a material, its texture by number.
+/// Adds a material to a hash, with the index of its texture.
 void addTo(base::Hasher& hasher, const Material& material);
 
-/// Of everything that a bake can see of the surfaces.
+/// Adds everything that a bake can see of the surfaces to a hash.
 void addTo(base::Hasher& hasher, const NearSurfaces& near, const std::vector<base::Hash128>& texture_hash);
 
 }  // namespace welkin::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a sector is written: X_Z, as in --sectors, in level.toml and in the names of files.
+// The name of a sector: X_Z, as in --sectors, in level.toml and in file names.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace welkin::geometry {
 
-/// Sectors farther out than this, on either axis, are refused: a million metres.
+/// Sectors farther out than this on either axis are refused: a million metres.
 inline constexpr int kFarthestSector = 15625;
 
 /// "X_Z", such as "-1_12".
 std::string nameOf(SectorId sector);
 
-/// The sector of a name as nameOf writes it; nothing for any other text.
+/// Parses a name in the form of nameOf; nothing for any other text.
 std::optional<SectorId> sectorOf(std::string_view name);
 
 /// "sector_X_Z.welkin"

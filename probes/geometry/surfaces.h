@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level as rays see it: triangles in the world, with materials and textures. Metres, world axes.
+// A level for ray tracing: triangles in the world, with materials and textures. Metres, world axes.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ namespace welkin::geometry {
 
 using f64::Number3;
 
-/// The part that a surface plays in the bake and in the picture. Water is drawn as such and casts no shadow; an
-/// ignored surface is neither baked nor drawn.
+/// The role of a surface in the bake and in the picture. Water is drawn and casts no shadow; an ignored surface is
+/// neither baked nor drawn.
 enum class Role { fixed, vegetation, water, ignored };
 
-/// An image of base colours: sRGB-coded RGB and linear alpha, rows from the top as in the file.
+/// An image of base colours: sRGB-coded RGB and linear alpha, with rows from the top as in the file.
 struct Texture {
   enum class Wrap : std::uint8_t { repeat, mirrored, clamped };
   int width = 0;
@@ -29,17 +29,18 @@ struct Texture {
 };
 
 struct Material {
-  Number3 albedo{0.5, 0.5, 0.5};  ///< linear, in [0, 1]; times vertex colour and texture
+  Number3 albedo{0.5, 0.5, 0.5};  ///< linear, in [0, 1]; multiplies vertex colour and texture
   Number3 emission{0.0};          ///< radiance, scene units, >= 0
-  int texture = -1;               ///< of Surfaces::texture; -1: none
-  /// (u, v) of the texture = uv_row[0] . (u, v, 1), uv_row[1] . (u, v, 1) of the vertex (KHR_texture_transform).
+  int texture = -1;               ///< index into Surfaces::texture; -1: none
+  /// Texture coordinates from the vertex's: u = uv_row[0] . (u, v, 1), v = uv_row[1] . (u, v, 1)
+  /// (KHR_texture_transform).
   std::array<std::array<double, 3>, 2> uv_row{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
-  double alpha = 1.0;         ///< times the texture's
-  double alpha_cutoff = 0.0;  ///< where the alpha is below it there is no surface; 0: opaque
-  bool double_sided = false;  ///< else its back is black and lets nothing through
+  double alpha = 1.0;         ///< multiplies the texture's alpha
+  double alpha_cutoff = 0.0;  ///< there is no surface where alpha is below this; 0: opaque
+  bool double_sided = false;  ///< if false, the back is black and lets nothing through
 };
 
-/// A point light of KHR_lights_punctual; intensity: radiant intensity, scene units.
+/// A point light of KHR_lights_punctual. `intensity` is radiant intensity in scene units.
 struct PointLight {
   Number3 position;
   Number3 intensity;
@@ -48,10 +49,10 @@ struct PointLight {
 struct Triangle {
   std::array<std::uint32_t, 3> vertex;
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< of Surfaces::object
+  std::uint32_t object = 0;  ///< index into Surfaces::object
 };
 
-/// One placed node: what a role, a vegetation box or a message is about.
+/// One placed node. Roles, vegetation boxes and messages refer to it.
 struct Object {
   std::string name;
   Role role = Role::fixed;
@@ -59,17 +60,17 @@ struct Object {
 
 struct Surfaces {
   std::vector<std::array<float, 3>> position;
-  std::vector<std::array<float, 2>> uv;      ///< one a vertex, or none at all
-  std::vector<std::array<float, 3>> colour;  ///< one a vertex, linear, or none at all
+  std::vector<std::array<float, 2>> uv;      ///< one per vertex, or empty
+  std::vector<std::array<float, 3>> colour;  ///< one per vertex, linear, or empty
   std::vector<Triangle> triangle;
   std::vector<Material> material;
   std::vector<Texture> texture;
   std::vector<Object> object;
   std::vector<PointLight> light;
-  std::vector<Number3> spot;          ///< places of spot lights: nothing is lit by them, dynamic lights are expected
-  std::size_t dropped_triangles = 0;  ///< without area or with numbers that are not finite
-  std::vector<std::string> warning;   ///< what the files hold that has no effect here, or another one; with their names
-  std::vector<std::filesystem::path> file;  ///< all that were read: level.toml's geometry, buffers, materials, images
+  std::vector<Number3> spot;  ///< places of spot lights; they light nothing, but dynamic lights are expected there
+  std::size_t dropped_triangles = 0;  ///< triangles without area or with numbers that are not finite
+  std::vector<std::string> warning;   ///< features of the files that are ignored or read differently, with their names
+  std::vector<std::filesystem::path> file;  ///< all files read: level.toml's geometry, buffers, materials, images
 };
 
 }  // namespace welkin::geometry

@@ -9,7 +9,7 @@
 namespace welkin::geometry {
 namespace {
 
-/// sRGB of every byte, decoded.
+/// Linear value of every sRGB byte.
 const std::array<double, 256>& linearOfByte() {
   static const auto table = [] {
     std::array<double, 256> linear{};

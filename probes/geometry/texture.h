@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texels of a texture between their centres.
+// Interpolates a texture between its texels.
 #pragma once
 
 #include "probes/geometry/surfaces.h"
@@ -13,8 +13,8 @@ struct Texel {
   double alpha = 1.0;
 };
 
-/// Bilinear, in linear light; v counts from the top row's edge (glTF), wrapped as the texture says. A texture without
-/// texels is white. Finite u and v.
+/// Bilinear interpolation in linear light. v counts from the edge of the top row (glTF), and the texture's wraps apply.
+/// A texture without texels is white. u and v must be finite.
 Texel texelAt(const Texture& texture, double u, double v);
 
 }  // namespace welkin::geometry

@@ -53,7 +53,7 @@ Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v)
 /// The triangles of one Embree geometry.
 struct Part {
   const Surfaces* surfaces;
-  std::vector<std::uint32_t> triangle;  ///< of Surfaces::triangle, by primitive
+  std::vector<std::uint32_t> triangle;  ///< index into Surfaces::triangle for each primitive
 };
 
 void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
@@ -96,7 +96,7 @@ struct Tracer::Scene {
   const Surfaces* surfaces;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  /// Embree's geometries: opaque and masked of static geometry, opaque and masked of the rest.
+  /// Embree's geometries: opaque and masked of static geometry, then opaque and masked of the rest.
   std::array<Part, 4> part;
 
   explicit Scene(const Surfaces& s) : surfaces(&s) {
@@ -188,7 +188,8 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   hit.triangle = scene_->part[ray.hit.geomID].triangle[ray.hit.primID];
   hit.u = double{ray.hit.u};
   hit.v = double{ray.hit.v};
-  // From the vertices, not along the ray: on the triangle's plane to the rounding of doubles.
+  // The position comes from the vertices, not from the ray: so it is on the triangle's plane to the rounding of
+  // doubles.
   const Triangle& triangle = surfaces().triangle[hit.triangle];
   const Number3 a = load(surfaces().position[triangle.vertex[0]]);
   const Number3 ab = load(surfaces().position[triangle.vertex[1]]) - a;
@@ -215,8 +216,8 @@ bool Tracer::occluded(const Number3& origin, const Number3& direction, double fa
 
 Number3 Tracer::leaving(const Hit& hit) const {
   constexpr double kLeast_m = 1e-5;
-  constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding, and that of Embree's robust test
-  constexpr double kBack = 8.0;              // clears a wall that stands there unless the ray came along it
+  constexpr double kFloats = 4.0 * 0x1p-23;  // rounding of the origin, and of Embree's robust test
+  constexpr double kBack = 8.0;              // clears a wall that stands there, unless the ray came along that wall
   const double off = kLeast_m + kFloats * hit.coarsest_m;
   return hit.position + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A geometry file of any kind: read once, placed by any number of entries of level.toml.
+// A geometry file of any kind. It is read once and placed by any number of entries of level.toml.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ class GeometrySource {
   GeometrySource& operator=(const GeometrySource&) = delete;
   virtual ~GeometrySource() = default;
 
-  /// Places everything that the file holds as the entry says. Throws Error, naming the file and the part of it.
+  /// Places everything in the file as the entry says. Throws Error, naming the file and the part of it.
   virtual void place(const GeometryEntry& entry) = 0;
 };
 

@@ -11,7 +11,7 @@ using base::Required;
 constexpr Range kMetres{-1e6, 1e6};
 constexpr Range kDegrees{-36000.0, 36000.0};
 constexpr Range kFraction{0.0, 1.0};
-constexpr Range kScale{1e-6, 1e6};  // a mirrored level would mirror its sky
+constexpr Range kScale{1e-6, 1e6};  // positive, because a mirrored level would mirror its sky
 constexpr Range kSpacing{0.25, 64.0};
 constexpr Range kMultiplier{0.0, 1000.0};
 constexpr std::string_view kMetre = "m";
@@ -40,10 +40,10 @@ base::Domain rows() {
        "",
        {},
        "none",
-       "nodes of that role in a static file; `*`: any characters"},
-      {"[geometry]", "albedo", "", Kind::colour, "", kFraction, 0.5, "of surfaces without a material"},
-      {"probes", "spacing_m", "", Kind::number, kMetre, kSpacing, 4.0, "of the lattice of vertical rays"},
-      {"probes", "vegetation_spacing_m", "", Kind::number, kMetre, kSpacing, 8.0, "of that over vegetation's boxes"},
+       "nodes of a static file that are vegetation; `*`: any characters"},
+      {"[geometry]", "albedo", "", Kind::colour, "", kFraction, 0.5, "for surfaces without a material"},
+      {"probes", "spacing_m", "", Kind::number, kMetre, kSpacing, 4.0, "distance of the vertical rays of the lattice"},
+      {"probes", "vegetation_spacing_m", "", Kind::number, kMetre, kSpacing, 8.0, "the same over vegetation's boxes"},
       {"probes",
        "minimum_separation_m",
        "",
@@ -51,7 +51,7 @@ base::Domain rows() {
        kMetre,
        {0.0, 64.0},
        7.0,
-       "of two probes of a sector that see each other"},
+       "least distance of two probes of a sector that see each other"},
       {"probes",
        "height_m",
        "",
@@ -61,11 +61,18 @@ base::Domain rows() {
        1.0,
        "above the surface; half of the free height where that is less"},
       {"probes", "headroom_m", "", Kind::number, kMetre, {0.01, 64.0}, 1.2, "free height that makes a surface ground"},
-      {"probes", "clearance_m", "", Kind::number, kMetre, {0.001, 64.0}, 0.2, "between a probe and any surface"},
+      {"probes",
+       "clearance_m",
+       "",
+       Kind::number,
+       kMetre,
+       {0.001, 64.0},
+       0.2,
+       "least distance between a probe and any surface"},
       {"probes", "coverage_m", "", Kind::number, kMetre, kSpacing, 8.0,
-       "every walkable point sees a probe that is as near"},
+       "every walkable point sees a probe within this distance"},
       {"probes", "add", "", Kind::points, kMetre, kMetres, "none", "probes by hand"},
-      {"probes", "remove", "", Kind::boxes, kMetre, kMetres, "none", "no probe in these but those by hand"},
+      {"probes", "remove", "", Kind::boxes, kMetre, kMetres, "none", "only probes by hand stand in these boxes"},
       {"[room]", "box", "", Kind::box, kMetre, kMetres, Required{}, "inside and outside have probes of their own"},
       {"transfer",
        "rays",
@@ -85,7 +92,7 @@ base::Domain rows() {
        "",
        {},
        "directional",
-       "bounced sun and moon: along their own paths; by four coefficients, as the sky; not at all",
+       "bounced sun and moon: along their own paths, by four coefficients as the sky, or not at all",
        "refused",
        {"directional", "sh", "none"}},
       {"transfer",
@@ -95,7 +102,7 @@ base::Domain rows() {
        "",
        {},
        "auto",
-       "which sectors get transfer for dynamic lights; `auto`: those near point and spot lights of the level",
+       "sectors that get transfer for dynamic lights; `auto`: those near point and spot lights of the level",
        "refused",
        {"auto"}},
       {"transfer",
@@ -105,9 +112,9 @@ base::Domain rows() {
        kMetre,
        {1.0, 1e5},
        128.0,
-       "how far a probe sees the level along x and z: what lies farther off neither blocks nor reflects its light"},
-      {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "times the bounced light of sun and moon"},
-      {"scale", "sky", "", Kind::number, "", kMultiplier, 1.0, "times the sky's light, direct and bounced"},
+       "range of a probe along x and z; geometry farther off neither blocks nor reflects its light"},
+      {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "factor of the bounced light of sun and moon"},
+      {"scale", "sky", "", Kind::number, "", kMultiplier, 1.0, "factor of the sky's light, direct and bounced"},
   };
 }
 

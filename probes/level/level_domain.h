@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The domain of every parameter of level.toml. Its loaders take their ranges from here, the page docs/level_file.md its
+// The domain of every parameter of level.toml. The loaders take their ranges from here, and docs/level_file.md its
 // table.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace welkin::level {
 
-/// In the order of the page.
+/// The parameters in the order of the page.
 const base::Domain& levelDomain();
 
 }  // namespace welkin::level

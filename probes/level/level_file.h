@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// level.toml: the sky and the geometry of a level.
+// Reads level.toml: the sky and the geometry of a level.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 
 namespace welkin::level {
 
-inline constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;  ///< bytes of level.toml
+inline constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;  ///< limit, bytes
 
-/// The role of its name ("static", "vegetation", "water", "ignore"); nothing for another name.
+/// The role with a given name ("static", "vegetation", "water", "ignore"); nothing for another name.
 std::optional<geometry::Role> roleOf(const std::string& name);
 
-/// One [[geometry]].
+/// One [[geometry]] entry.
 struct GeometryEntry {
-  std::filesystem::path path;  ///< level.toml's folder is in it
+  std::filesystem::path path;  ///< includes level.toml's folder
   geometry::Affine transform;
   geometry::Role role = geometry::Role::fixed;
-  std::vector<std::string> vegetation_nodes;  ///< patterns of node names: * stands for any run of characters
-  f64::Number3 albedo{0.5, 0.5, 0.5};         ///< of surfaces that have neither a material nor vertex colours
+  std::vector<std::string> vegetation_nodes;  ///< patterns of node names; * stands for any run of characters
+  f64::Number3 albedo{0.5, 0.5, 0.5};         ///< for surfaces with neither a material nor vertex colours
 };
 
 struct LevelFile {
@@ -31,9 +31,8 @@ struct LevelFile {
   std::vector<GeometryEntry> geometry;
 };
 
-/// Reads and checks [level] and [[geometry]]; [probes], [[room]], [transfer] and [scale] are the bake's
-/// (bake_section.h) and are left alone. Throws Error: `file` for a file that cannot be read, `content` for what it
-/// holds.
+/// Reads and checks [level] and [[geometry]]. It ignores [probes], [[room]], [transfer] and [scale], which belong to
+/// the bake (bake_section.h). Throws Error: `file` if the file cannot be read, `content` if its content is wrong.
 LevelFile readLevelFile(const std::filesystem::path& path);
 
 }  // namespace welkin::level

@@ -18,7 +18,7 @@ Number3 position(const Vertex& v) {
   return {double{v.position[0]}, double{v.position[1]}, double{v.position[2]}};
 }
 
-/// Twice the area, along the normal.
+/// A vector along the normal, twice as long as the triangle's area.
 Number3 areaVector(const Vertex& a, const Vertex& b, const Vertex& c) {
   return cross(position(b) - position(a), position(c) - position(a));
 }
@@ -45,7 +45,7 @@ Vertex vertexOf(const Attributes& from, std::size_t i) {
   return vertex;
 }
 
-/// The triangles that have an area and nothing but finite numbers.
+/// The triangles that have an area and only finite numbers.
 std::vector<Corners> usableTriangles(const Attributes& attributes, const std::vector<uint32_t>& indices) {
   std::vector<Corners> usable;
   usable.reserve(indices.size() / 3);
@@ -62,7 +62,7 @@ std::vector<Corners> usableTriangles(const Attributes& attributes, const std::ve
   return usable;
 }
 
-/// Every triangle with three vertices of its own and its plane's normal (glTF 2.0, 3.7.2.1).
+/// Appends every triangle with three vertices of its own and its plane's normal (glTF 2.0, 3.7.2.1).
 void appendFlat(Scene& scene, const Attributes& attributes, const std::vector<Corners>& triangles, MeshPiece& piece) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     std::array<Vertex, 3> corner{};

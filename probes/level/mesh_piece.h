@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A piece of a mesh: triangles of one material, appended to the scene whatever kind of file they come from.
+// A piece of a mesh: triangles of one material, appended to the scene for any kind of file.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace welkin::level {
 
-/// Floats, `components` an element; no components: there are none.
+/// Rows of `components` floats. 0 components mean that the attribute is missing.
 struct FloatRows {
   std::size_t count = 0;
   int components = 0;
   std::vector<float> values;
 };
 
-/// What the vertices of a piece have; all that have any have as many.
+/// Attributes of a piece's vertices. All attributes that are there have the same count.
 struct Attributes {
   FloatRows positions;  ///< 3
   FloatRows normals;    ///< 3
@@ -31,15 +31,15 @@ struct MeshPiece {
   uint32_t first_index = 0;
   uint32_t index_count = 0;
   int32_t vertex_offset = 0;
-  std::optional<uint32_t> material;  ///< of Scene::materials; none: level.toml's albedo, or the vertex colours alone
+  std::optional<uint32_t> material;  ///< in Scene::materials; none: level.toml's albedo, or vertex colours alone
   bool coloured = false;
-  std::size_t dropped_triangles = 0;  ///< without area or not finite
+  std::size_t dropped_triangles = 0;  ///< triangles without area or with numbers that are not finite
   Bounds bounds;                      ///< in the mesh's axes
 };
 
-/// Appends the triangles, three of `indices` each and all below the vertices' count, with the vertices that they use.
-/// Without normals every triangle is flat. Throws Error(content), beginning with `what`, where a scene can hold no
-/// more.
+/// Appends the triangles and the vertices that they use. Each triangle takes three `indices`, all below the number of
+/// vertices. Without normals every triangle is flat. Throws Error(content), beginning with `what`, if the scene is
+/// full.
 MeshPiece appendPiece(Scene& scene, const Attributes& attributes, const std::vector<uint32_t>& indices,
                       const std::string& what);
 

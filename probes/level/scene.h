@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level's surfaces as its files hold them: one vertex and one index list, placed by instances. Metres, world axes.
+// A level's surfaces as its files store them: one vertex list and one index list, placed by instances. Metres, world
+// axes.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +18,10 @@ struct Vertex {
   float position[3];
   float normal[3];  ///< unit, in the mesh's own axes
   float colour[3];  ///< linear; the albedo is this times the instance's colour
-  float uv[2];      ///< of the base colour's texture, v from the top; 0 without one
+  float uv[2];      ///< of the base colour's texture, v from the top; 0 without a texture
 };
 
-/// One placing of a mesh. The rows of the transform, each with its translation last; as a shader reads it.
+/// One placing of a mesh, as a shader reads it: the rows of the transform, each ending with its translation.
 struct Instance {
   float row[3][4];
   float albedo[4];  ///< rgb, linear; alpha 0
@@ -29,20 +30,20 @@ struct Instance {
 /// The same placing for rays.
 struct Placing {
   geometry::Affine transform;
-  uint32_t object = 0;  ///< of Scene::objects
+  uint32_t object = 0;  ///< index into Scene::objects
 };
 
-/// An image as its file holds it, still encoded.
+/// An image as its file stores it, still encoded.
 struct TextureSource {
-  std::string name;  ///< for messages: its file, or the file and the part that hold it
+  std::string name;  ///< for messages: the image's file, or the file and the part that contain it
   std::vector<std::byte> bytes;
   geometry::Texture::Wrap wrap_u = geometry::Texture::Wrap::repeat;
   geometry::Texture::Wrap wrap_v = geometry::Texture::Wrap::repeat;
 };
 
 struct SceneMaterial {
-  geometry::Material surface;  ///< its texture is of Scene::textures
-  int emissive_texture = -1;   ///< of Scene::textures: its mean colour multiplies the emission; -1: none
+  geometry::Material surface;  ///< its texture is an index into Scene::textures
+  int emissive_texture = -1;   ///< index into Scene::textures; its mean colour multiplies the emission; -1: none
   double roughness = 1.0;      ///< 0: a mirror
 };
 
@@ -55,9 +56,9 @@ struct Draw {
   uint32_t instance_count = 0;
   geometry::Role role = geometry::Role::fixed;
   bool double_sided = false;
-  bool mirrored = false;              ///< its triangles turn the other way round
-  uint32_t material = 0;              ///< of Scene::materials
-  std::size_t dropped_triangles = 0;  ///< of the piece, without area or not finite: they are not among its indices
+  bool mirrored = false;              ///< triangles turn the other way round
+  uint32_t material = 0;              ///< index into Scene::materials
+  std::size_t dropped_triangles = 0;  ///< of the piece: without area or not finite, so without indices
 };
 
 struct Bounds {
@@ -72,16 +73,16 @@ struct Scene {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;
   std::vector<Instance> instances;
-  std::vector<Placing> placings;  ///< one an instance
+  std::vector<Placing> placings;  ///< one per instance
   std::vector<Draw> draws;
   std::vector<SceneMaterial> materials;
   std::vector<TextureSource> textures;
   std::vector<geometry::Object> objects;
   std::vector<geometry::PointLight> lights;
   std::vector<f64::Number3> spots;           ///< places of spot lights
-  std::vector<std::string> warnings;         ///< what the files hold that has no effect here, or another one
-  std::vector<std::filesystem::path> files;  ///< all that were read
-  Bounds bounds;                             ///< of all but the water
+  std::vector<std::string> warnings;         ///< features of the files that are ignored or read differently
+  std::vector<std::filesystem::path> files;  ///< all files read
+  Bounds bounds;                             ///< of everything but the water
   Bounds water;                              ///< empty without water
   double least_roughness = 1.0;              ///< of all materials, water included; 0: a mirror
 };

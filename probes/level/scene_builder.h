@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts a scene together from the pieces of any file and where they are placed.
+// Builds a scene from pieces of any file and their placings.
 #pragma once
 
 #include <map>
@@ -17,22 +17,22 @@ bool matchesPattern(const std::string& pattern, const std::string& name);
 
 class SceneBuilder {
  public:
-  /// What has been read; finish() adds instances and draws.
+  /// The scene as read so far; finish() adds instances and draws.
   Scene& scene() { return scene_; }
 
   uint32_t addMaterial(SceneMaterial material);
-  /// Gives the index of the same image with the same wrapping where there is one.
+  /// Adds an image and returns its index, or returns the index of an equal image with the same wrapping.
   int addTexture(TextureSource source);
   uint32_t addObject(std::string name, geometry::Role role);
 
-  /// Places a piece; `albedo` is that of one with neither a material nor colours. A transform without volume, which is
-  /// how animations hide a node, places nothing; finish() warns of it.
+  /// Places a piece. `albedo` is for a piece with neither a material nor colours. A transform without volume, which
+  /// animations use to hide a node, places nothing; finish() warns of it.
   void place(const MeshPiece& piece, const geometry::Affine& transform, uint32_t object, const f64::Number3& albedo);
 
-  /// Warns of the entry's patterns of vegetation_nodes that none of the names fits.
+  /// Warns of the entry's vegetation_nodes patterns that match none of the names.
   void warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names);
 
-  /// The scene, with the placings of one piece as consecutive instances.
+  /// Returns the scene, with the placings of one piece as consecutive instances.
   Scene finish();
 
  private:
@@ -47,7 +47,7 @@ class SceneBuilder {
 
   Scene scene_;
   std::vector<Placed> placed_;
-  std::vector<uint32_t> without_volume_;  // objects
+  std::vector<uint32_t> without_volume_;  // indices of objects
   std::map<std::vector<double>, uint32_t> bare_;
   std::map<std::pair<std::string, std::pair<geometry::Texture::Wrap, geometry::Texture::Wrap>>, int> textures_;
 };

@@ -27,7 +27,7 @@ std::size_t componentBytes(int type) {
   }
 }
 
-/// 0 for matrices and for what is no type.
+/// Number of components; 0 for matrices and for unknown types.
 int componentCount(int type) {
   switch (type) {
     case TINYGLTF_TYPE_SCALAR:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the accessors of a glTF model with every count, stride, offset and type checked: tinygltf checks none of them.
+// Reads the accessors of a glTF model and checks every count, stride, offset and type, because tinygltf checks none.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -19,11 +19,11 @@ class AccessorReader {
  public:
   AccessorReader(const tinygltf::Model& model, std::string file) : model_(model), file_(std::move(file)) {}
 
-  /// Vectors of `least` to `most` components: floats, or where `normalised` is allowed unsigned bytes and shorts that
-  /// stand for [0, 1]. Numbers need not be finite. Throws Error(content).
+  /// Reads vectors of `least` to `most` components. They are floats or, where `normalised` allows, unsigned bytes and
+  /// shorts that stand for [0, 1]. Numbers need not be finite. Throws Error(content).
   level::FloatRows floats(int accessor, const std::string& what, int least, int most, bool normalised) const;
 
-  /// Indices, every one below `vertex_count`.
+  /// Reads indices, all below `vertex_count`.
   std::vector<uint32_t> indices(int accessor, const std::string& what, std::size_t vertex_count) const;
 
   /// The bytes of a buffer view.

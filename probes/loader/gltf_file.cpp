@@ -16,20 +16,20 @@
 namespace welkin::loader {
 namespace {
 
-/// What happened to the files that tinygltf asked for; it reports every failure with the same result.
+/// Records the files that tinygltf asked for, because it reports every failure with the same result.
 struct Reading {
   std::string unreadable;  ///< message of the first file that could not be read
   std::vector<std::filesystem::path>* files = nullptr;
 };
 
-/// What may be required. Unlit surfaces have the albedo of their base colour.
+/// Extensions that a file may require. Unlit surfaces have the albedo of their base colour.
 constexpr std::array<std::string_view, 5> kExtensions = {"EXT_texture_webp", "KHR_lights_punctual",
                                                          "KHR_materials_emissive_strength", "KHR_materials_unlit",
                                                          "KHR_texture_transform"};
 
 bool exists(const std::string& path, void*) {
   (void)path;
-  return true;  // let the reading say what is wrong
+  return true;  // the read itself will report the reason
 }
 
 std::string unchanged(const std::string& path, void*) {
@@ -55,7 +55,7 @@ bool writeNothing(std::string*, const std::string&, const std::vector<unsigned c
   return false;
 }
 
-/// A buffer view is not checked at this place, and its bytes stay where they are.
+/// Keeps an image encoded. A buffer view is not checked here, and its bytes stay where they are.
 bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
                int size, void*) {
   if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
@@ -99,7 +99,7 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
                                                   reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
                     : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
                                                  size, folder);
-  } catch (const std::exception& e) {  // of the JSON library, for types that glTF does not have there
+  } catch (const std::exception& e) {  // from the JSON library, for types that glTF does not have there
     error = e.what();
   }
   if (!parsed && !reading.unreadable.empty())

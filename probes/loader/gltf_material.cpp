@@ -15,8 +15,8 @@ namespace {
 using f64::Number3;
 using UvRows = decltype(geometry::Material::uv_row);
 
-/// The matrix of KHR_texture_transform: scale, then a rotation of the texture's axes, u right and v down, that turns u
-/// towards -v, then the offset.
+/// The matrix of KHR_texture_transform: scale, rotation, offset. With u right and v down, the rotation turns u towards
+/// -v.
 UvRows readTransform(const tinygltf::Value& t, const AccessorReader& reader, const std::string& what) {
   const double angle_rad = numberIn(t, "rotation", 0.0, reader, what);
   const double c = det::cos(angle_rad);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The materials of a glTF model, each read into the scene when it is first used. glTF 2.0, 3.9.
+// Reads the materials of a glTF model into the scene, each when it is first used. glTF 2.0, 3.9.
 #pragma once
 
 #include <map>
@@ -11,18 +11,19 @@
 namespace welkin::loader {
 
 struct GltfMaterial {
-  uint32_t material = 0;  ///< of Scene::materials
-  int uv_set = -1;        ///< the TEXCOORD_n that the base colour's texture asks for; -1: it has none
+  uint32_t material = 0;  ///< index into Scene::materials
+  int uv_set = -1;        ///< n of the TEXCOORD_n for the base colour's texture; -1: no texture
 };
 
-/// Opaque, masked as the file says, and blended as if masked at an alpha of 1/2, which is reported.
+/// Materials are opaque or masked, as the file says. Blended ones are read as masked at an alpha of 1/2, with a
+/// warning.
 class GltfMaterials {
  public:
-  /// All arguments outlive the object.
+  /// All arguments must outlive the object.
   GltfMaterials(const tinygltf::Model& model, const AccessorReader& reader, level::SceneBuilder& builder)
       : model_(model), reader_(reader), builder_(builder) {}
 
-  /// Material `index`, which `what` asks for. Throws Error: `file` for an image's file that cannot be read, else
+  /// Material `index`; `what` names its user in messages. Throws Error: `file` if an image's file cannot be read, else
   /// `content`.
   const GltfMaterial& at(int index, const std::string& what);
 

@@ -9,7 +9,7 @@
 namespace welkin::loader {
 namespace {
 
-/// Throws for a colour, finite ones only, that no albedo has; the margin is what exporters round by.
+/// Throws if a finite colour is out of the range of an albedo. The margin allows for rounding by exporters.
 void requireColours(const level::FloatRows& colours, const std::string& what, const AccessorReader& reader) {
   constexpr float kMost = 1.001F;
   for (std::size_t i = 0; i < colours.values.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meshes of a glTF model, each read into the scene when it is first placed.
+// Reads the meshes of a glTF model into the scene, each when it is first placed.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@ namespace welkin::loader {
 
 class GltfMeshes {
  public:
-  /// All arguments outlive the object.
+  /// All arguments must outlive the object.
   GltfMeshes(const tinygltf::Model& model, const AccessorReader& reader, level::SceneBuilder& builder)
       : model_(model), reader_(reader), scene_(builder.scene()), materials_(model, reader, builder) {}
 
-  /// The pieces of mesh `index` of the model, which is one of its meshes; they stay where they are. Throws as
-  /// GltfMaterials does.
+  /// The pieces of mesh `index`, which must exist in the model. The reference stays valid. Throws as GltfMaterials
+  /// does.
   const std::vector<level::MeshPiece>& pieces(int index);
 
  private:

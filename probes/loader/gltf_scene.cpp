@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a glTF model's nodes to a scene: every mesh once, every node that places it an instance.
+// Turns a glTF model's nodes into a scene: each mesh once, and an instance for each node that places it.
 #include "probes/loader/gltf_scene.h"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ class GltfSource : public level::GeometrySource {
     if (holds) builder_.scene().warnings.push_back(fmt::format("{}: {}", reader_.file(), what));
   }
 
-  /// Of the file's scene, or without scenes the nodes that have no parent.
+  /// Root nodes of the file's scene, or without scenes the nodes that have no parent.
   std::vector<int> roots() const {
     if (!model_.scenes.empty()) {
       const int scene = model_.defaultScene < 0 ? 0 : model_.defaultScene;

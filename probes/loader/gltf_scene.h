@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF file in a scene: read once, placed by any number of entries of level.toml.
+// A glTF file in a scene. It is read once and placed by any number of entries of level.toml.
 #pragma once
 
 #include "probes/level/geometry_source.h"
 
 namespace welkin::loader {
 
-/// Reads a .gltf or .glb. `builder` outlives what is returned. Throws Error, as placing does.
+/// Reads a .gltf or .glb. `builder` must outlive the result. Throws Error, as place() does.
 std::unique_ptr<level::GeometrySource> readGltfSource(const std::filesystem::path& path, level::SceneBuilder& builder);
 
 }  // namespace welkin::loader

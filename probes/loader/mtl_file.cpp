@@ -15,7 +15,7 @@ namespace {
 
 using f64::Number3;
 
-/// Where the word is one number: the first of the list, two or three as its place says.
+/// Whether the word looks like a number.
 bool isNumber(std::string_view word) {
   return !word.empty() && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
 }
@@ -27,7 +27,7 @@ double inRange(const TextLines& lines, std::size_t i, double most) {
   return value;
 }
 
-/// One number is grey.
+/// Reads a colour; a single number is grey.
 Number3 readColour(const TextLines& lines, double most) {
   if (lines.words().size() > 1 && !isNumber(lines.words()[1]))
     lines.refuse(fmt::format("{} must be followed by numbers", lines.words()[0]));
@@ -35,7 +35,7 @@ Number3 readColour(const TextLines& lines, double most) {
   return {inRange(lines, 1, most), inRange(lines, 2, most), inRange(lines, 3, most)};
 }
 
-/// Options, each with its own number of words, then a name that may hold spaces.
+/// Reads options, each with its own number of words, then a name that may contain spaces.
 MtlMap readMap(const TextLines& lines) {
   static const std::map<std::string_view, std::size_t> kOneWordOptions = {
       {"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},      {"-clamp", 1}, {"-texres", 1},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront MTL: the materials of OBJ files. "MTL material format", Alias|Wavefront, 1995.
+// Reads Wavefront MTL, the materials of OBJ files. "MTL material format", Alias|Wavefront, 1995.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace welkin::loader {
 
-/// An image and how it is laid: (u, v) of it = scale x (u, v) + offset, v from the bottom.
+/// An image and its placing: its coordinates are scale x (u, v) + offset, with v from the bottom.
 struct MtlMap {
-  std::string file;  ///< relative to the MTL file, with /
+  std::string file;  ///< relative to the MTL file, with / as separator
   double scale[2] = {1.0, 1.0};
   double offset[2] = {0.0, 0.0};
   bool clamped = false;
@@ -23,12 +23,12 @@ struct MtlMaterial {
   std::string name;
   std::optional<f64::Number3> diffuse;  ///< Kd, linear, in [0, 1]
   f64::Number3 emission{0.0};           ///< Ke, linear
-  double dissolve = 1.0;                ///< d, or 1 - Tr: 0 is not there
+  double dissolve = 1.0;                ///< d, or 1 - Tr; 0: invisible
   std::optional<MtlMap> diffuse_map;    ///< map_Kd
   std::string alpha_map;                ///< map_d; empty: none
 };
 
-/// Reads Kd, Ke, d, Tr, map_Kd and map_d of every material. Throws Error: `file` when it cannot be read, `content`
+/// Reads Kd, Ke, d, Tr, map_Kd and map_d of every material. Throws Error: `file` if the file cannot be read, `content`
 /// naming the line.
 std::vector<MtlMaterial> readMtl(const std::filesystem::path& path);
 

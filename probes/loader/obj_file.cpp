@@ -44,7 +44,7 @@ class ObjReader {
 
   float numberAt(std::size_t i) const { return static_cast<float>(lines_.number(i)); }
 
-  /// x y z, perhaps a weight, perhaps a colour.
+  /// Reads x y z, perhaps a weight, perhaps a colour.
   void readVertex() {
     constexpr std::size_t kWordsWithColour = 7;
     file_.position.push_back({numberAt(1), numberAt(2), numberAt(3)});
@@ -58,7 +58,7 @@ class ObjReader {
       if (c < 0.0F || c > 1.0F) lines_.refuse(fmt::format("a vertex colour holds {}, must be 0 to 1", c));
   }
 
-  /// From 1, or from the end where negative, to a place in a list of `count`.
+  /// Converts an index that counts from 1, or from the end if negative, to an index into a list of `count`.
   int32_t placeOf(std::string_view word, std::size_t count, const char* what) const {
     int i = 0;
     if (!parseWhole(word, i)) lines_.refuse(fmt::format("\"{}\" is not the number of a {}", word.substr(0, 40), what));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: vertices, and polygons by object and material. Own, because tinyobjloader and assimp read what is no
-// number as 0, and cannot say in which line anything is wrong. "Object Files (.obj)", Alias|Wavefront, 1995, B1.
+// Reads Wavefront OBJ: vertices, and polygons by object and material. "Object Files (.obj)", Alias|Wavefront, 1995, B1.
+// This is our own reader: tinyobjloader and assimp read words that are no numbers as 0, and cannot name the line of an
+// error.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace welkin::loader {
 
-/// Places of position, texture coordinate and normal in their lists; -1: none.
+/// Indices of position, texture coordinate and normal in their lists; -1: none.
 struct ObjCorner {
   int32_t position = -1;
   int32_t uv = -1;
@@ -20,23 +21,22 @@ struct ObjCorner {
 
 /// The triangles of one object with one material, three corners each.
 struct ObjPart {
-  std::string object;    ///< of the last `o` or `g` before
-  std::string material;  ///< of `usemtl`; empty: none
+  std::string object;    ///< name from the last `o` or `g` before
+  std::string material;  ///< name from `usemtl`; empty: none
   std::vector<ObjCorner> corners;
 };
 
 struct ObjFile {
   std::vector<std::array<float, 3>> position;
-  std::vector<std::array<float, 3>> colour;  ///< one a position, linear; empty: none
+  std::vector<std::array<float, 3>> colour;  ///< one per position, linear; empty: none
   std::vector<std::array<float, 2>> uv;      ///< v from the bottom
   std::vector<std::array<float, 3>> normal;
   std::vector<ObjPart> parts;
-  std::vector<std::string> material_files;  ///< of `mtllib`
+  std::vector<std::string> material_files;  ///< names from `mtllib`
 };
 
-/// Reads the file; polygons become triangles. Numbers need not be finite. Points, lines, curves, smoothing and
-/// everything else that is no polygon is left out. Throws Error: `file` when it cannot be read, `content` naming the
-/// line.
+/// Reads the file; polygons become triangles. Numbers need not be finite. Everything that is no polygon is skipped:
+/// points, lines, curves, smoothing. Throws Error: `file` if the file cannot be read, `content` naming the line.
 ObjFile readObj(const std::filesystem::path& path);
 
 }  // namespace welkin::loader

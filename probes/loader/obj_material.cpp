@@ -62,7 +62,7 @@ std::optional<uint32_t> ObjMaterials::read(const Source& source, bool has_uv) {
     surface.texture = *texture;
     const MtlMap& map = *from.diffuse_map;
     surface.uv_row = {{{map.scale[0], 0.0, map.offset[0]},
-                       {0.0, map.scale[1], 1.0 - map.scale[1] - map.offset[1]}}};  // v of the vertices is from the top
+                       {0.0, map.scale[1], 1.0 - map.scale[1] - map.offset[1]}}};  // vertices count v from the top
     surface.albedo = from.diffuse.value_or(f64::Number3(1.0));
   } else if (from.diffuse && !image_missing) {
     surface.albedo = *from.diffuse;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The materials of an OBJ file in a scene.
+// Reads the materials of an OBJ file into a scene.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,15 @@ namespace welkin::loader {
 
 class ObjMaterials {
  public:
-  /// Reads the material files that the OBJ file names; one that is missing is a warning. `builder` outlives the object.
+  /// Reads the material files that the OBJ file names; a missing one is a warning. `builder` must outlive the object.
   /// Throws Error.
   ObjMaterials(const std::filesystem::path& obj, const std::vector<std::string>& files, level::SceneBuilder& builder);
 
-  /// Of Scene::materials; nothing where level.toml's albedo stands in. `has_uv`: else its image has no effect.
+  /// Index into Scene::materials; nothing if level.toml's albedo takes its place. Without `has_uv` the material's image
+  /// has no effect.
   std::optional<uint32_t> at(const std::string& name, bool has_uv);
 
-  /// Warns, once, of what at() found missing.
+  /// Warns once about images and materials that at() found missing.
   void warn();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the parts of an OBJ file to a scene.
+// Turns the parts of an OBJ file into a scene.
 #include "probes/loader/obj_scene.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void append(const std::array<float, N>& from, level::FloatRows& to) {
   ++to.count;
 }
 
-/// The vertices of a part: one for every different corner.
+/// The vertices of a part, one for each different corner.
 class PartVertices {
  public:
   PartVertices(const ObjFile& file, const ObjPart& part) : file_(file) {
@@ -44,7 +44,7 @@ class PartVertices {
       if (has_normals_) append(file_.normal[static_cast<std::size_t>(c.normal)], attributes_.normals);
       if (has_uv_) {
         const auto& uv = file_.uv[static_cast<std::size_t>(c.uv)];
-        append(std::array{uv[0], 1.0F - uv[1]}, attributes_.uv);  // from the top
+        append(std::array{uv[0], 1.0F - uv[1]}, attributes_.uv);  // v counts from the top
       }
     }
     return found->second;

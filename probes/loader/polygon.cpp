@@ -9,7 +9,7 @@ namespace {
 
 using f64::Number3;
 
-/// Twice the signed area, along the polygon's normal (Newell).
+/// A vector along the polygon's normal, twice as long as its area (Newell).
 Number3 newell(std::span<const Number3> polygon) {
   Number3 sum(0.0);
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -28,7 +28,7 @@ class Ears {
     while (left_.size() > 3) {
       std::size_t best = 0;
       while (best < left_.size() && !isEar(best)) ++best;
-      if (best == left_.size()) best = 0;  // of no simple polygon
+      if (best == left_.size()) best = 0;  // the polygon is not simple
       triangles.push_back(corners(best));
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>((best + 1) % left_.size()));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles of a polygon by cutting ears. Meisters, "Polygons have ears", 1975.
+// Splits a polygon into triangles by cutting ears. Meisters, "Polygons have ears", 1975.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@
 
 namespace welkin::loader {
 
-/// The corners of n - 2 triangles that cover a simple polygon, convex or not, and turn as it does; its corners need not
-/// lie exactly in a plane. What is not simple, or not finite, gives n - 2 triangles all the same. At least 3 corners.
+/// The corners of n - 2 triangles that cover a simple polygon of n >= 3 corners, convex or not. They turn as the
+/// polygon does, and its corners need not lie exactly in a plane. A polygon that is not simple or not finite also gives
+/// n - 2 triangles.
 std::vector<std::array<std::size_t, 3>> trianglesOf(std::span<const f64::Number3> polygon);
 
 }  // namespace welkin::loader

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene's instances to triangles in the world.
+// Turns a scene's instances into triangles in the world.
 #include "probes/loader/surfaces_of.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ class Flattening {
           material.emission * meanColour(result_.texture[static_cast<std::size_t>(from.emissive_texture)]);
     const bool opaque = material.alpha >= material.alpha_cutoff &&
                         (material.texture < 0 || isOpaque(result_.texture[static_cast<std::size_t>(material.texture)]));
-    if (opaque) material.alpha_cutoff = 0.0;  // rays need not ask
+    if (opaque) material.alpha_cutoff = 0.0;  // so rays need not read the alpha
     result_.material.push_back(material);
   }
 

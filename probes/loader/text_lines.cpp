@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\f\v";
 
-/// Where a comment begins, at the start or after space: names may hold a #.
+/// Start of a comment: a # at the start or after space, because names may contain a #.
 std::size_t commentIn(std::string_view line) {
   for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
     if (at == 0 || kSpace.find(line[at - 1]) != std::string_view::npos) return at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of words, as OBJ and MTL files have them.
+// Splits text into lines of words, as OBJ and MTL files have them.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace welkin::loader {
 
-/// Reads a text line by line: comments from # on are cut, a \ at the end joins the next line.
+/// Reads a text line by line. Comments from # on are cut, and a \ at the end joins the next line.
 class TextLines {
  public:
-  /// `text` outlives the object; `file` is named in messages.
+  /// `text` must outlive the object; `file` is named in messages.
   TextLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {}
 
-  /// Moves to the next line that holds a word; false at the end.
+  /// Moves to the next line that has a word; false at the end.
   bool next();
 
-  /// Of the line, at least one; they stay until next().
+  /// Words of the line, at least one. They stay valid until next().
   const std::vector<std::string_view>& words() const { return words_; }
-  /// What follows the first word, without space around it.
+  /// The line after its first word, without space around it.
   std::string_view rest() const;
 
-  /// Word `i` as a number: nan and inf are such. Throws Error(content) naming file and line, as refuse() does.
+  /// Word `i` as a number; nan and inf count as numbers. Throws Error(content) naming file and line, as refuse() does.
   double number(std::size_t i) const;
   [[noreturn]] void refuse(const std::string& why) const;
 
@@ -37,7 +37,7 @@ class TextLines {
   std::size_t lines_joined_ = 0;
 };
 
-/// A whole number that fills the word; false otherwise.
+/// Parses a word that is a whole number; false for any other word.
 bool parseWhole(std::string_view word, int& value);
 
 }  // namespace welkin::loader

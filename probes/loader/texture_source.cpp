@@ -14,7 +14,7 @@ geometry::Texture decodeTexture(const level::TextureSource& source) {
 }
 
 f64::Number3 meanColour(const geometry::Texture& texture) {
-  // Counts of codes, not light: exact sums in any order.
+  // Counts codes instead of adding light, so that sums are exact in any order.
   std::array<std::array<std::uint64_t, 256>, 3> weight{};
   std::uint64_t total = 0;
   for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {

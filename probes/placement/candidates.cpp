@@ -22,7 +22,7 @@ bool isRemoved(const PlacementSettings& settings, const Number3& p) {
                      [&](const geometry::Box& box) { return geometry::contains(box, p); });
 }
 
-/// A place as it was wanted, and what became of it.
+/// A wanted place and the result of settling it.
 struct Wanted {
   Number3 position;
   bool by_hand = false;
@@ -31,7 +31,7 @@ struct Wanted {
   std::optional<Number3> settled;
 };
 
-/// Above ground a probe stays in sight of the `foot` of its place.
+/// Finds a free place. A probe above ground stays in sight of the `foot` of its place.
 Wanted settle(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
               const Number3& position, bool by_hand, const std::optional<Number3>& foot = {}) {
   Wanted result{position, by_hand, !by_hand && isRemoved(settings, position), Place::free, std::nullopt};
@@ -64,24 +64,24 @@ std::optional<Candidate> take(const Wanted& wanted, PlacementReport& report) {
   return Candidate{*wanted.settled, wanted.by_hand};
 }
 
-/// Ground on a line.
+/// Ground at one height of a line.
 struct Ground {
   double y = 0.0;
   bool walkable = false;
   WalkablePoint point;
 };
 
-/// What a line of the lattice meets.
+/// The ground that a line of the lattice meets.
 struct LatticeColumn {
   int preference = 0;
   std::size_t buried = 0;
   std::size_t low = 0;
   std::size_t under_water = 0;
   std::vector<Ground> ground;
-  std::vector<Wanted> wanted;  // by ground
+  std::vector<Wanted> wanted;  // one per ground
 };
 
-/// Whether water is the first but leaves above a point.
+/// Whether water is the first surface above a point, leaves ignored.
 bool isUnderWater(const geometry::Tracer& tracer, Number3 point) {
   const geometry::Surfaces& s = tracer.surfaces();
   while (const auto hit = tracer.closest(point, {0, 1, 0}, std::numeric_limits<double>::infinity())) {
@@ -123,12 +123,12 @@ LatticeColumn columnAt(const geometry::Tracer& tracer, const geometry::SectorId&
   for (Ground& ground : result.ground) {
     result.wanted.push_back(settle(tracer, id, settings, ground.point.above, false, ground.point.foot));
     const Wanted& wanted = result.wanted.back();
-    if (wanted.place == Place::inside && !wanted.settled) ground.walkable = false;  // behind surfaces with one side
+    if (wanted.place == Place::inside && !wanted.settled) ground.walkable = false;  // behind one-sided surfaces
   }
   return result;
 }
 
-/// For ground that no line of the lattice meets.
+/// Lines for ground that no line of the lattice meets.
 std::vector<LatticeLine> linesThroughParts(const geometry::Surfaces& surfaces, const geometry::SectorId& id) {
   std::vector<LatticeLine> lines;
   for (const GroundPart& part : walkableParts(surfaces, id)) lines.push_back({0, 0, part.x, part.z});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long work is told to stop.
+// Lets a caller stop long work.
 #pragma once
 
 #include <functional>
 
 namespace welkin::placement {
 
-/// Called every few milliseconds, from any thread; what it throws ends the work. May be empty.
+/// Called every few milliseconds, from any thread. An exception from it ends the work. May be empty.
 using Checkpoint = std::function<void()>;
 
 inline void pass(const Checkpoint& checkpoint) {

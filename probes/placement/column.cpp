@@ -20,10 +20,10 @@ struct Crossing {
   bool front_below;
 };
 
-/// From the highest to the lowest.
+/// All crossings from the highest to the lowest.
 std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
   constexpr double kSheet_m = 1e-3;
-  constexpr double kFloats = 4.0 * 0x1p-23;  // of the origin's own rounding
+  constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding
   std::vector<Crossing> result;
   const geometry::Surfaces& s = tracer.surfaces();
   double y = top_y;

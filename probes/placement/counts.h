@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a PlacementReport a sector's file keeps, so that one that is not baked again says the same.
+// The part of a PlacementReport that a sector's file keeps. A sector that is not baked again reports the same.
 #pragma once
 
 #include "probes/placement/settings.h"
@@ -8,15 +8,15 @@ namespace welkin::placement {
 
 using f64::Number3;
 
-/// Places named, at most: the first of each kind, and of those by hand of all kinds.
+/// Limits of named places: the first of each kind, and the first by hand of all kinds.
 inline constexpr std::size_t kMostNamed = 4;
 inline constexpr std::size_t kMostNamedByHand = 16;
 
-/// A place that got no probe, one whose probe stands elsewhere, or a walkable point without one.
+/// A place without a probe, a place whose probe was moved, or a walkable point that sees no probe.
 struct NamedPlace {
   enum class Kind : std::uint8_t { inside, too_close, thinned, uncovered, moved };
-  Number3 position;      ///< as it was wanted
-  double moved_m = 0.0;  ///< how far; > 0 where it was moved, else 0
+  Number3 position;      ///< the wanted position
+  double moved_m = 0.0;  ///< distance; > 0 if the probe was moved, else 0
   Kind kind = Kind::inside;
   bool by_hand = false;
   friend bool operator==(const NamedPlace& a, const NamedPlace& b) {
@@ -27,8 +27,8 @@ struct NamedPlace {
 struct PlacementCounts {
   std::size_t columns = 0, ground = 0, walkable = 0, moved = 0, inside = 0, too_close = 0, thinned = 0, uncovered = 0,
               cells_without = 0;
-  std::size_t by_hand_moved = 0, by_hand_dropped = 0;  ///< of those above
-  std::vector<NamedPlace> named;  ///< by kind, in the report's order; of those moved only those by hand
+  std::size_t by_hand_moved = 0, by_hand_dropped = 0;  ///< included in the counts above
+  std::vector<NamedPlace> named;  ///< by kind, in the report's order; only those by hand among the moved ones
 };
 
 PlacementCounts countsOf(const PlacementReport& report);

@@ -17,8 +17,7 @@ namespace {
 
 enum class Found : std::uint8_t { none, middle, part, way, inside };
 
-/// Ordered by distance, then index. Distances in steps of 2^-20 m, so that what is equally far in the level is so in
-/// every sector.
+/// Ordered by distance, then index. Distances are in steps of 2^-20 m, so equal distances stay equal in every sector.
 struct Choice {
   std::size_t probe = 0;
   double distance_m = 0.0;
@@ -26,7 +25,8 @@ struct Choice {
   bool operator<(const Choice& b) const { return std::tie(distance_m, probe) < std::tie(b.distance_m, b.probe); }
 };
 
-/// A cell from above that names no probe, where some do, takes after the nearest that does, in cells, then by index.
+/// From above, a cell without a probe takes the probe of the nearest cell that has one: nearest in cells, then by
+/// index.
 void fillFromNearest(std::array<std::uint8_t, geometry::kCells * geometry::kCells>& top) {
   const auto named = top;
   for (int cell = 0; cell < geometry::kCells * geometry::kCells; ++cell) {
@@ -144,7 +144,8 @@ class Grid {
   }
 
  private:
-  /// From above every probe by its own cell, the first of one: for a sector where nothing that is seen sees a probe.
+  /// Names every probe from above by its own cell; the first probe of a cell wins. For a sector where no surface seen
+  /// from above sees a probe.
   void nameProbesBelow() {
     for (std::size_t i = sector_.probe.size(); i-- > 0;) {
       const auto cellOf = [](double along) {
@@ -162,14 +163,14 @@ class Grid {
     Number3 from;
   };
 
-  /// `anchor`: the point of the cell that sees the probe, or the way to it.
+  /// `anchor` is the cell's point that sees the probe or the way to it.
   void name(std::size_t cell, std::size_t probe, Found how, const Number3& anchor) {
     sector_.grid[cell] = static_cast<std::uint8_t>(probe);
     found_[cell] = how;
     anchor_[cell] = anchor;
   }
 
-  /// Nearer than `limit`, where there is one.
+  /// The nearest probe that a point sees, nearer than `limit` if that is given.
   std::optional<Choice> nearestSeen(const Number3& from, const std::optional<Choice>& limit = {}) const {
     std::vector<Choice> choice;
     const std::size_t room = roomOf(settings_, from);
@@ -233,7 +234,7 @@ class Grid {
   GridCells cells_;
   std::vector<Found> found_;
   std::vector<Number3> anchor_;
-  std::vector<std::size_t> room_;  // by probe
+  std::vector<std::size_t> room_;  // room of each probe
 };
 
 void setHeights(const std::vector<double>& ground_y, geometry::PlacedSector& sector) {

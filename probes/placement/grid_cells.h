@@ -20,11 +20,11 @@ inline std::size_t cellIndex(int x, int y, int z) {
 }
 
 struct GridCell {
-  Number3 middle;  ///< on a vertical line beside the true middle; see kAside_x_m
+  Number3 middle;  ///< on a vertical line beside the true middle, see kAside_x_m
   bool middle_free = false;
-  bool middle_above_ground = false;  ///< else it may be outside of the level, behind all surfaces
-  bool above_ground = false;         ///< holds air that has a floor, in the cell or below it
-  std::vector<Number3> point;        ///< in the air, the middle first where it is
+  bool middle_above_ground = false;  ///< if false, it may be outside the level, behind all surfaces
+  bool above_ground = false;         ///< has air with a floor, in the cell or below it
+  std::vector<Number3> point;        ///< points in the air; the middle comes first if it is one
 };
 
 struct GridCells {
@@ -33,8 +33,8 @@ struct GridCells {
       top;  ///< highest span with a floor: x + kCells z
 };
 
-/// Points of a cell: its middle, and, above ground, the middle of every span of air within it along its middle line and
-/// along four others, halfway to its corners.
+/// Computes the points of all cells. A cell has its middle. Above ground it also has the middle of every span of air
+/// within it, along its middle line and four others halfway to its corners.
 GridCells gridCellsOf(const geometry::Tracer& tracer, const geometry::SectorId& id, double low_y, double cell_height_m,
                       double top_y);
 

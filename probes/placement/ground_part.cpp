@@ -7,7 +7,7 @@
 namespace welkin::placement {
 namespace {
 
-/// What of a polygon has side * (coordinate - limit) >= 0.
+/// The part of a polygon where side * (coordinate - limit) >= 0.
 std::vector<Number3> cut(const std::vector<Number3>& polygon, int axis, double limit, double side) {
   std::vector<Number3> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -4,7 +4,7 @@
 namespace welkin::placement {
 
 std::vector<LatticeLine> latticeOf(const geometry::SectorId& id, double spacing_m) {
-  // One more at either end: the sector is what sectorAt says, whatever the division rounds to.
+  // One line more at either end, because sectorAt defines the sector, however the division rounds.
   const auto ends = [&](int sector, double aside_m) {
     return std::pair{lineFrom(geometry::kSector_m * sector, spacing_m, aside_m) - 1,
                      lineFrom(geometry::kSector_m * (sector + 1.0), spacing_m, aside_m) + 1};

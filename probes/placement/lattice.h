@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lattice of vertical lines. Its phase is the world's, so that neighbouring sectors agree without each other.
+// The lattice of vertical lines. Its phase is fixed in the world, so neighbouring sectors match without knowing each
+// other.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,8 @@
 
 namespace welkin::placement {
 
-/// Between the half metres that walls stand on, by more than a probe's clearance, and on no sixteenth.
+/// Offsets of the lattice. They keep lines away from the half metres where walls stand, by more than a probe's
+/// clearance, and from sixteenths of a metre.
 inline constexpr double kLattice_x_m = 0.2871;
 inline constexpr double kLattice_z_m = 0.2213;
 

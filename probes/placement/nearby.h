@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a sector, found from the nearest on.
+// Finds points of a sector in order of distance.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,13 @@ class Nearby {
   explicit Nearby(const geometry::SectorId& id)
       : low_x_(geometry::kSector_m * id.x), low_z_(geometry::kSector_m * id.z) {}
 
-  /// A position within the sector.
+  /// Adds a point. The position must be within the sector.
   void add(std::size_t number, const Number3& position) {
     patch_[indexOf(patchAt(position.x - low_x_), patchAt(position.z - low_z_))].push_back({number, position});
   }
 
-  /// Calls visit(number, distance) for the points nearer than `far_m` for which counts(number) holds, from the nearest
-  /// on, equally near ones by number, until it returns false.
+  /// Calls visit(number, distance) until it returns false, for points nearer than `far_m` for which counts(number)
+  /// holds. Points come in order of distance, then of number.
   template <typename Counts, typename Visit>
   void visit(const Number3& from, double far_m, const Counts& counts, const Visit& visit) const {
     std::vector<std::pair<double, std::size_t>> found;

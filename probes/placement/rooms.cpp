@@ -14,7 +14,7 @@ namespace welkin::placement {
 using f64::Number3;
 namespace {
 
-/// Of the box's part of the sector.
+/// Middle of the box's part of the sector.
 Number3 middleOf(const geometry::Box& box, const geometry::Column& square) {
   return {0.5 * (std::max(box.low.x, square.low_x) + std::min(box.high.x, square.high_x)),
           0.5 * (box.low.y + box.high.y),

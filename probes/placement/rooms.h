@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interiors: boxes whose inside has probes of its own (the interior volumes of Gilabert and Stefanov, "Deferred
-// Radiance Transfer Volumes", GDC 2012).
+// Rooms are boxes with probes of their own inside (the interior volumes of Gilabert and Stefanov, "Deferred Radiance
+// Transfer Volumes", GDC 2012).
 #pragma once
 
 #include "probes/placement/settings.h"
 
 namespace welkin::placement {
 
-/// Fills `room` and `in_room` of a sector whose probes stand. Throws Error(content) where more than kMostRooms touch
+/// Fills `room` and `in_room` of a sector whose probes are placed. Throws Error(content) if more than kMostRooms touch
 /// it.
 void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector);
 

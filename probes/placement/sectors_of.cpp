@@ -16,7 +16,7 @@ namespace welkin::placement {
 using f64::Number3;
 namespace {
 
-/// A triangle from above, metres. A line on its edge counts: what a ray says there is for placeSector to see.
+/// A triangle seen from above, metres. A line on its edge counts; placeSector checks by a ray.
 class Shadow {
  public:
   explicit Shadow(const std::array<Number3, 3>& corner) : corner_(corner) {
@@ -25,7 +25,7 @@ class Shadow {
     area_ = ab.z * ac.x - ab.x * ac.z;
   }
 
-  /// Whether its front looks up, and, of one with two sides, whether any does.
+  /// Whether its front looks up or, with two sides, whether either side does.
   bool ground(bool two_sides) const { return two_sides ? area_ != 0.0 : area_ > 0.0; }
 
   bool covers(double x, double z) const {
@@ -44,7 +44,7 @@ class Shadow {
 
  private:
   std::array<Number3, 3> corner_;
-  double area_;  // twice, positive when it looks up
+  double area_;  // twice the area, positive if the triangle looks up
 };
 
 bool meetsALine(const Shadow& shadow, const geometry::SectorId& id, double spacing_m) {
@@ -65,7 +65,7 @@ bool meetsALine(const Shadow& shadow, const geometry::SectorId& id, double spaci
   return false;
 }
 
-/// The sectors found so far. Throws where they, or those that one thing spans, are too many to go through.
+/// The sectors found so far. Throws if they, or those under one object, are too many.
 class Found {
  public:
   const std::set<geometry::SectorId>& sectors() const { return sectors_; }
@@ -99,7 +99,7 @@ std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const Pla
                                           const Checkpoint& checkpoint) {
   checkSettings(settings);
   Found found;
-  std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors without a line on any
+  std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors that no line meets
   for (const geometry::Triangle& t : s.triangle) {
     if (s.object[t.object].role != geometry::Role::fixed) continue;
     const std::array<Number3, 3> corner = cornersOf(s, t);

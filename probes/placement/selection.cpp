@@ -100,7 +100,7 @@ class Selection {
     return roomOf(settings_, from) == roomOf(settings_, to) && sees(tracer_, from, to);
   }
 
-  /// The nearest probes that a point sees, `most` of them, and of those that count alone.
+  /// The `most` nearest probes that a point sees, among those that count.
   template <typename Counts>
   std::vector<SeenProbe> seenFrom(const Number3& from, double far_m, std::size_t most, const Counts& counts) const {
     std::vector<SeenProbe> result;
@@ -120,7 +120,7 @@ class Selection {
     return !seenFrom(point.foot, settings_.coverage_m, 1, counts).empty();
   }
 
-  /// Keeps a candidate for a point that sees no probe. False where the point turns out to be no ground to walk on.
+  /// Keeps a candidate for a point that sees no probe. Returns false if the point turns out not to be walkable ground.
   bool keepFor(const WalkablePoint& point, PlacementReport& report) {
     std::optional<std::size_t> nearest;
     near_candidate_.visit(
@@ -147,9 +147,9 @@ class Selection {
   const Checkpoint& checkpoint_;
   std::vector<Candidate> candidate_;
   std::vector<WalkablePoint> walkable_;
-  std::vector<bool> kept_;          // by candidate
-  std::vector<std::size_t> probe_;  // candidates, in the order of their choice
-  Nearby near_candidate_;           // of the sector's, by number
+  std::vector<bool> kept_;          // for each candidate
+  std::vector<std::size_t> probe_;  // indices of candidates, in the order of choice
+  Nearby near_candidate_;           // the sector's candidates, by index
   Nearby near_probe_;               // by index in probe_
 };
 

@@ -17,7 +17,7 @@ struct Loss {
   auto operator<=>(const Loss&) const = default;
 };
 
-/// The least loss first, of equal ones the later probe.
+/// The least loss first; among equal losses the later probe.
 struct LeastFirst {
   const std::vector<Loss>* loss;
   bool operator()(std::size_t a, std::size_t b) const {
@@ -26,8 +26,8 @@ struct LeastFirst {
   }
 };
 
-/// Only the nearest probe that a point sees has a part in its loss, so that the points of one probe that goes change
-/// the losses of few others. Those are summed anew, in the order of points: sums do not depend on what went before.
+/// Only the nearest probe that a point sees has a part in its loss. So when a probe goes, the losses of only a few
+/// others change. These are summed again in the order of points, so sums do not depend on earlier steps.
 class Thinning {
  public:
   Thinning(std::size_t points, const Look& look, const std::vector<bool>& by_hand)
@@ -77,8 +77,8 @@ class Thinning {
 
  private:
   struct Seen {
-    std::vector<SeenProbe> probe;  ///< the first two are not gone
-    bool all = false;              ///< there is no farther one
+    std::vector<SeenProbe> probe;  ///< the first two are still there
+    bool all = false;              ///< the point sees no farther probe
   };
 
   void lookFrom(std::size_t point) {
@@ -86,7 +86,7 @@ class Thinning {
     seen_[point].all = seen_[point].probe.size() < kNearestSeen;
   }
 
-  /// For a point one of whose first two is gone.
+  /// Updates a point after one of its first two probes has gone.
   void lookOn(std::size_t point) {
     Seen& seen = seen_[point];
     std::erase_if(seen.probe, [&](const SeenProbe& s) { return gone_[s.probe]; });
@@ -105,9 +105,9 @@ class Thinning {
 
   const Look& look_;
   std::vector<bool> gone_;
-  std::vector<Seen> seen_;                            // by point
-  std::vector<std::vector<std::size_t>> nearest_to_;  // by probe the points that see no nearer one, ascending
-  std::vector<std::vector<std::size_t>> next_to_;     // by probe the points that saw one nearer one once
+  std::vector<Seen> seen_;                            // for each point
+  std::vector<std::vector<std::size_t>> nearest_to_;  // for each probe, the points that see no nearer one, ascending
+  std::vector<std::vector<std::size_t>> next_to_;     // for each probe, the points that once saw one nearer probe
   std::vector<Loss> loss_;
   std::set<std::size_t, LeastFirst> order_{LeastFirst{&loss_}};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which probes a sector can do without.
+// Removes the probes that a sector needs least.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,23 @@
 
 namespace welkin::placement {
 
-/// A probe that a walkable point sees, by index, metres away.
+/// A probe that a walkable point sees: its index and distance.
 struct SeenProbe {
   std::size_t probe;
   double distance_m;
 };
 
-/// As many probes of a point are kept in memory; where all of them are gone the point looks again.
+/// Number of probes kept in memory per point. When all of them are gone, the point looks again.
 inline constexpr std::size_t kNearestSeen = 8;
 
-/// The kNearestSeen probes nearest to a walkable point of those that it sees within reach and that are not gone, or all
-/// where they are fewer; from the nearest. Called from any thread; what it throws ends the thinning.
+/// Returns, nearest first, the kNearestSeen nearest probes that a walkable point sees within reach and that are not
+/// gone; all of them if they are fewer. Called from any thread; an exception from it ends the thinning.
 using Look = std::function<std::vector<SeenProbe>(std::size_t point, const std::vector<bool>& gone)>;
 
-/// Takes probes away, one by one, until `most` are left: each time the one whose loss is least. Loss is the number of
-/// points that see no probe any more, then by how much the distances to the nearest probe seen grow in all, then the
-/// index (the later goes first). Probes that `by_hand` marks go when no others are left. Returns their indices in the
-/// order in which they go.
+/// Removes probes one by one until `most` are left, each time the one of least loss. Loss is, first, the number of
+/// points that no longer see a probe. Then it is the total growth of distances to the nearest probe seen, then the
+/// index (the later goes first). Probes marked in `by_hand` go only when no others are left. Returns the indices in the
+/// order of removal.
 std::vector<std::size_t> thin(std::size_t points, const Look& look, const std::vector<bool>& by_hand, std::size_t most);
 
 }  // namespace welkin::placement

@@ -13,7 +13,7 @@ constexpr std::size_t kRays = 64;
 constexpr auto kMostBackRays = static_cast<std::size_t>(kMostBacks * double{kRays});
 constexpr double kFar_m = 64.0;
 
-/// Even in height, golden in azimuth.
+/// Directions evenly spaced in height, with azimuths by the golden angle.
 const std::array<Number3, kRays>& fixedDirections() {
   static const std::array<Number3, kRays> direction = [] {
     std::array<Number3, kRays> result;
@@ -27,7 +27,7 @@ const std::array<Number3, kRays>& fixedDirections() {
   return direction;
 }
 
-/// What placeAt would say, with fewer rays.
+/// Whether placeAt would return `free`, found with fewer rays.
 bool isFree(const geometry::Tracer& tracer, const Number3& position, double clearance_m) {
   std::size_t backs = 0;
   const geometry::Surfaces& s = tracer.surfaces();

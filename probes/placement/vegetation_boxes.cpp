@@ -20,7 +20,7 @@ std::optional<double> highestAt(const std::vector<geometry::Box>& boxes, double 
   return result;
 }
 
-/// First and last line of the lattice that meet a box, along x and z; first > last where none does.
+/// First and last lattice line that meet a box, along x and z; first > last if none does.
 struct Lines {
   int first_i, last_i, first_k, last_k;
   bool none() const { return first_i > last_i || first_k > last_k; }
@@ -34,7 +34,7 @@ Lines linesOf(const geometry::Box& box, double spacing_m) {
   return r;
 }
 
-/// Numbers along an axis of the sectors that have lines.
+/// Sector numbers along an axis where lines first to last lie.
 std::vector<int> sectorsAlong(int first, int last, double spacing_m, double aside_m) {
   std::vector<int> result;
   for (int n = first; n <= last; ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vegetation is placed by its boxes, not by its leaves.
+// Places for probes above vegetation, found from its boxes, not from its leaves.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@ namespace welkin::placement {
 
 using f64::Number3;
 
-/// The world box of every object of vegetation, in the order of the objects; none for one without triangles.
+/// The world box of every vegetation object, in the order of the objects; none for an object without triangles.
 std::vector<geometry::Box> vegetationBoxes(const geometry::Surfaces& surfaces);
 
-/// Places above the boxes: at each line of the lattice of vegetation_spacing_m the highest box there, and the middle of
-/// each box that no line meets. Those of a sector only, in that order.
+/// Places of one sector above the boxes. First comes the highest box at each line of the lattice of
+/// vegetation_spacing_m, then the middle of each box that no line meets.
 std::vector<Number3> aboveVegetation(const std::vector<geometry::Box>& boxes, const PlacementSettings& settings,
                                      const geometry::SectorId& id);
 
-/// Sectors that aboveVegetation has places of a box in, each once.
+/// Sectors where aboveVegetation finds a place for the box, each once.
 std::vector<geometry::SectorId> sectorsOfVegetation(const geometry::Box& box, const PlacementSettings& settings);
 
 }  // namespace welkin::placement

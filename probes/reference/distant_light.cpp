@@ -10,14 +10,14 @@
 namespace welkin::reference {
 namespace {
 
-constexpr double kConverged = 1e-9;  // of the quadrature of the horizontal irradiance, relative
+constexpr double kConverged = 1e-9;  // relative error of the quadrature of the horizontal irradiance
 
-/// The part of the lobe c exp(d angle) in the indicatrix, over itself and a sky of 1, halved: the other samples keep
-/// every weight below 2.
+/// Half the lobe c exp(d angle) of the indicatrix, relative to itself plus a sky of 1. The other samples keep every
+/// weight below 2.
 double shareOf(const model::LuminanceModel& model) {
-  constexpr double kBroad = -2.0;  // a wider lobe is no peak
+  constexpr double kBroad = -2.0;  // a wider lobe is not a peak
   if (model.c <= 0.0 || model.d > kBroad) return 0.0;
-  const double lobe = model.c / (1.0 + model.d * model.d);  // its integral over the sphere, over 2 pi
+  const double lobe = model.c / (1.0 + model.d * model.d);  // integral over the sphere, over 2 pi
   return 0.5 * lobe / (1.0 + lobe);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that reaches a level from outside at one time, as the reference sees it: the sky model itself, the sun and
-// the moon, and the ground beyond the level.
+// The light that reaches a level from outside at one time, for the reference: the sky model itself, the sun, the moon,
+// and the ground beyond the level.
 #pragma once
 
 #include <vector>
@@ -12,31 +12,31 @@ namespace welkin::reference {
 
 using f64::Number3;
 
-/// A light without extent, far away.
+/// A distant light without extent.
 struct DirectionalLight {
-  Number3 direction;   ///< towards it, unit
-  Number3 irradiance;  ///< of a surface that faces it, scene units
+  Number3 direction;   ///< unit, towards the light
+  Number3 irradiance;  ///< irradiance of a surface that faces the light, scene units
 };
 
-/// Immutable after construction; any thread may ask.
+/// Immutable after construction; any thread may use it.
 class DistantLight {
  public:
-  /// `sky` outlives it; `time_h` is finite.
+  /// `sky` must outlive the object; `time_h` is finite.
   DistantLight(const model::Sky& sky, double time_h);
 
   /// The sky's radiance at intensity, desaturated by ambient_saturation, without tint; 0 below the horizon.
   Number3 skyRadiance(const Number3& direction) const;
-  /// Radiance of the ground beyond the level, level and with nothing in its way, under the sky as above.
+  /// Radiance of the ground beyond the level, which is horizontal and unobstructed, under the sky as above.
   const Number3& groundUnderSky() const { return ground_under_sky_; }
   /// The same under the sun and the moon.
   const Number3& groundUnderLights() const { return ground_under_lights_; }
-  /// The sun and the moon, as far as they are up and shine.
+  /// The sun and the moon, if they are up and shine.
   const std::vector<DirectionalLight>& lights() const { return light_; }
 
-  /// Share of directions to draw near the sun, in [0, 1/2]; 0 where the sky has no lobe there worth it.
+  /// Share of directions to draw near the sun, in [0, 1/2]; 0 if the sky has no lobe there that is worth it.
   double lobeShare() const { return lobe_share_; }
-  /// A direction about the sun, its angle of density d^2 angle exp(d angle) (the sum of two exponential ones), of three
-  /// numbers in [0, 1). An angle past pi is none: false.
+  /// Draws a direction about the sun from three numbers in [0, 1). Its angle has density d^2 angle exp(d angle), the
+  /// sum of two exponential ones. Returns false if the angle exceeds pi.
   bool sampleLobe(double s, double t, double extra, Number3& direction) const;
   /// Density of sampleLobe over solid angle, 1/sr.
   double lobeDensity(const Number3& direction) const;

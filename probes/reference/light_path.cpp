@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The next direction of a path and cos / pi over the density that it was drawn with; 0: nothing comes from there.
+/// The next direction of a path, and cos / pi over its density. 0 means that no light comes from there.
 struct Turn {
   Number3 direction;
   double weight = 0.0;
 };
 
-/// Cosine-distributed, and a share of them about the sun where the sky is brightest, weighed by the density of both
-/// (the balance heuristic of Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
+/// Draws cosine-distributed directions, and a share of them about the sun where the sky is brightest. They are weighted
+/// by both densities (the balance heuristic of Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
 Turn turnAt(const DistantLight& distant, const Number3& normal, double s, double t, geometry::Random& random) {
   const double share = distant.lobeShare();
   if (share == 0.0) return {geometry::cosineDirection(normal, s, t), 1.0};
@@ -52,7 +52,7 @@ Number3 localIrradiance(const geometry::Tracer& tracer, const LocalLight& light,
   if (squared == 0.0 && light.radius_m == 0.0) return Number3(0.0);
   const double radius2 = light.radius_m * light.radius_m;
   const bool inside = squared <= radius2;
-  // From outside uniform over the cone that the sphere fills; from inside the sphere is everywhere.
+  // From outside, directions are uniform over the cone that the sphere fills; from inside, the sphere is everywhere.
   const double widest2 = inside ? 1.0 : radius2 / squared;
   const double narrowest = std::sqrt(1.0 - widest2);
   const double cosine_axis = 1.0 - s * widest2 / (1.0 + narrowest);
@@ -74,7 +74,7 @@ LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double
   LightShares found;
   geometry::Hit at = start;
   Turn turn = turnAt(distant, at.normal, s, t, random);
-  Number3 throughput(det::kPi);  // of cosine-distributed radiance: irradiance
+  Number3 throughput(det::kPi);  // turns cosine-distributed radiance into irradiance
   for (int bounced = 0;; ++bounced) {
     throughput *= turn.weight;
     if (throughput == Number3(0.0)) return found;

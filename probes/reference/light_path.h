@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One path of the reference.
+// Traces one path of the reference.
 #pragma once
 
 #include "probes/geometry/random.h"
@@ -9,14 +9,14 @@ namespace welkin::reference {
 
 using f64::Number3;
 
-/// Light by what it comes from.
+/// Light by source.
 struct LightShares {
   Number3 sky{0.0};
   Number3 sun_bounce{0.0};
   Number3 local{0.0};
 };
 
-/// What every path of one point shares; all of it outlives the object.
+/// Everything that the paths of one point share. All of it must outlive the object.
 struct PathScene {
   const geometry::Tracer& tracer;
   const DistantLight& distant;
@@ -24,12 +24,12 @@ struct PathScene {
   int bounces;
 };
 
-/// Irradiance that one path from a point of a surface finds, pi included: its mean over s and t, uniform in [0, 1), and
-/// over `random` is the irradiance. `start` needs only position and normal.
+/// Irradiance that one path from a surface point finds, pi included. Its mean over s and t, uniform in [0, 1), and over
+/// `random` is the irradiance. Only position and normal of `start` are needed.
 LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double s, double t, geometry::Random& random);
 
-/// Irradiance of one side of a surface by a local light, its shadow included, seen from `origin` just off the surface;
-/// the mean over s and t.
+/// Irradiance of one side of a surface by a local light, including its shadow, seen from `origin` just off the surface.
+/// Its mean over s and t is the irradiance.
 Number3 localIrradiance(const geometry::Tracer& tracer, const LocalLight& light, const Number3& origin,
                         const Number3& normal, double s, double t);
 

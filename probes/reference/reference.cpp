@@ -13,16 +13,16 @@
 namespace welkin::reference {
 namespace {
 
-constexpr std::size_t kLeastBatches = 64;  // their spread gives the standard error within a tenth of itself
-constexpr std::size_t kMostStrata = 64;    // on a side; a batch stays short enough to be interrupted
+constexpr std::size_t kLeastBatches = 64;  // their spread gives the standard error to within a tenth
+constexpr std::size_t kMostStrata = 64;    // on a side; keeps a batch short enough to be interrupted
 
-/// Strata on a side of a batch, one path each.
+/// Strata on a side of a batch, with one path in each.
 std::size_t strataOf(const ReferenceSettings& settings) {
   const double each = static_cast<double>(settings.samples) / static_cast<double>(kLeastBatches);
   return std::clamp(static_cast<std::size_t>(std::sqrt(each)), std::size_t{1}, kMostStrata);
 }
 
-/// The point as a path starts from it: as far off the surface that it lies on as a ray that found that surface.
+/// The start of a path. It is as far off the point's surface as a ray that found that surface.
 geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal) {
   constexpr double kOnSurface_m = 0.01;
   geometry::Hit start;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The .welkin files of a level, opened with the checks of runtime/format, whose refusals become Errors.
+// Opens the .welkin files of a level with the checks of runtime/format, and turns their refusals into Errors.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace welkin::sectors {
 
-/// The file in `bytes`, which stay and whose content `faultOf` finds no fault with. Throws Error(content) with `name`
-/// and the reason.
+/// The file in `bytes`, which must stay alive. Throws Error(content) with `name` and the reason if `faultOf` finds a
+/// fault in it.
 const format::File& openChecked(std::span<const std::byte> bytes, const std::string& name,
                                 format::Fault (*faultOf)(const format::File&));
 

@@ -25,21 +25,21 @@ struct SectorEntry {
 /// The index, or a shard's part of it: the sectors that the shard baked.
 struct LevelIndex {
   std::vector<SectorEntry> sector;            ///< ascending
-  base::Hash128 all_sectors;                  ///< hashOf every sector of the level, also where this is a part
-  std::optional<base::Hash128> sky_checksum;  ///< of the whole of sky.welkin; a part has none
+  base::Hash128 all_sectors;                  ///< hashOf all sectors of the level, also in a part
+  std::optional<base::Hash128> sky_checksum;  ///< of the whole of sky.welkin; a part has no checksum
   transfer::SunTransfer sun = transfer::SunTransfer::none;
-  std::optional<model::LightPath> sun_path;  ///< that the sun's transfer was baked along; with `directional` alone
+  std::optional<model::LightPath> sun_path;  ///< path of the sun's baked transfer; only with `directional`
   std::optional<model::LightPath> moon_path;
   transfer::RelightScale scale;
   std::string settings;  ///< JSON: the bake's sections of level.toml
 };
 
-/// Of where sectors are and what they are baked from.
+/// Hash of the sectors' ids and of their `baked_from`.
 base::Hash128 hashOf(const std::vector<SectorEntry>& sectors);
 
 std::vector<std::byte> encodeLevel(const LevelIndex& index);
 
-/// Checks and reads an index; `name` is for messages. Throws Error(content).
+/// Checks and reads an index. `name` is for messages. Throws Error(content) if the bytes are refused.
 LevelIndex decodeLevel(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace welkin::sectors

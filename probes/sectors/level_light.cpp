@@ -13,7 +13,7 @@ transfer::LightAt lightAt(const model::Light& light, double time_h) {
   return {light.path.directionAt(time_h), light.normalIrradianceAt(time_h)};
 }
 
-/// Adds `factor` times what a probe gives a normal.
+/// Adds `factor` times a probe's irradiance for a normal.
 void add(const transfer::ProbeIrradiance& probe, const Number3& normal, double factor, LevelIrradiance& sum) {
   const auto weight = transfer::shadingWeights(normal);
   for (std::size_t b = 0; b < transfer::kDirections; ++b) {
@@ -30,14 +30,15 @@ LevelIrradiance positive(const LevelIrradiance& e) {
   return {clamped(e.sky), clamped(e.sun_bounce), clamped(e.local)};
 }
 
-/// The room of the sector that a position is in, if any.
+/// The sector's room that contains a position, if any.
 const geometry::Room* roomAt(const SectorFile& file, const Number3& position) {
   const auto found = std::find_if(file.room.begin(), file.room.end(),
                                   [&](const geometry::Room& room) { return geometry::contains(room.box, position); });
   return found == file.room.end() ? nullptr : &*found;
 }
 
-/// Whether the probe is in the room, or, without one, outside of all. Sectors share a room by its box.
+/// Whether the probe is in the room, or, without a room, outside all rooms. A room has the same box in every sector
+/// that it touches.
 bool isIn(const SectorFile& file, std::uint8_t probe, const geometry::Room* room) {
   const std::size_t number = file.in_room.empty() ? 0 : file.in_room[probe];
   return room == nullptr ? number == 0 : number > 0 && file.room[number - 1].box == room->box;

@@ -6,7 +6,7 @@
 namespace welkin::sectors {
 namespace {
 
-/// Of a uniform sky, what a level surface sees by the probe's visibilities.
+/// The share of a uniform sky that a horizontal surface sees, from the probe's visibilities.
 double horizontalShare(const transfer::ProbeTransfer& transfer) {
   const auto basis = transfer::transferBasis();
   const auto weight = transfer::shadingWeights({0, 1, 0});

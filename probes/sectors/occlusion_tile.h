@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What vegetation beyond the probe volume gets instead: a sector's sky visibility from above.
+// A sector's sky visibility from above, for vegetation beyond the probe volume.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace welkin::sectors {
 
-/// From above, cell x + kCells z of kCell_m: of the probe that serves what is seen there the share of a uniform sky
-/// that a level surface sees, in [0, 1], and the probe's height, with which the effect fades. A tile a sector, after
-/// the talk (slides 57-58).
+/// Tile of a sector seen from above: cell x + kCells z, of size kCell_m. For the probe that serves a cell it stores the
+/// share of a uniform sky that a horizontal surface sees, in [0, 1]. It also stores the probe's height, with which the
+/// effect fades. After the talk (slides 57-58), one tile per sector.
 struct OcclusionTile {
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> sky_visibility{};
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> probe_y{};
 };
 
-/// `top` as PlacedSector has it. Nothing for a sector without probes.
+/// The tile of a sector; `top` as in PlacedSector. Nothing for a sector without probes.
 std::optional<OcclusionTile> occlusionTileOf(const std::array<std::uint8_t, geometry::kCells * geometry::kCells>& top,
                                              const transfer::SectorProbes& probes);
 

@@ -14,16 +14,16 @@ namespace welkin::transfer {
 namespace {
 
 constexpr std::size_t kUp = 3;                     ///< directions that see the sky
-constexpr std::size_t kColours = kDirections * 3;  ///< numbers a probe
-constexpr std::size_t kSky = 2 * kColours;         ///< of coefficients 0 and 1, and of 2 and 3
+constexpr std::size_t kColours = kDirections * 3;  ///< colour components per probe
+constexpr std::size_t kSky = 2 * kColours;         ///< of coefficients 0 and 1; as many of 2 and 3
 constexpr double kLargest = 3e38;
-constexpr double kMostSun = 1e6;  ///< far above what a light of normal irradiance 1 can give
+constexpr double kMostSun = 1e6;  ///< far above the irradiance that a light of normal irradiance 1 can give
 
 [[noreturn]] void refuse(geometry::SectorId id, std::size_t probe, const std::string& what) {
   throw base::Error(base::ExitStatus::content, fmt::format("sector {}_{}: probe {}: {}", id.x, id.z, probe, what));
 }
 
-/// The probe's numbers of a kind, with what they may be.
+/// Checks a probe's numbers of one kind against their range.
 class Checked {
  public:
   Checked(geometry::SectorId id, std::size_t probe) : id_(id), probe_(probe) {}
@@ -37,7 +37,7 @@ class Checked {
   std::size_t probe_;
 };
 
-/// Of coefficients `first` and the next, [direction][coefficient][channel].
+/// The numbers of coefficient `first` and the next one: [direction][coefficient][channel].
 template <typename Transfer>
 decltype(auto) skyNumber(Transfer& t, std::size_t first, std::size_t i) {
   return t.sky[i / 6][first + i / 3 % 2][static_cast<int>(i % 3)];
@@ -66,7 +66,7 @@ void append(std::span<const double> number, double scale, std::vector<Integer>& 
   for (const double x : number) steps.push_back(toFixed<Integer>(x, scale));
 }
 
-/// Appends a scale and the numbers over it.
+/// Appends a scale and the numbers relative to it.
 template <typename Integer>
 void append(std::span<const double> number, std::vector<std::uint16_t>& scales, std::vector<Integer>& steps) {
   scales.push_back(scaleFor(largestOf(number)));
@@ -106,7 +106,7 @@ void encodeModes(const SectorProbes& probes, EncodedProbes& encoded) {
   }
 }
 
-/// Of a probe over the modes' scales.
+/// Encodes a probe's coefficients relative to the modes' scales.
 void encodeSun(const SunCoefficients& sun, EncodedProbes& encoded) {
   if (encoded.modes() == 0) return;
   std::vector<double> number;
@@ -118,7 +118,7 @@ void encodeSun(const SunCoefficients& sun, EncodedProbes& encoded) {
   append<std::int8_t>(number, encoded.sun_scale, encoded.sun);
 }
 
-/// Lowest and highest as floats that enclose them.
+/// Sets the lowest and highest height, as floats that enclose all positions.
 void setHeights(const std::vector<Number3>& position, EncodedProbes& encoded) {
   if (position.empty()) return;
   const auto [low, high] = std::minmax_element(position.begin(), position.end(),

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// The probes of a sector in few bytes: fixed point over scales. Without modes of the sun, as `sun = "sh"` needs them,
-// 62 bytes a probe:
+// Compact fixed-point encoding of a sector's probes, as the file stores them.
+//
+// Without modes of the sun, as `sun = "sh"` needs them, a probe takes 62 bytes:
 //
 // - position, 3 x u16: x and z in 64 m / 65535 from the sector's corner, y in (high_y - low_y) / 65535 above low_y
-// - visibility, 3 x u16: in 1 / 65535, of the directions up; that of down is 0
+// - visibility, 3 x u16: in 1 / 65535, for the three directions up; for down it is 0
 // - sky_scale, u16: the first 16 bits of a float32 >= 0
-// - sky, 24 x u8: in sky_scale / 255, [direction][coefficient 0, 1][channel], which are never below 0: nothing arrives
-//   from below the horizon
+// - sky, 24 x u8: in sky_scale / 255, [direction][coefficient 0, 1][channel]. These are never below 0, because nothing
+//   arrives from below the horizon.
 // - sky_side, 24 x i8: in sky_scale / 127, [direction][coefficient 2, 3][channel]
 //
-// with n modes of the sun 2 + 4 n more, 104 with 10:
+// With n modes of the sun it takes 2 + 4 n more, 104 with 10 modes:
 //
 // - sun_scale, u16: as above, times the mode's coefficient_scale
 // - sun, 4n x i8: in sun_scale coefficient_scale / 127, [direction][mode]
 //
-// and where the level has emissive surfaces 14 more:
+// Where the level has emissive surfaces it takes 14 more:
 //
 // - emitted_scale, u16: as above
 // - emitted, 12 x u8: in emitted_scale / 255, [direction][channel]
 //
-// Once a sector: the two heights as float32, the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at each knot
-// in mode_scale / 127, and two float32 scales a mode. What fewer and more bits would err by: docs/probes.md.
+// Each sector stores once: the two heights as float32, the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at
+// each knot in mode_scale / 127, and two float32 scales per mode. docs/probes.md gives the errors of fewer and of more
+// bits.
 #pragma once
 
 #include <cstdint>
@@ -34,27 +36,27 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// The probes of a sector as numbers. ProbeTransfer::sun is not among them: `sun` and `modes` stand for it.
+/// The probes of a sector as numbers. `sun` and `modes` stand for ProbeTransfer::sun, which is not encoded.
 struct SectorProbes {
   geometry::SectorId id;
   std::vector<Number3> position;  ///< metres; x and z within the sector
   std::vector<ProbeTransfer> transfer;
-  std::vector<SunCoefficients> sun;  ///< one a probe, each of as many numbers as there are modes
+  std::vector<SunCoefficients> sun;  ///< one entry per probe, each with one number per mode
   SunModes modes;
 };
 
-/// Bytes of a sector's probes, by what they hold.
+/// Bytes of a sector's probes, by content.
 struct ProbeBytes {
   std::size_t position = 0, visibility = 0, sky = 0, sun = 0, emitted = 0;
-  std::size_t scales = 0;   ///< of the probes
-  std::size_t heights = 0;  ///< once a sector
-  std::size_t modes = 0;    ///< likewise: knots, scales and values
+  std::size_t scales = 0;   ///< of all probes
+  std::size_t heights = 0;  ///< stored once per sector
+  std::size_t modes = 0;    ///< stored once per sector: knots, scales and values
 
   std::size_t ofProbes() const { return position + visibility + sky + sun + emitted + scales; }
   std::size_t total() const { return ofProbes() + heights + modes; }
 };
 
-/// Arrays as a file holds them: one entry after the other in the order above, probe by probe.
+/// Arrays as the file stores them, probe by probe in the order above.
 struct EncodedProbes {
   float low_y = 0.0F;
   float high_y = 0.0F;
@@ -79,11 +81,11 @@ struct EncodedProbes {
   std::size_t bytesAProbe() const { return probes() == 0 ? 0 : bytes().ofProbes() / probes(); }
 };
 
-/// Throws Error(content) for numbers that are not finite, a visibility outside [0, 1], coefficients 0 and 1 of the sky
-/// or emitted light below 0 and a position outside the sector.
+/// Encodes the probes. Throws Error(content) if a number is not finite, a visibility is outside [0, 1], coefficient 0
+/// or 1 of the sky or emitted light is below 0, or a position is outside the sector.
 EncodedProbes encodeProbes(const SectorProbes& probes);
 
-/// Throws Error(content) where arrays do not fit each other.
+/// Decodes the probes. Throws Error(content) if the sizes of the arrays do not match.
 SectorProbes decodedProbes(const EncodedProbes& encoded, geometry::SectorId id);
 
 }  // namespace welkin::transfer

@@ -15,8 +15,8 @@ void worsen(double& worst, double a, double b, double over = 1.0) {
   worst = std::max(worst, std::abs(a - b) / over);
 }
 
-/// The largest coefficient that a sky of radiance 0 to 1 above the horizon, black below, can have: the function's
-/// integral over where it is above 0.
+/// The largest coefficient of any sky whose radiance is 0 to 1 above the horizon and 0 below. It is the integral of the
+/// basis function over the directions where it is positive.
 std::array<double, 4> largestOfSkies() {
   const double side = det::kShLinear * det::kPi / 2.0;
   return {det::kShConstant * det::kTwoPi, det::kShLinear * det::kPi, side, side};

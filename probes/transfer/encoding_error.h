@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// What encoding the probes of a sector does to their irradiance.
+// The error that encoding adds to the irradiance of a sector's probes.
 #pragma once
 
 #include "probes/transfer/encoding.h"
 
 namespace welkin::transfer {
 
-/// The worst difference between probes and what became of them.
+/// The largest differences between probes and their decoded copies.
 struct EncodingError {
-  double position_m = 0.0;  ///< of a component
+  double position_m = 0.0;  ///< of one coordinate
   double visibility = 0.0;
-  /// Bound of the bounced irradiance's, of a direction and channel, under any sky of radiance 0 to 1 everywhere; over
-  /// pi, the irradiance of open ground under the sky of radiance 1. So that TransferEffort::error can be compared with
-  /// it.
+  /// Bound of the error of bounced irradiance in one direction and channel, under any sky whose radiance is 0 to 1
+  /// everywhere. It is relative to pi, the irradiance of open ground under a sky of radiance 1, as in
+  /// TransferEffort::error.
   double sky = 0.0;
-  double sun = 0.0;      ///< irradiance, at a knot, of a light of normal irradiance 1, clamped at 0
-  double emitted = 0.0;  ///< irradiance, over the probe's largest
+  double sun = 0.0;      ///< irradiance at a knot by a light of normal irradiance 1, clamped at 0
+  double emitted = 0.0;  ///< irradiance, relative to the probe's largest
 };
 
-/// `decoded` has the places, modes and knots of `probes`.
+/// Compares the two. `decoded` must have the places, modes and knots of `probes`.
 EncodingError encodingError(const SectorProbes& probes, const SectorProbes& decoded);
 
 }  // namespace welkin::transfer

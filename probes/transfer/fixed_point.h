@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed point over a scale.
+// Fixed-point numbers relative to a scale that is stored in 16 bits.
 #pragma once
 
 #include <bit>
@@ -9,8 +9,8 @@
 
 namespace welkin::transfer {
 
-/// The least number that is not below `largest` and whose float32 has only its first 16 bits, as these bits. `largest`
-/// in [0, 3e38].
+/// The scale for numbers up to `largest`, in [0, 3e38]: the first 16 bits of a float32. It is the smallest such float32
+/// that is not below `largest`.
 inline std::uint16_t scaleFor(double largest) {
   auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(largest)) & 0xffff0000U;
   if (double{std::bit_cast<float>(bits)} < largest) bits += 0x10000U;
@@ -21,7 +21,8 @@ inline double scaleOf(std::uint16_t bits) {
   return double{std::bit_cast<float>(std::uint32_t{bits} << 16)};
 }
 
-/// The nearest step of `scale` / largest Integer; 0 for a scale of 0. `value` is at most `scale` in magnitude.
+/// `value` rounded to the nearest step of `scale` / largest Integer; 0 if `scale` is 0. The magnitude of `value` is at
+/// most `scale`.
 template <typename Integer>
 Integer toFixed(double value, double scale) {
   if (scale == 0.0) return 0;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDay_h = 24.0;
 
-/// The last time on the upper side of the horizon between one that is up and one that is not.
+/// The last time on the upper side of the horizon, between a time when the light is up and one when it is not.
 double crossingBetween(const std::function<Number3(double)>& direction_at, double up, double down) {
   constexpr int kHalvings = 40;
   for (int i = 0; i < kHalvings; ++i) {
@@ -42,7 +42,7 @@ LightTrack trackOf(const std::function<Number3(double)>& direction_at, int knots
 
 TrackPlace placeOnTrack(const std::vector<double>& knot_time_h, double time_h) {
   double time = time_h - kDay_h * std::floor(time_h / kDay_h);
-  if (time >= kDay_h) time = 0.0;  // of -1e-300: the floor's rounding
+  if (time >= kDay_h) time = 0.0;  // -1e-300, for one, rounds to a full day
   const auto next = std::upper_bound(knot_time_h.begin(), knot_time_h.end(), time);
   const auto count = knot_time_h.size();
   const auto after = static_cast<std::size_t>(next - knot_time_h.begin());

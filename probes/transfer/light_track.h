@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a light's daily path that is above the horizon, by knots: transfer is known there, and linear between.
+// The part of a light's daily path above the horizon. Transfer is known at its knots and linear between them.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,26 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// Knots in ascending time, in [0, 24). The first and last of each stretch above the horizon are where it crosses it.
+/// Knots in ascending time, in [0, 24). Each stretch above the horizon begins and ends with a knot on the horizon.
 struct LightTrack {
   std::vector<double> time_h;
   std::vector<Number3> direction;  ///< unit, y > 0
 };
 
-/// Of a light's direction over the day, period 24 h: a knot every day / `knots_a_day` while it is up, and one at each
-/// crossing that two such times enclose. A light that never rises has none. knots_a_day >= 2.
+/// Samples a light's direction, which has a period of 24 h. While the light is up there is a knot every day /
+/// `knots_a_day`, and one at each crossing between two such times. A light that never rises has no knots. knots_a_day
+/// >= 2.
 LightTrack trackOf(const std::function<Number3(double time_h)>& direction_at, int knots_a_day);
 
-/// Two neighbours of a track and how far between them.
+/// Two neighbouring knots of a track and the position between them.
 struct TrackPlace {
   std::size_t before = 0;
   std::size_t after = 0;
-  double share = 0.0;  ///< of `after`, in [0, 1]
+  double share = 0.0;  ///< weight of `after`, in [0, 1]
 };
 
-/// Of knots' times, not empty, ascending in [0, 24): where a finite time is among them; past the last one comes the
-/// first of the next day. It says nothing of whether the light is up.
+/// Finds the knots around a finite time. `knot_time_h` is not empty and ascends in [0, 24). After the last knot comes
+/// the first one of the next day. The result does not tell whether the light is up.
 TrackPlace placeOnTrack(const std::vector<double>& knot_time_h, double time_h);
 
 }  // namespace welkin::transfer

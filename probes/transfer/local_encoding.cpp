@@ -12,7 +12,7 @@
 namespace welkin::transfer {
 namespace {
 
-constexpr std::size_t kNumbers = 4 * 3;  ///< of a transfer
+constexpr std::size_t kNumbers = 4 * 3;  ///< numbers per transfer
 constexpr double kLargest = 3e38;
 constexpr double kFarthest_m = 1e7;
 constexpr std::size_t kMostLights = std::size_t{1} << 16;
@@ -52,7 +52,7 @@ struct Entry {
   LocalTransfer transfer;
 };
 
-/// At most 1, which sums of the same numbers in two orders may exceed by their rounding.
+/// The share, clamped to 1: sums of the same numbers in two orders may exceed 1 by rounding.
 double shareOf(double part, double whole) {
   return std::min(part / whole, 1.0);
 }
@@ -78,7 +78,7 @@ SectorLocal thinnedLocal(const std::vector<Number3>& lights, const std::vector<L
   thinning = {};
   for (const Entry& e : entry) {
     const std::size_t more = kLocalTransferBytes + (used[e.transfer.light] ? 0 : kVirtualLightBytes);
-    // Once one does not fit, none of less influence is kept in its place.
+    // Once a transfer does not fit, no transfer of less influence takes its place.
     if (thinning.dropped > 0 || bytes + more > most_bytes) {
       ++thinning.dropped;
       lost[e.probe] += e.influence;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paths of a probe for local lights: surface points that light may bounce off on its way to the probe, shared by
-// all lights, and the choice of the few lights that each of them tests.
+// Paths of a probe for local lights. They visit surface points where light may bounce on its way to the probe. All
+// lights share them, and each point tests only a few lights.
 #pragma once
 
 #include <cstdint>
@@ -14,34 +14,36 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// Where a path meets a surface.
+/// A point where a path meets a surface.
 struct PathVertex {
   Number3 origin;     ///< just off the surface
   Number3 normal;     ///< unit, on the path's side
-  Number3 reflected;  ///< radiance at the probe of unit irradiance here: albedos from here to the probe over pi
-  Number3 first;      ///< direction in which the path leaves the probe, unit
+  Number3 reflected;  ///< radiance at the probe per unit of irradiance here: product of the albedos from here to the
+                      ///< probe, over pi
+  Number3 first;      ///< unit direction in which the path leaves the probe
   double draw = 0.0;  ///< in (0, 1), uniform over vertices
 };
 
-/// Appends the vertices of paths from <= i < to, at most `bounces` each; returns the rays that it took. Beyond the
-/// level there is nothing that a local light could reach.
+/// Appends the vertices of the paths from <= i < to, at most `bounces` for each path. Returns the number of rays
+/// traced. Paths end outside the level, where no local light can reach a surface.
 std::uint64_t traceVertices(const geometry::Tracer& tracer, const Number3& position, const PathPoints& points,
                             std::uint32_t from, std::uint32_t to, int bounces, std::vector<PathVertex>& vertices);
 
-/// Irradiance, with nothing in its way, of one side of a surface by a point light of radiant intensity 1: cosine over
-/// the square of the distance, or of `nearest_m` where that is more; 0 at the light itself.
+/// Irradiance of one side of a surface by a point light of radiant intensity 1, without shadows. It is the cosine over
+/// the squared distance, or over the square of `nearest_m` if the light is nearer; 0 at the light itself.
 double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light, double nearest_m);
 
-/// Lights at a vertex, drawn in proportion to their unshadowed irradiance: systematic sampling, or all where they are
-/// no more than the draws (Ward, "Adaptive Shadow Testing for Ray Tracing", 1991, sorts by the same number).
+/// Draws lights at a vertex in proportion to their unshadowed irradiance, by systematic sampling. It takes all lights
+/// if there are no more than the draws. (Ward, "Adaptive Shadow Testing for Ray Tracing", 1991, sorts by the same
+/// number.)
 class LightDraw {
  public:
-  /// `lights` outlives it.
+  /// `lights` must outlive the object.
   LightDraw(std::span<const Number3> lights, std::size_t draws, double nearest_m)
       : light_(lights), draws_(draws), nearest_m_(nearest_m), part_(lights.size()) {}
 
-  /// Asks of the lights at a vertex: visit(light, irradiance) for each one drawn, with what the draw stands for; its
-  /// mean over PathVertex::draw is the light's unshadowed irradiance.
+  /// Calls visit(light, irradiance) for each light drawn at a vertex, with the irradiance that the draw represents. The
+  /// mean of that irradiance over PathVertex::draw is the light's unshadowed irradiance.
   template <typename Visit>
   void at(const PathVertex& vertex, const Visit& visit) {
     double total = 0.0;
@@ -67,7 +69,7 @@ class LightDraw {
     }
   }
 
-  /// Irradiance of every light at the last vertex, with nothing in its way.
+  /// Unshadowed irradiance of every light at the last vertex.
   std::span<const double> unshadowed() const { return part_; }
 
  private:

@@ -17,7 +17,7 @@ struct Seen {
   double distance;
 };
 
-/// Those that take a share, nearest first.
+/// The virtual lights that take a share, nearest first.
 std::vector<Seen> seenFrom(std::span<const Number3> lights, const Number3& position, const SeeEachOther& see) {
   std::vector<Seen> all;
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -54,7 +54,7 @@ LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<con
     std::vector<double> weight;
     double sum = 0.0;
     for (const Seen& s : seen) {
-      // Times the nearest distance, so that a tiny one does not overflow.
+      // Scaled by the nearest distance, so that a tiny distance does not overflow.
       const double root = seen.front().distance * (1.0 / s.distance - 1.0 / reach);
       weight.push_back(root * root);
       sum += weight.back();

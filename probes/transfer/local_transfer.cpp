@@ -19,10 +19,10 @@
 namespace welkin::transfer {
 namespace {
 
-constexpr std::uint64_t kLocal = 0x6c6f63616cU;   ///< keeps these paths apart from those of the distant light
-constexpr std::uint32_t kBlock = 256;             ///< paths at once: it bounds the memory
-constexpr std::uint32_t kChoicePaths = 128;       ///< for the choice under a budget: that has no error to keep
-constexpr std::uint32_t kMostChoicePaths = 4096;  ///< without one; their vertices are kept
+constexpr std::uint64_t kLocal = 0x6c6f63616cU;  ///< separates these paths from those of the distant light
+constexpr std::uint32_t kBlock = 256;            ///< paths at once; limits the memory
+constexpr std::uint32_t kChoicePaths = 128;  ///< for the choice under a budget; the choice has no error bound to meet
+constexpr std::uint32_t kMostChoicePaths = 4096;  ///< for the choice without a budget; their vertices are kept
 
 [[noreturn]] void refuse(const std::string& what) {
   throw base::Error(base::ExitStatus::content, "local transfer: " + what);
@@ -65,7 +65,7 @@ using ReplicateSums = std::array<std::vector<Radiance>, kReplicates>;
 /// Means over replicates, and the spread of coefficient 0.
 class ReplicateMeans {
  public:
-  /// `paths`: of each replicate.
+  /// `paths` is the number of paths per replicate.
   ReplicateMeans(const ReplicateSums& sums, std::uint32_t paths)
       : mean_(sums[0].size()), squares_(sums[0].size(), Number3(0.0)) {
     constexpr double kShare = 1.0 / double{kReplicates};
@@ -93,7 +93,7 @@ class ReplicateMeans {
   std::vector<Number3> squares_;
 };
 
-/// The transfers that some light arrived by, and their errors.
+/// Stores the transfers by which some light arrived, and their errors.
 void setTransfer(const std::vector<std::size_t>& chosen, const ReplicateMeans& means, LocalProbe& probe) {
   probe.transfer.clear();
   probe.standard_error.clear();
@@ -143,7 +143,7 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorI
     if (isWithin(light_[l], position, settings_.reach_m)) choose(l);
   std::vector<PathVertex> vertices;
   if (light.size() > settings_.lights) {
-    // Paths of their own: the choice knows nothing of what is measured then, which keeps that unbiased.
+    // The choice uses separate paths. It knows nothing of the later measurement, which keeps that unbiased.
     const std::uint32_t paths = std::min(most, settings_.max_error > 0.0 ? kChoicePaths : kMostChoicePaths);
     result.rays += traceVertices(seen, position, points_of(kReplicates), 0, paths, settings_.bounces, vertices);
     const auto influence =

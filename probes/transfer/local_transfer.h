@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local radiance transfer: what a level sends to a probe of a white point light, for lights at fixed places, those of
-// probes ("virtual" lights). At run time dynamic lights are shared among these. Stefanov, "Deferred Radiance Transfer
-// Volumes" (GDC 2012); Kristensen, Akenine-Moller and Jensen, "Precomputed Local Radiance Transfer for Real-Time
-// Lighting Design" (2005).
+// Local radiance transfer: the light of a white point light that a level sends to a probe. The lights stand at fixed
+// places, those of probes ("virtual" lights); at run time dynamic lights are shared among them. Stefanov, "Deferred
+// Radiance Transfer Volumes" (GDC 2012); Kristensen, Akenine-Moller and Jensen, "Precomputed Local Radiance Transfer
+// for Real-Time Lighting Design" (2005).
 #pragma once
 
 #include <array>
@@ -19,61 +19,62 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-inline constexpr std::size_t kMostLocalLights = 128;  ///< of a probe
+inline constexpr std::size_t kMostLocalLights = 128;  ///< limit for one probe
 
 struct LocalSettings {
-  /// Paths a probe: a multiple of kReplicates, kLeastRays to kMostRays. With max_error > 0, the most that one may take.
+  /// Paths per probe: a multiple of kReplicates, kLeastRays to kMostRays. With max_error > 0 it is the limit for a
+  /// probe.
   std::size_t rays = 1024;
-  int bounces = 2;                        ///< surfaces that light bounces off at most, 1..kMostBounces
+  int bounces = 2;                        ///< largest number of bounces, 1..kMostBounces
   std::size_t light_rays = 8;             ///< lights that each vertex of a path tests, at least 1
-  std::size_t lights = kMostLocalLights;  ///< kept a probe, 1..kMostLocalLights
-  /// Surfaces nearer to a virtual light than this, 0..kSector_m, are lit as if they were this far away. It stands for
-  /// lamps some metres about it: exact for one in its place only at 0, but then a light beside a wall makes a spot of
-  /// all of them.
+  std::size_t lights = kMostLocalLights;  ///< kept per probe, 1..kMostLocalLights
+  /// Surfaces nearer to a virtual light than this, 0..kSector_m, are lit as from this distance. The virtual light
+  /// stands for lamps up to some metres away. Only 0 is exact for a lamp in its very place, but then a virtual light
+  /// beside a wall turns all of them into a bright spot.
   double nearest_m = 0.0;
-  /// > 0, less than 1: each probe traces until its LocalProbe::error is at most that, or `rays` are spent. 0: `rays`
-  /// paths each.
+  /// In (0, 1): each probe traces until its LocalProbe::error is at most this, or `rays` are spent. 0: each probe
+  /// traces `rays` paths.
   double max_error = 0.0;
-  /// How far a probe sees the level and its lights along x and z, as TransferSettings::reach_m.
+  /// Distance to which a probe sees the level and its lights along x and z, as TransferSettings::reach_m.
   double reach_m = std::numeric_limits<double>::infinity();
 };
 
-/// Of a virtual light of radiant intensity 1 at a probe.
+/// Transfer from a virtual light of radiant intensity 1 to a probe.
 struct LocalTransfer {
   std::uint32_t light = 0;  ///< index of its position
   /// Bounced radiance at the probe, 2 bands: the integral over the sphere of radiance times Y_k, index l (l + 1) + m.
-  /// The light itself is not in it.
+  /// Direct light is not included.
   std::array<Number3, 4> radiance{};
 
-  /// Its energy for choosing: the channels' sum of coefficient 0.
+  /// Energy by which lights are chosen: the sum over channels of coefficient 0.
   double influence() const { return radiance[0].x + radiance[0].y + radiance[0].z; }
 };
 
 struct LocalProbe {
-  std::vector<LocalTransfer> transfer;  ///< of lights from which some light arrived, ascending
-  std::vector<Number3> standard_error;  ///< of coefficient 0 of each
-  /// Half the 95 % confidence interval of every transfer's influence, summed, over the probe's influence: what a lamp
-  /// in a light's place is off by, averaged by influence. All of them lit alike are off by no more. 0 where no light
-  /// arrived.
+  std::vector<LocalTransfer> transfer;  ///< from lights of which some light arrived, ascending by light
+  std::vector<Number3> standard_error;  ///< of each transfer's coefficient 0
+  /// Sum over transfers of half the 95 % confidence interval of their influence, over the probe's influence. It is the
+  /// error of a lamp in a light's place, averaged by influence. The error of all lights lit alike is no larger. 0 if no
+  /// light arrived.
   double error = 0.0;
-  std::size_t paths = 0;   ///< without those of the choice
-  std::uint64_t rays = 0;  ///< segments of paths and tests of lights, those of the choice included
+  std::size_t paths = 0;   ///< without the paths that choose lights
+  std::uint64_t rays = 0;  ///< path segments and light tests, including those that choose lights
 };
 
-/// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings, list of
-/// lights, position, sector and index. Rays a probe are bounded, however many lights there are: paths bounces
-/// (1 + light_rays). Where there are more lights than `lights`, the choice takes an eighth of LocalSettings::rays as
-/// paths of its own, at most 4096 and under a budget 128, and one ray for each light more.
+/// Traces probes of one level. Any thread may call it. A probe's result depends only on level, settings, list of
+/// lights, position, sector and index. Rays per probe are limited to paths bounces (1 + light_rays), however many
+/// lights there are. If there are more lights than `lights`, the choice traces more: an eighth of LocalSettings::rays
+/// as paths of its own, at most 4096, or 128 under a budget, and one ray for each light.
 class LocalTransferTracer {
  public:
-  /// `tracer` outlives it; `lights`: positions of virtual lights, near the sector. Throws Error(content) for settings
-  /// outside their range and positions that are not finite.
+  /// `tracer` must outlive the object. `lights` are positions of virtual lights near the sector. Throws Error(content)
+  /// if a setting is out of its range or a position is not finite.
   LocalTransferTracer(const geometry::Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
 
   LocalProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                    const TransferProgress& progress = {}) const;
 
-  /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
+  /// Traces all probes of a sector, in its order, on all threads of the caller's arena.
   std::vector<LocalProbe> trace(const geometry::PlacedSector& sector) const;
 
   const std::vector<Number3>& lights() const { return light_; }

@@ -9,7 +9,7 @@
 namespace welkin::transfer {
 namespace {
 
-/// Streams of a replicate: the first direction, then two a bounce.
+/// Streams of a replicate: one for the first direction, then two for each bounce.
 enum : std::uint64_t { kFirst = 0, kBounce = 1, kLight = 2 };
 
 std::uint64_t keyOf(std::uint64_t key, std::uint64_t stream, int bounce) {
@@ -49,7 +49,7 @@ Number3 PathPoints::onSphere(std::uint32_t i) const {
   const Sequence::Point point = first_.sequence.point(i);
   const UnitVector2 at = azimuth(first_, point.t);
   const double y = 1.0 - 2.0 * fractionOf(point.s);
-  const double across = std::sqrt((1.0 - y) * (1.0 + y));
+  const double across = det::sineFromCosine(y);
   return {across * at.y, y, across * at.x};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The directions of a replicate's paths: well spread over the sphere, about each bounce's normal and over the lights,
-// without a transcendental function a ray.
+// Directions for the paths of a replicate: well spread over the sphere, about each bounce's normal and over the lights.
+// They need no transcendental function per ray.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// Cosine and sine of the middles of kCircle equal arcs.
+/// Cosine and sine of the middle of one of kCircle equal arcs.
 struct UnitVector2 {
   double x, y;
 };
@@ -23,7 +23,7 @@ inline constexpr std::size_t kCircle = 1024;
 class CircleTable {
  public:
   CircleTable();
-  /// Of a fraction of 2^32 of the circle, to the middle of its arc.
+  /// The middle of the arc that holds the fraction t / 2^32 of the circle.
   const UnitVector2& at(std::uint32_t t) const { return point_[t >> 22]; }
 
  private:
@@ -31,17 +31,19 @@ class CircleTable {
 };
 static_assert(kCircle == 1U << (32 - 22));
 
-/// Points of one replicate of one probe. Azimuths are those of the table, turned by a random angle of the replicate.
+/// Points of one replicate of one probe. Azimuths come from the table and are turned by a random angle of the
+/// replicate.
 class PathPoints {
  public:
-  /// `key`: of sector, probe and replicate; directions for `bounces` bounces. `circle` outlives it.
+  /// `key` combines sector, probe and replicate. There are directions for `bounces` bounces. `circle` must outlive the
+  /// object.
   PathPoints(const CircleTable& circle, std::uint64_t key, int bounces);
 
   /// The first direction of path i.
   Number3 onSphere(std::uint32_t i) const;
-  /// Its direction after bounce `bounce` = 0..bounces - 1, density cosine / pi about the unit normal.
+  /// Direction of path i after bounce 0..bounces - 1, with density cosine / pi about the unit normal.
   Number3 aboutNormal(int bounce, std::uint32_t i, const Number3& normal) const;
-  /// Where in the first step of the lights its vertex samples them, in (0, 1).
+  /// Offset, in (0, 1), of the vertex's light samples within the first step of the lights.
   double lightOffset(int bounce, std::uint32_t i) const;
 
  private:

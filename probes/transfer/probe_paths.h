@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paths of one probe, from it to the distant light.
+// Traces the paths of one probe to the distant light.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// Traces paths from a position through `Rays`, which is Tracer or does as Tracer does (a benchmark records).
+/// Traces paths from a position. `Rays` is Tracer or a class with its interface, such as a benchmark's recorder.
 template <typename Rays>
 class Paths {
  public:
   Paths(const Rays& rays, const TransferSettings& settings, bool emissive)
       : rays_(rays), settings_(settings), emissive_(emissive) {}
 
-  /// Adds paths from <= i < to of a replicate.
+  /// Adds the paths from <= i < to of a replicate.
   void trace(const Number3& position, const PathPoints& points, std::uint32_t from, std::uint32_t to,
              std::array<HalfSums, 2>& sums) {
     for (std::uint32_t i = from; i < to; ++i) {
@@ -51,7 +51,7 @@ class Paths {
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-  /// The path from its first surface on.
+  /// Follows a path from its first surface on.
   void follow(geometry::Hit hit, const PathPoints& points, std::uint32_t i, HalfSums& half) {
     Number3 throughput(1.0);
     for (int bounce = 0;; ++bounce) {
@@ -64,7 +64,7 @@ class Paths {
       const Number3 next = points.aboutNormal(bounce, i, hit.normal);
       ++ray_count_;
       const bool last = bounce + 1 == settings_.bounces;
-      if (last && !emissive_) {  // whether it leaves is all that counts
+      if (last && !emissive_) {  // only whether the ray leaves the level matters
         if (next.y > 0.0 && !rays_.occluded(origin, next, kFar)) addSky(next, throughput, half);
         return;
       }
@@ -87,8 +87,8 @@ class Paths {
     addWeighted(half.sky[3], weight_, throughput * (det::kShLinear * direction.x));
   }
 
-  /// Systematic sampling: light_rays of the directions, evenly spread from a random one, each counted for all that it
-  /// stands for. What is behind the surface or below the horizon costs no ray.
+  /// Systematic sampling: tests light_rays of the directions, evenly spread from a random one. Each test counts for all
+  /// the directions that it represents. Lights behind the surface or below the horizon cost no ray.
   void addLights(const Number3& normal, const Number3& origin, const Number3& throughput, double offset,
                  HalfSums& half) {
     const std::size_t lights = settings_.light_directions.size();
@@ -121,12 +121,12 @@ inline bool anyEmissive(const geometry::Surfaces& surfaces) {
                      [](const geometry::Material& m) { return !(m.emission == Number3(0.0)); });
 }
 
-/// Paths of a probe until there are enough of them: all at once, or doubled until the error is small.
+/// Traces paths of a probe until there are enough of them: all at once, or doubled until the error is small.
 template <typename Rays>
 TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
                        const Number3& position, geometry::SectorId sector, std::size_t probe,
                        const TransferProgress& progress = {}) {
-  constexpr std::uint32_t kBlock = 1024;  // between two calls of progress: some milliseconds
+  constexpr std::uint32_t kBlock = 1024;  // paths between two calls of progress: some milliseconds
   TransferSums sums;
   std::vector<PathPoints> points;
   for (std::size_t r = 0; r < kReplicates; ++r) {

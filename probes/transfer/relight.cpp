@@ -20,7 +20,7 @@ Number3 product(const std::array<Number3, 4>& a, const std::array<Number3, 4>& b
 }  // namespace
 
 std::array<Number3, 4> fittedToHemisphere(const std::array<Number3, 4>& sh) {
-  // Inner products: 1/2 of each function with itself, sqrt(3)/4 of the constant with that of y, else 0.
+  // Inner products: 1/2 of each function with itself, sqrt(3)/4 of the constant with the function of y, otherwise 0.
   const double mixed = 4.0 * std::sqrt(3.0);
   return {sh[0] * 8.0 - sh[1] * mixed, sh[1] * 8.0 - sh[0] * mixed, sh[2] * 2.0, sh[3] * 2.0};
 }

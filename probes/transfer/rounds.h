@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many paths a probe takes: a fixed number, or as many as bring its error within a budget.
+// Traces a fixed number of paths for a probe, or as many as keep its error within a budget.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace welkin::transfer {
 
-/// Rounds of paths of every replicate, `most` of each at once, or, with max_error > 0, doubled from 32 until the error
-/// is at most that. round(from, to) traces paths from <= i < to of every replicate and gives the error of all so far.
-/// Returns how many of a replicate were traced.
+/// Traces rounds of paths of every replicate: `most` at once, or, with max_error > 0, doubled from 32 until the error
+/// is at most that. round(from, to) traces the paths from <= i < to of every replicate and returns the error of all
+/// paths so far. Returns the number of paths traced per replicate.
 template <typename Round>
 std::uint32_t traceRounds(std::uint32_t most, double max_error, const Round& round) {
-  constexpr std::uint32_t kFirst = 32;  // of a replicate: fewer say too little of the error
+  constexpr std::uint32_t kFirst = 32;  // per replicate; fewer paths do not show the error well
   std::uint32_t done = 0;
   std::uint32_t next = max_error > 0.0 ? std::min(kFirst, most) : most;
   for (;;) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-discrepancy points for paths: the first two dimensions of Sobol's sequence, shuffled and shifted by a key, so
-// that several of them side by side do not know of each other. Integers only; any 2^m points from the start are a net.
-// Sobol, "On the Distribution of Points in a Cube and the Approximate Evaluation of Integrals" (1967); Burley,
-// "Practical Hash-based Owen Scrambling" (2020).
+// Low-discrepancy points for paths: the first two dimensions of Sobol's sequence, shuffled and shifted by a key. The
+// key makes sequences side by side independent. It uses integers only, and any first 2^m points are a net. Sobol, "On
+// the Distribution of Points in a Cube and the Approximate Evaluation of Integrals" (1967); Burley, "Practical
+// Hash-based Owen Scrambling" (2020).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace welkin::transfer {
 
-/// The bits of a number from the last to the first.
+/// The bits of a number in reverse order.
 constexpr std::uint32_t reversedBits(std::uint32_t x) {
   x = __builtin_bswap32(x);
   x = ((x >> 4) & 0x0f0f0f0fU) | ((x & 0x0f0f0f0fU) << 4);
@@ -19,7 +19,7 @@ constexpr std::uint32_t reversedBits(std::uint32_t x) {
   return ((x >> 1) & 0x55555555U) | ((x & 0x55555555U) << 1);
 }
 
-/// A fraction of 2^32 as the middle of its step: in (0, 1).
+/// The middle of step x of 2^32, as a fraction in (0, 1).
 constexpr double fractionOf(std::uint32_t x) {
   return (static_cast<double>(x) + 0.5) * 0x1p-32;
 }
@@ -40,11 +40,11 @@ class Sequence {
     return {reversed ^ shift_.s, pascal(reversed) ^ shift_.t};
   }
 
-  /// Its first coordinate alone.
+  /// The first coordinate of point i.
   constexpr std::uint32_t value(std::uint32_t i) const { return shuffled(i) ^ shift_.s; }
 
  private:
-  /// Laine and Karras' hash of the index from its highest bit down: blocks of 2^m indices stay together.
+  /// Laine and Karras' hash of the index from its highest bit down. Blocks of 2^m indices stay together.
   constexpr std::uint32_t shuffled(std::uint32_t i) const {
     std::uint32_t x = reversedBits(i) + shuffle_;
     x ^= x * 0x6c50b47cU;

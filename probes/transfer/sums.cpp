@@ -26,7 +26,7 @@ class DirectionEstimator {
     }
   }
 
-  /// Of summand(r, h), a replicate's sum of weights times radiance.
+  /// The estimate for summand(r, h), a replicate's sum of weights times radiance in one half.
   template <typename Summand>
   RatioEstimate of(const Summand& summand) const {
     std::array<std::array<double, 2>, kReplicates> value;
@@ -59,7 +59,7 @@ class DirectionEstimator {
 
 TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
                      const std::vector<Number3>& light_direction) {
-  // Irradiance over pi of the plane, by coefficient of the distant light: all of the upper hemisphere, by its cosine.
+  // Irradiance over pi of the plane, by coefficient of the distant light: the whole upper hemisphere, cosine-weighted.
   constexpr std::array<double, 4> kPlane{det::kShConstant, det::kShLinear * 2.0 / 3.0, 0.0, 0.0};
   const auto basis = transferBasis();
   double highest = 0.0;
@@ -71,7 +71,7 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
     const double open = estimator.of([&](std::size_t r, std::size_t h) { return sums[r][h].open[b]; }).value;
     const double unoccluded =
         estimator.of([&](std::size_t r, std::size_t h) { return h == 0 ? sums[r][h].weight[b] : 0.0; }).value;
-    // From the same sum of weights, so that 1 is 1; rounding of the two products is the same, too.
+    // Both use the same sum of weights and round alike, so an open probe gets exactly 1.
     result.transfer.visibility[b] = unoccluded > 0.0 ? open / unoccluded : 0.0;
     result.transfer.sun[b].resize(light_direction.size());
     for (int c = 0; c < 3; ++c) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the paths of a probe add up to. Directions above and below the horizon are normalised apart, each by the exact
-// integral of the cosine over its half (post-stratification): where nothing occludes, visibility is 1 to rounding, and
-// where nothing arrives, everything is 0. Paths come in replicates, each with its own random numbers: their spread is
-// the standard error.
+// Sums over the paths of a probe, and the transfer that follows from them. Directions above and below the horizon are
+// normalised separately, each by the exact integral of the cosine over its half (post-stratification). So visibility is
+// 1 to rounding where nothing occludes, and everything is 0 where nothing arrives. Paths come in replicates, each with
+// its own random numbers; their spread gives the standard error.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
-/// Independent sets of paths a probe.
+/// Independent sets of paths per probe.
 inline constexpr std::size_t kReplicates = 8;
-/// Half a 95 % confidence interval over the standard error: 97.5 % of Student's t with kReplicates - 1 degrees of
-/// freedom.
+/// Half a 95 % confidence interval over the standard error: the 97.5 % quantile of Student's t with kReplicates - 1
+/// degrees of freedom.
 inline constexpr double kStudent = 2.364624251592785;
 static_assert(kReplicates == 8);
 
@@ -30,14 +30,14 @@ using DirectionColours = std::array<std::array<double, 3>, kDirections>;  ///< [
 /// Sums over the paths of one replicate whose first direction is in one half.
 struct HalfSums {
   DirectionWeights weight{};
-  DirectionWeights open{};                ///< weight of what leaves upward at once
+  DirectionWeights open{};                ///< weight of paths that leave the level upward at once
   std::array<DirectionColours, 4> sky{};  ///< by coefficient
-  DirectionColours plane{};               ///< of throughput that meets the plane beyond the level
+  DirectionColours plane{};               ///< throughput of paths that meet the plane beyond the level
   DirectionColours emitted{};
   std::vector<DirectionColours> light;  ///< by light direction
 };
 
-/// Adds radiance from a path to each direction's irradiance.
+/// Adds a path's radiance to each direction's irradiance.
 inline void addWeighted(DirectionColours& sum, const DirectionWeights& weight, const Number3& radiance) {
   for (std::size_t b = 0; b < kDirections; ++b) {
     sum[b][0] += weight[b] * radiance.x;
@@ -49,8 +49,8 @@ inline void addWeighted(DirectionColours& sum, const DirectionWeights& weight, c
 /// [replicate][half]
 using TransferSums = std::array<std::array<HalfSums, 2>, kReplicates>;
 
-/// The transfer and its errors; `plane_albedo` and `light_direction` say what the plane beyond the level sends back.
-/// Leaves TransferEffort::paths and rays 0.
+/// The transfer and its errors. `plane_albedo` and `light_direction` determine the light from the plane beyond the
+/// level. TransferEffort::paths and rays stay 0.
 TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
                      const std::vector<Number3>& light_direction);
 

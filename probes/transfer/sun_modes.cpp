@@ -10,7 +10,7 @@
 namespace welkin::transfer {
 namespace {
 
-/// A row for every probe and direction, a column for every knot and channel.
+/// A matrix with a row for every probe and direction, and a column for every knot and channel.
 std::vector<double> rowsOf(std::span<const ProbeTransfer* const> probes, std::size_t knots) {
   std::vector<double> rows;
   rows.reserve(probes.size() * kDirections * knots * 3);
@@ -20,7 +20,7 @@ std::vector<double> rowsOf(std::span<const ProbeTransfer* const> probes, std::si
   return rows;
 }
 
-/// Compares the rows with those that were rebuilt from modes.
+/// The error of the rebuilt rows, clamped at 0.
 SunModesError errorOf(std::span<const double> rows, std::size_t columns, std::span<const double> rebuilt) {
   SunModesError error;
   double sum = 0.0;

@@ -17,20 +17,21 @@ namespace welkin::transfer {
 using f64::Number3;
 
 struct TransferSettings {
-  /// Paths a probe: a multiple of kReplicates, at least kLeastRays. With max_error > 0, the most that a probe may take.
+  /// Paths per probe: a multiple of kReplicates, at least kLeastRays. With max_error > 0 it is the limit for a probe.
   std::size_t rays = 1024;
-  /// Surfaces that a path may meet, 0..kMostBounces: light that was reflected more often is not counted.
+  /// Largest number of surfaces that a path meets, 0..kMostBounces. Light that was reflected more often is not counted.
   int bounces = 2;
-  /// Of the plane that is seen where a ray leaves the level downward.
+  /// Albedo of the plane that a ray meets where it leaves the level downward.
   Number3 ground_albedo{0.0};
-  /// Unit directions of sun and moon along their paths. Below the horizon they give nothing.
+  /// Unit directions of sun and moon along their paths. Directions below the horizon give nothing.
   std::vector<Number3> light_directions;
-  /// How many of them each vertex tests.
+  /// Number of light directions that each vertex tests.
   std::size_t light_rays = 8;
-  /// How far a probe sees the level along x and z, >= 0; a ray that gets farther has left it. Of the probe, not of its
-  /// sector: what a probe holds does not depend on where sectors end.
+  /// Distance >= 0 to which a probe sees the level along x and z; a ray that gets farther has left it. It is measured
+  /// from the probe, so sector borders do not change a probe.
   double reach_m = std::numeric_limits<double>::infinity();
-  /// > 0: each probe traces until its TransferEffort::error is at most that, or `rays` are spent. 0: `rays` paths each.
+  /// > 0: each probe traces until its TransferEffort::error is at most this, or `rays` are spent. 0: each probe traces
+  /// `rays` paths.
   double max_error = 0.0;
 };
 
@@ -38,21 +39,21 @@ inline constexpr std::size_t kLeastRays = 64;
 inline constexpr std::size_t kMostRays = std::size_t{1} << 24;
 inline constexpr int kMostBounces = 16;
 
-/// Called from any thread, at the end of a probe and every 2048 paths at least, with the rays traced since. What it
-/// throws ends the tracing.
+/// Called from any thread with the rays traced since the last call: at the end of a probe, and at least every 2048
+/// paths. An exception from it ends the tracing.
 using TransferProgress = std::function<void(std::uint64_t rays)>;
 
-/// Traces probes of one level. Any thread may call it; a probe's result depends on nothing but level, settings,
-/// position, sector and index.
+/// Traces probes of one level. Any thread may call it. A probe's result depends only on level, settings, position,
+/// sector and index.
 class TransferTracer {
  public:
-  /// `tracer` outlives it. Throws Error(content) for settings outside their range.
+  /// `tracer` must outlive the object. Throws Error(content) if a setting is out of its range.
   TransferTracer(const geometry::Tracer& tracer, TransferSettings settings);
 
   TracedProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                     const TransferProgress& progress = {}) const;
 
-  /// All probes of a sector, on all threads of the caller's arena, in the sector's order.
+  /// Traces all probes of a sector, in its order, on all threads of the caller's arena.
   std::vector<TracedProbe> trace(const geometry::PlacedSector& sector) const;
 
   const TransferSettings& settings() const { return settings_; }
@@ -64,7 +65,7 @@ class TransferTracer {
   bool emissive_;
 };
 
-/// One probe alone.
+/// Traces a single probe.
 ProbeTransfer traceTransfer(const geometry::Tracer& tracer, const Number3& position, const TransferSettings& settings,
                             geometry::SectorId sector, std::size_t probe);
 

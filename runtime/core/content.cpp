@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file must hold before anything samples it: every field there, every size as the others ask, every number in
-// its domain. The container's checksum finds accidents; this finds files made by something else.
+// Checks a file before anything samples it: every field is there, every size is as the others ask, and every number is
+// in its domain. The container's checksum finds accidents; this finds files made by something else.
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +81,7 @@ void checkGradient(Check& check, const format::Gradient* gradient, const char* n
   check.that(within(rgb, 0.0, kAny), name, "has a value out of its domain");
 }
 
-/// Largest number that is stored, NaN and infinity included; what it may be times its scales is checked apart.
+/// Largest number that is stored, NaN and infinity included. Its product with its scales is checked apart.
 double largestStored(const format::Day& day) {
   using format::Encoding;
   const std::uint8_t* numbers = day.numbers()->data();

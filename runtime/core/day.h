@@ -39,9 +39,9 @@ class Day {
   Day() = default;
   explicit Day(const format::Day& day);
 
-  /// The shape of the sky at an hour, intensity 1, without ground. Elements past those of the file are not set.
+  /// The shape of the sky at an hour, intensity 1, without ground. Elements that the file does not have are not set.
   struct Shape {
-    std::array<Channels, kMostModes> weight;  ///< of the modes
+    std::array<Channels, kMostModes> weight;  ///< the modes'
     std::array<Channels, kMostRows> polar;    ///< coefficients of radiance in the sun's frame
     f64::Number3 horizontal_irradiance;       ///< 0 where the file needs none
   };
@@ -56,7 +56,7 @@ class Day {
   template <format::Encoding kEncoding>
   void blend(double time_h, Channels* rows) const;
 
-  Blend blend_ = nullptr;  ///< of the file's encoding
+  Blend blend_ = nullptr;  ///< for the file's encoding
   std::span<const double> key_time_h_;
   std::span<const float> key_scale_, row_scale_;
   const std::uint8_t* numbers_ = nullptr;

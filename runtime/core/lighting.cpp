@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a renderer makes of samples: irradiance, cross-blends, one key light, other engines' packings. All pure
-// functions.
+// A renderer's use of samples: irradiance, cross-blends, one key light, other engines' packings. All functions are
+// pure.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening, closing and describing a sky: the part of the C interface that hands out what the file holds.
+// Opening, closing and describing a sky: the part of the C interface that hands out the file's content.
 #include "core/sky.h"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ constexpr int bandOf(std::uint32_t coefficient) {
   return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
 }
 
-/// Least of what is divided by: not 0 as a float either.
+/// The least divisor: as a float it is not 0 either.
 inline constexpr double kLeastDivisor = 1e-30;
 
 }  // namespace welkin::core
@@ -56,6 +56,6 @@ struct WelkinSky {
   std::size_t cubemap_count = 0;
   std::unique_ptr<double[]> cubemap_time_h;
   std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null: the file's own floats
-  double constant_norm = 1.0;                            ///< of the luminance
+  double constant_norm = 1.0;                            ///< the luminance's
   double ground_sh[25] = {};                             ///< coefficients of a radiance of 1 below the horizon
 };

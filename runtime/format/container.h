@@ -38,11 +38,11 @@ struct Opened {
   Refusal refusal = Refusal::none;
   const File* file = nullptr;  ///< points into the bytes; null when refused
   std::uint32_t found_version = 0;
-  std::uint64_t expected_size = 0;  ///< what the header says, when it could be read
+  std::uint64_t expected_size = 0;  ///< by the header, when it could be read
 };
 
 /// Checks header, size, checksum and the structure of the FlatBuffer (every offset inside the bytes). O(size), does not
-/// allocate. What the values mean is not checked.
+/// allocate. The meaning of the values is not checked.
 Opened openContainer(std::span<const std::byte> bytes);
 
 /// Puts the header before a finished FlatBuffer.

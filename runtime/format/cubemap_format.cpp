@@ -12,8 +12,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "texels are used as they lie in the file");
 
 constexpr std::uint16_t kHalfOne = 0x3c00;
-constexpr int kBias = 15;       // of all exponents here
-constexpr int kSharedBits = 9;  // of an RGB9E5 component
+constexpr int kBias = 15;       // all exponents here have it
+constexpr int kSharedBits = 9;  // in an RGB9E5 component
 constexpr int kLowestExponent = -kBias - 1;
 
 /// 2^exponent, for the exponents of floats.

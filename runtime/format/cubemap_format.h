@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formats of a cubemap's texels: what a file holds, a device filters and the bake encodes. Vulkan 1.3, "Formats";
-// RGB9E5 by its "RGB to Shared Exponent Conversion", the small floats rounded to the nearest, ties to even.
+// The formats of a cubemap's texels: files hold them, devices filter them, the bake encodes them. Vulkan 1.3,
+// "Formats"; RGB9E5 by its "RGB to Shared Exponent Conversion", the small floats rounded to the nearest, ties to even.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the numbers of the day's table are stored and read.
+// The storage of the numbers of the day's table.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ constexpr bool hasRowScale(Encoding encoding) {
   return encoding == Encoding::fixed16 || encoding == Encoding::fixed8;
 }
 
-/// Rows of a table of SH coefficients: those of m >= 0.
+/// Rows of a table of SH coefficients, of which it holds those with m >= 0.
 constexpr std::size_t polarCount(std::size_t bands) {
   return bands * (bands + 1) / 2;
 }

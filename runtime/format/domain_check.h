@@ -27,10 +27,10 @@ std::span<const T> spanOf(const flatbuffers::Vector<T>* vector) {
   return vector == nullptr ? std::span<const T>() : std::span<const T>(vector->data(), vector->size());
 }
 
-/// The verifier of FlatBuffers checks the alignment of a vector's length, not that of its elements.
+/// The verifier of FlatBuffers checks the alignment of a vector's length, but not of its elements.
 bool aligned(const flatbuffers::Vector<double>* vector);
 
-/// What is wrong with a path; null: nothing.
+/// The fault of a path, in words; null without one.
 const char* faultOf(const LightPath& path);
 
 }  // namespace welkin::format

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Piecewise linear interpolation over the time of day, periodic: shared by what bakes and what plays.
+// Piecewise linear interpolation over the time of day, periodic. Bakes and the runtime share it.
 #pragma once
 
 #include <cstddef>

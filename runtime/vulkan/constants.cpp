@@ -29,7 +29,7 @@ WelkinFloat4 discOf(const WelkinLight& light) {
   return pack(radiance, light.disc_radius_rad);
 }
 
-/// Of the coordinates [0, 1] to the centres of the outer ones of `texels`.
+/// Scale and offset that take the coordinates [0, 1] to the centres of the outer ones of `texels`.
 float texelScale(uint32_t texels) {
   return texels == 0 ? 0.0F : static_cast<float>((texels - 1.0) / texels);
 }
@@ -37,7 +37,8 @@ float texelOffset(uint32_t texels) {
   return texels == 0 ? 0.0F : static_cast<float>(0.5 / texels);
 }
 
-/// What modes.glsl makes E of: sums of modes; V and the ground's share of lower normals; or two bands of coefficients.
+/// Packs the terms that modes.glsl makes E of: sums of modes; V and the ground's share of lower normals; or two bands
+/// of coefficients.
 void packModes(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
   const auto sh = [&](int i) {
     return f64::Number3(double{sample.ambient_sh[i][0]}, double{sample.ambient_sh[i][1]},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the sample of a sky to the uniform block of the shaders.
+// Packs the sample of a sky into the uniform block of the shaders.
 #pragma once
 
 #include <welkin/welkin.h>
@@ -8,7 +8,7 @@
 
 namespace welkin::vulkan {
 
-/// What of the constants belongs to the sky and not to the hour.
+/// The constants that belong to the sky and not to the hour.
 struct SkyShape {
   WelkinLuminance luminance{};
   uint32_t gradient_size[4]{};  ///< columns and rows of the sun's gradient, then of the opposite one

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads Vulkan functions through the caller's vkGetInstanceProcAddr and checks what the device offers.
+// Loads Vulkan functions through the caller's vkGetInstanceProcAddr and checks the device's features.
 #include "vulkan/device.h"
 
 #include <cstdarg>

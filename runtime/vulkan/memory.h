@@ -32,12 +32,12 @@ struct Image {
   bool blits_mips = true;  ///< the device makes the mips after the first; else they are staged too
   bool borrowed = false;   ///< the caller's image
 
-  /// Of one mip: all layers.
+  /// Bytes of one mip, all its layers.
   VkDeviceSize mipBytes(uint32_t mip) const {
     return texel_bytes * edgeAt(extent.width, mip) * edgeAt(extent.height, mip) * layers;
   }
   uint32_t stagedMips() const { return blits_mips ? 1 : mips; }
-  /// Of the mips that are staged, one after the other.
+  /// Bytes of the mips that are staged, one after the other.
   VkDeviceSize stagedBytes() const {
     VkDeviceSize sum = 0;
     for (uint32_t mip = 0; mip < stagedMips(); ++mip) sum += mipBytes(mip);
@@ -49,7 +49,7 @@ struct Image {
 /// Mips of a square of `edge` texels down to one.
 uint32_t mipCount(uint32_t edge);
 
-/// What vkCreateImage is asked for.
+/// The request to vkCreateImage.
 VkImageCreateInfo imageInfo(const Image& image);
 
 /// Creates the images that are not borrowed, their memory as one allocation, and the views of all.

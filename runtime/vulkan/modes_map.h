@@ -9,7 +9,7 @@
 
 namespace welkin::vulkan {
 
-/// What the image must be; one black texel when there are no modes.
+/// The image that holds the modes; one black texel when there are no modes.
 Image modesImage(const WelkinModes& modes);
 
 /// Writes all its texels; the modes that a layer lacks are 0. `to` has room for its texels, and is only written to.

@@ -15,7 +15,7 @@
 namespace welkin::vulkan {
 
 struct Frame {
-  uint32_t cubemap[2] = {};  ///< what its descriptor set points at
+  uint32_t cubemap[2] = {};  ///< that its descriptor set points at
   bool updated = false;
 };
 
@@ -32,7 +32,7 @@ struct WelkinVulkanSky {
   welkin::vulkan::DomePipeline dome;
   std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, modes, cubemaps (black ones for none)
   uint32_t image_count = 0;
-  uint32_t cubemap_count = 0;  ///< of the file
+  uint32_t cubemap_count = 0;  ///< the file's
   WelkinVulkanAllocation image_memory{};
   VkDeviceSize image_bytes = 0;
   welkin::vulkan::MappedBuffer staging;
@@ -276,7 +276,7 @@ WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t fram
   packAmbient(*blended, constants);
   unsigned char* slice = object->uniforms.mapped + frame * object->slice_bytes;  // written only: reading it is slow
   std::memcpy(slice + offsetof(WelkinSkyConstants, moon) + offsetof(WelkinFloat4, w), &constants.moon.w, sizeof(float));
-  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // from here, all but what the hour leaves alone
+  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // up to the numbers that no hour changes
   std::memcpy(slice + kFirst, constants.ambient_sh, offsetof(WelkinSkyConstants, mode_texels) - kFirst);
   return WELKIN_OK;
 }

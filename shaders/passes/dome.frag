@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky dome, from the formulas or from the cubemaps; radiance, alpha 1. Outside the fisheye's circle all is 0.
+// The sky dome from the formulas or the cubemaps: radiance, alpha 1. Outside the fisheye's circle all components are 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 0
@@ -15,7 +15,7 @@ layout(constant_id = 0) const bool kFromCubemaps = false;
 layout(location = 0) in vec2 ndc;
 layout(location = 0) out vec4 radiance;
 
-// No branch depends on uniforms alone: lavapipe compiles a shader anew at every draw for such a branch.
+// No branch depends on uniforms alone, because lavapipe recompiles a shader at every draw for such a branch.
 void main() {
   bool fisheye = (push.flags & WELKIN_DOME_FISHEYE) != 0;
   vec2 p = ndc * push.fisheye_scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Luminance of linear Rec. 709 colour, and what the sky does with it: chromaticity and desaturation.
+// Luminance, chromaticity and desaturation of linear Rec. 709 colour, and the sRGB encoding.
 
 // Relative luminance of linear Rec. 709 (ITU-R BT.709, rounded coefficients that add up to 1).
 INLINE Number luminanceOf(Number3 rgb) {
@@ -7,7 +7,7 @@ INLINE Number luminanceOf(Number3 rgb) {
 }
 
 // Colour of luminance 1 with the hue and saturation of `rgb` (components >= 0). Exact for a luminance of at least
-// `delta` > 0; fades to neutral (1, 1, 1) at black, continuous between.
+// `delta` > 0. Below that it fades continuously to neutral (1, 1, 1) at black.
 INLINE Number3 chromaticity(Number3 rgb, Number delta) {
   Number y = luminanceOf(rgb);
   return (rgb + Number3(max(delta - y, NUMBER(0.0)))) / max(y, delta);
@@ -19,7 +19,7 @@ INLINE Number3 desaturate(Number3 rgb, Number saturation) {
   return grey + (rgb - grey) * saturation;
 }
 
-// IEC 61966-2-1 (sRGB): decoding of an encoded value and encoding of a linear one, both in [0, 1].
+// IEC 61966-2-1 (sRGB): decodes an encoded value, encodes a linear one. Both are in [0, 1].
 INLINE Number srgbDecode(Number encoded) {
   if (encoded <= NUMBER(0.04045)) return encoded / NUMBER(12.92);
   return pow((encoded + NUMBER(0.055)) / NUMBER(1.055), NUMBER(2.4));

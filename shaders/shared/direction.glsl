@@ -8,6 +8,12 @@ INLINE Number3 directionOf(Number azimuth_rad, Number elevation_rad) {
   return Number3(c * sin(azimuth_rad), sin(elevation_rad), -c * cos(azimuth_rad));
 }
 
+// Sine, at least 0, of the angle of a cosine: the horizontal length of a unit direction by its y. 1 - cosine^2 would lose
+// digits near the poles, where its factors are exact; a cosine that rounding took past 1 gives 0.
+INLINE Number sineFromCosine(Number cosine) {
+  return sqrt(max((NUMBER(1.0) - cosine) * (NUMBER(1.0) + cosine), NUMBER(0.0)));
+}
+
 // Length of the horizontal part (x, z).
 INLINE Number horizontalLength(Number3 direction) {
   return sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -16,7 +22,7 @@ INLINE Number horizontalLength(Number3 direction) {
 // Elevation of a direction, radians in [-pi/2, pi/2]; accurate at the poles, where asin(y) is not.
 INLINE Number elevationOf(Number3 direction) { return atan(direction.y, horizontalLength(direction)); }
 
-// Angle between two unit vectors, radians in [0, pi]: the half-angle form (Kahan 2006), accurate near 0 and pi, where
+// Angle between two unit vectors, radians in [0, pi]. The half-angle form (Kahan 2006) is accurate near 0 and pi, where
 // the arc cosine of a dot product loses half its digits.
 INLINE Number angleBetween(Number3 a, Number3 b) {
   Number3 d = a - b;
@@ -31,9 +37,9 @@ struct DailyCircle {
   Number3 west;
 };
 
-// The circle of `declination_rad` seen from `latitude_rad`, with the world's -z turned `north_offset_rad` from true
-// north, so that azimuths grow by it. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms (1998),
-// ch. 13.
+// The circle of `declination_rad` seen from `latitude_rad`. `north_offset_rad` is the angle from true north to the
+// world's -z and is added to azimuths. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms
+// (1998), ch. 13.
 INLINE DailyCircle dailyCircle(Number declination_rad, Number latitude_rad, Number north_offset_rad) {
   Number c = cos(north_offset_rad);
   Number s = sin(north_offset_rad);
@@ -47,7 +53,7 @@ INLINE DailyCircle dailyCircle(Number declination_rad, Number latitude_rad, Numb
   return circle;
 }
 
-// Unit direction at an hour angle: 0 when the light crosses the meridian, growing by 2 pi a day.
+// Unit direction at an hour angle, which is 0 when the light crosses the meridian and grows by 2 pi a day.
 INLINE Number3 directionOnCircle(DailyCircle circle, Number hour_angle_rad) {
   return circle.centre + circle.meridian * cos(hour_angle_rad) + circle.west * sin(hour_angle_rad);
 }
@@ -57,8 +63,8 @@ INLINE Number3 celestialDirection(Number hour_angle_rad, Number declination_rad,
   return directionOnCircle(dailyCircle(declination_rad, latitude_rad, north_offset_rad), hour_angle_rad);
 }
 
-// The inverse of celestialDirection: (cos dec cos H, sin dec, cos dec sin H) of a unit direction's declination and hour
-// angle.
+// Inverse of celestialDirection. Returns (cos dec cos H, sin dec, cos dec sin H) for a unit direction's declination and
+// hour angle.
 INLINE Number3 equatorialOf(Number3 direction, Number latitude_rad, Number north_offset_rad) {
   Number c = cos(north_offset_rad);
   Number s = sin(north_offset_rad);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All shared formulas in the order of their dependence; C++ includes this file once for each scalar type.
+// All shared formulas in the order of their dependence. C++ includes this file once for each scalar type.
 #include "constants.glsl"
 #include "colour.glsl"
 #include "direction.glsl"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lets the files of this folder compile as GLSL; language.h is the same for C++.
+// Definitions that let the files of this folder compile as GLSL. language.h does the same for C++.
 #ifndef WELKIN_SHARED_LANGUAGE_GLSL
 #define WELKIN_SHARED_LANGUAGE_GLSL
 
 #define INLINE
 #define CONSTANT const
 #define NUMBER(literal) literal
-// factor * value; C++ leaves the value alone where the factor is 0, a shader takes it rather than a branch.
+// factor * value. C++ skips the value where the factor is 0; a shader computes it to avoid a branch.
 #define SCALED(factor, value) ((factor) * (value))
 #define Number float
 #define Number3 vec3

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lets the *.glsl files of this folder compile as C++: a three-component vector and GLSL's functions on it.
-// Scalar functions (exp, sin, ...) come from the namespace that includes the formulas; see shared.h.
+// Definitions that let the *.glsl files of this folder compile as C++: a three-component vector and GLSL's functions on
+// it. Scalar functions (exp, sin, ...) come from the namespace that includes the formulas; see shared.h.
 #pragma once
 
 namespace welkin {
 
-/// GLSL's vec3 for a scalar type T. Plain data; x east, y up, z south when it holds a direction.
+/// GLSL's vec3 for a scalar type T. Plain data. A direction has x east, y up, z south.
 template <typename T>
 struct Vector3 {
   T x{}, y{}, z{};

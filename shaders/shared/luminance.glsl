@@ -15,9 +15,9 @@ struct LuminanceModel {
   Number k;
 };
 
-// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. No digits are lost: a negative a
-// takes 1 + a exp(x) = (1 + a) + a expm1(x), where 1 and a would cancel at the zenith, a positive one the sum as it is,
-// where 1 + a and a would cancel at the horizon. One of them has the factor 0.
+// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. Both forms avoid cancellation.
+// A negative a uses 1 + a exp(x) = (1 + a) + a expm1(x), because 1 and a would cancel at the zenith. A positive a uses
+// the sum as it stands, because 1 + a and a would cancel at the horizon. One of the two has the factor 0.
 INLINE Number gradation(LuminanceModel m, Number cos_zenith) {
   if (!(cos_zenith > NUMBER(0.0))) return NUMBER(1.0);
   Number below = min(m.a, NUMBER(0.0));
@@ -36,24 +36,24 @@ INLINE Number indicatrix(LuminanceModel m, Number sun_angle_rad) {
   return indicatrixFrom(m, exp(m.d * sun_angle_rad), exp(m.d * kHalfPi), cos(sun_angle_rad));
 }
 
-// The factor of luminanceNorm that does not change over the day: g at the sun, or f at the zenith.
+// The constant factor of luminanceNorm over a day: g at the sun, or f at the zenith.
 INLINE Number constantNorm(LuminanceModel m, bool normalise_to_sun) {
   return normalise_to_sun ? indicatrix(m, NUMBER(0.0)) : gradation(m, NUMBER(1.0));
 }
 
-// luminanceNorm from constantNorm.
+// Computes luminanceNorm from constantNorm.
 INLINE Number luminanceNormFrom(LuminanceModel m, Number3 sun, bool normalise_to_sun, Number constant) {
   if (normalise_to_sun) return constant * gradation(m, sun.y);
   return constant * indicatrix(m, angleBetween(sun, Number3(NUMBER(0.0), NUMBER(1.0), NUMBER(0.0))));
 }
 
-// Luminance of the normalising direction, before normalisation: of the sun (Far Cry 3) or of the zenith (CIE). The sun
-// may be below the horizon: its gradation is then the horizon's, and the angle stays the true one.
+// Luminance of the normalising direction before normalisation: the sun (Far Cry 3) or the zenith (CIE). The sun may be
+// below the horizon. Then the horizon's gradation and the sun's true angle are used.
 INLINE Number luminanceNorm(LuminanceModel m, Number3 sun, bool normalise_to_sun) {
   return luminanceNormFrom(m, sun, normalise_to_sun, constantNorm(m, normalise_to_sun));
 }
 
-// Luminance of the direction relative to the normalising one; 0 below the horizon.
+// Luminance of a direction relative to the normalising one. 0 below the horizon.
 INLINE Number relativeLuminance(LuminanceModel m, Number3 direction, Number3 sun, Number norm) {
   if (direction.y < NUMBER(0.0)) return NUMBER(0.0);
   return gradation(m, direction.y) * indicatrix(m, angleBetween(direction, sun)) / norm;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of the irradiance's modes. Opposite normals differ by the vector irradiance V, E(n) - E(-n) = n . V, so it holds
-// the upper ones. The modes are symmetric about the sun's vertical plane: functions of the elevation and of the cosine of
-// the azimuth from the sun's, in which an even function of the azimuth is smooth. Rows are even in 1 - sqrt(1 - y), which
-// grows as the angle from the zenith does near it: a conical tip there, as a bright horizon makes one, is straight.
+// The map of the irradiance's modes. It holds the upper normals only: opposite normals differ by the vector irradiance
+// V, E(n) - E(-n) = n . V. The modes are symmetric about the sun's vertical plane, so they are functions of the
+// elevation and of the cosine of the azimuth from the sun's. An even function of the azimuth is smooth in that cosine.
+// Rows are even in 1 - sqrt(1 - y), which near the zenith grows as the angle from it. A conical tip there, such as a
+// bright horizon causes, becomes a straight line.
 
-// Coordinate in [0, 1] of a unit normal by |y| and the length of its horizontal part, which gives sqrt(1 - |y|) without
-// cancellation near the zenith.
+// Row coordinate in [0, 1] of a unit normal, from |y| and the length of its horizontal part. The length gives sqrt(1 -
+// |y|) without cancellation near the zenith.
 INLINE Number modeRow(Number horizontal, Number abs_y) { return NUMBER(1.0) - horizontal / sqrt(NUMBER(1.0) + abs_y); }
 
-// The y at a row's coordinate in [0, 1]: what modeRow inverts.
+// The y at a row coordinate in [0, 1]: the inverse of modeRow.
 INLINE Number yOfModeRow(Number row) { return row * (NUMBER(2.0) - row); }
 
-// Coordinate in [0, 1] of the azimuth of a unit normal, whose horizontal part is compared with the unit horizontal
-// direction (x, z) towards the sun's azimuth. Any value at the zenith, where all columns are the same.
+// Column coordinate in [0, 1] of a unit normal's azimuth. (x, z) is the unit horizontal direction towards the sun's
+// azimuth. Any value may result at the zenith, where all columns are the same.
 INLINE Number modeColumn(Number3 normal, Number horizontal, Number x, Number z) {
   Number cosine = (normal.x * x + normal.z * z) / max(horizontal, NUMBER(1e-6));
   return clamp(NUMBER(0.5) + NUMBER(0.5) * cosine, NUMBER(0.0), NUMBER(1.0));
@@ -21,7 +22,7 @@ INLINE Number modeColumn(Number3 normal, Number horizontal, Number x, Number z) 
 // Irradiance, pi included, of a unit normal from a ground of radiance 1 under a black sky.
 INLINE Number groundIrradiance(Number normal_y) { return kHalfPi * (NUMBER(1.0) - normal_y); }
 
-// n . V of a unit normal from the radiance coefficients of y, z and x: the irradiance by which it exceeds its opposite.
+// n . V of a unit normal from the radiance coefficients of y, z and x: its irradiance minus the opposite normal's.
 INLINE Number3 excessIrradiance(Number3 normal, Number3 sh_y, Number3 sh_z, Number3 sh_x) {
   return (sh_y * normal.y + sh_z * normal.z + sh_x * normal.x) / kShLinear;
 }

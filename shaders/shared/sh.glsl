@@ -2,7 +2,7 @@
 // Real spherical harmonics up to 5 bands: orthonormal, no Condon-Shortley phase, world axes, index l (l + 1) + m.
 // Sloan, "Stupid Spherical Harmonics Tricks" (GDC 2008), appendix A2, with the signs of odd m made positive.
 
-// Constants of the first three bands: of 1; of x, y, z; of xy, yz, zx; of 3 z^2 - 1; of x^2 - y^2.
+// Constants of the first three bands, for 1; x, y, z; xy, yz, zx; 3 z^2 - 1; x^2 - y^2.
 CONSTANT Number kShConstant = NUMBER(0.28209479177387814347);
 CONSTANT Number kShLinear = NUMBER(0.48860251190291992159);
 CONSTANT Number kShProduct = NUMBER(1.09254843059207907054);
@@ -57,8 +57,9 @@ INLINE Number cosineLobe(int band) {
   return NUMBER(0.0);
 }
 
-// Coefficients of a radiance of 1 below the horizon and 0 above are groundLobe(l) Y_lm(up): the Funk-Hecke factors of
-// the lower hemisphere, 2 pi times the integral of the Legendre polynomial over [-1, 0], for l = 0..4.
+// Factor of band l = 0..4 for a radiance of 1 below the horizon and 0 above, whose coefficients are groundLobe(l)
+// Y_lm(up). These are the Funk-Hecke factors of the lower hemisphere: 2 pi times the integral of the Legendre
+// polynomial over [-1, 0].
 INLINE Number groundLobe(int band) {
   if (band == 0) return kTwoPi;
   if (band == 1) return -kPi;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The transfer basis of Deferred Radiance Transfer Volumes (Stefanov, GDC 2012) and the weights that shade with it.
 
-// Three orthonormal directions up, and down.
+// Three orthonormal directions that point up, and one that points down.
 struct TransferBasis {
   Number3 v[4];
 };
@@ -22,8 +22,8 @@ struct TransferWeights {
   Number v[4];
 };
 
-// What each direction's irradiance counts for a unit normal: exact for every irradiance that is linear in the normal,
-// sum 1.
+// Weight of each direction's irradiance for a unit normal. The weights sum to 1 and are exact for every irradiance that
+// is linear in the normal.
 INLINE TransferWeights transferWeights(Number3 normal) {
   TransferBasis basis = transferBasis();
   TransferWeights weight;

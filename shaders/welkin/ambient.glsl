@@ -8,8 +8,8 @@
 #include "constants.glsl"
 #include "formulas.glsl"
 
-// Bands to evaluate, 1 to 5. The default fits every bake, since the coefficients that a bake lacks are 0; a game that
-// knows its bake defines fewer before it includes this file.
+// Bands to evaluate, 1 to 5. The default fits every bake, since missing coefficients are 0. A game that knows its bake
+// may define fewer before it includes this file.
 #ifndef WELKIN_BANDS
 #define WELKIN_BANDS 5
 #endif
@@ -41,11 +41,11 @@ vec3 welkinIrradiance(vec3 normal) {
   return max(sum, vec3(0.0));
 }
 
-// E / pi: what an albedo multiplies to give the radiance of a diffuse surface.
+// E / pi. Multiplied by an albedo it is the radiance of a diffuse surface.
 vec3 welkinIrradianceOverPi(vec3 normal) { return welkinIrradiance(normal) / kPi; }
 
-// The single-colour ambient that spherical harmonics replaced in Far Cry 3 (McAuley 2012, figures 10 and 12): the mean
-// over all normals of the irradiance, pi included.
+// The single-colour ambient light that spherical harmonics replaced in Far Cry 3 (McAuley 2012, figures 10 and 12): the
+// irradiance, pi included, averaged over all normals.
 vec3 welkinFlatIrradiance() {
   return max(cosineLobe(0) * welkinSky.ambient_sh[0].rgb * shBasis(vec3(0.0)).v[0], vec3(0.0));
 }

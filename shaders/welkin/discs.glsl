@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs of the sun and the moon, to be added to the dome. A disc of angular radius r and normal irradiance E has the
-// radiance E / (pi sin^2 r). Needs what constants.glsl needs.
+// The discs of the sun and the moon, to be added to the dome. A disc of angular radius r and normal irradiance E has
+// the radiance E / (pi sin^2 r). Has the same requirements as constants.glsl.
 #ifndef WELKIN_DISCS_GLSL
 #define WELKIN_DISCS_GLSL
 
 #include "constants.glsl"
 #include "formulas.glsl"
 
-// Both discs in `direction`, their edges softened over `pixel_rad`, the angle between neighbouring pixels; the moon in
-// its phase; nothing below the horizon.
+// Radiance of both discs in `direction`. Edges are softened over `pixel_rad`, the angle between neighbouring pixels.
+// The moon shows its phase. 0 below the horizon.
 vec3 welkinDiscs(vec3 direction, float pixel_rad) {
   vec3 sum = vec3(0.0);
   if (direction.y < 0.0) return sum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps skies from banding: add welkinDither(pixel) / 255 to an encoded colour before it is rounded to 8 bits.
+// Keeps skies from banding. Add welkinDither(pixel) / 255 to an encoded colour before it is rounded to 8 bits.
 #ifndef WELKIN_DITHER_GLSL
 #define WELKIN_DITHER_GLSL
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of the sky dome. `direction` is unit, in world axes. Below the horizon (y < 0) it is the ground's; the sun and
-// moon are not in it (discs.glsl). Relative luminance x chromaticity of the gradients x intensity x polarising tint:
-// McAuley, "Calibrating Lighting and Materials in Far Cry 3", SIGGRAPH 2012 course notes; shared/luminance.glsl.
+// Radiance of the sky dome. `direction` is unit, in world axes. Below the horizon (y < 0) the result is the ground's
+// radiance. The sun and moon are not included (discs.glsl).
+// Relative luminance x chromaticity of the gradients x intensity x polarising tint: McAuley, "Calibrating Lighting and
+// Materials in Far Cry 3", SIGGRAPH 2012 course notes; shared/luminance.glsl.
 // Needs: #extension GL_GOOGLE_include_directive : require, WELKIN_SET, and the WELKIN_BINDING_... of sky_bindings.h.
 #ifndef WELKIN_DOME_GLSL
 #define WELKIN_DOME_GLSL
@@ -27,8 +28,8 @@ layout(set = WELKIN_SET, binding = WELKIN_BINDING_GRADIENT_ANTI) uniform sampler
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_CUBEMAP_FIRST) uniform samplerCube welkinCubemapFirst;
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_CUBEMAP_SECOND) uniform samplerCube welkinCubemapSecond;
 
-// Bilinear in 32-bit floats: a filtering unit rounds its weights to 8 bits. `column` is the left column and the weight
-// of the next, which wraps; rows clamp, row 0 is at the horizon.
+// Filters bilinearly in 32-bit floats, because a filtering unit rounds its weights to 8 bits. `column` holds the left
+// column and the weight of the next, which wraps. Rows clamp; row 0 is at the horizon.
 vec3 welkinGradient(sampler2D gradient, vec2 size, vec2 column, float elevation_rad) {
   float row = gradientRow(elevation_rad, size.y);
   int left = int(column.x);
@@ -40,7 +41,7 @@ vec3 welkinGradient(sampler2D gradient, vec2 size, vec2 column, float elevation_
   return mix(below, above, row - float(low));
 }
 
-// From the formulas and the gradients: exact at every hour.
+// Radiance from the formulas and the gradients, exact at every hour.
 vec3 welkinDomeRadiance(vec3 direction) {
   if (direction.y < 0.0) return welkinSky.ground.rgb;
   LuminanceModel model = LuminanceModel(welkinSky.luminance_abcd.x, welkinSky.luminance_abcd.y, welkinSky.luminance_abcd.z,
@@ -53,7 +54,7 @@ vec3 welkinDomeRadiance(vec3 direction) {
   return chromaticity(colour, welkinSky.tint.w) * (luminance * welkinSky.luminance_ek.w) * welkinSky.tint.rgb;
 }
 
-// From the baked cubemaps: two texture reads, blended between their hours. Tint and ground are in them.
+// Radiance from the baked cubemaps: two texture reads, blended between their hours. Tint and ground are included.
 vec3 welkinDomeFromCubemaps(vec3 direction) {
   return mix(textureLod(welkinCubemapFirst, direction, 0.0).rgb, textureLod(welkinCubemapSecond, direction, 0.0).rgb,
              welkinSky.ground.w);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared formulas for a shader, at most once.
+// Includes the shared formulas into a shader, at most once.
 #ifndef WELKIN_FORMULAS_GLSL
 #define WELKIN_FORMULAS_GLSL
 #include "../shared/language.glsl"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ambient light of the sky from the modes of its irradiance: what the certificate of a file with modes speaks of.
+// Ambient light of the sky from the modes of its irradiance. For a file with modes the certificate applies to this
+// light.
 // `normal` is unit, in world axes.
 // Needs: #extension GL_GOOGLE_include_directive : require, WELKIN_SET, WELKIN_BINDING_CONSTANTS, WELKIN_BINDING_MODES.
 #ifndef WELKIN_MODES_GLSL
@@ -12,25 +13,26 @@
 #error WELKIN_BINDING_MODES is not defined: include welkin/sky_bindings.h, or give the binding of the modes' map
 #endif
 
-// Modes to evaluate, 4, 8 or 12: one texture read for every four. The default fits every bake; a game that knows that its
-// bake has no more than 4 or 8 modes, as all of 1 % have, defines that before it includes this file.
+// Modes to evaluate, 4, 8 or 12: one texture read for every four. The default fits every bake. A game whose bake has no
+// more than 4 or 8 modes, as all bakes of 1 % have, may define that number before it includes this file.
 #ifndef WELKIN_MODES
 #define WELKIN_MODES 12
 #endif
 
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES) uniform sampler2DArray welkinModesMap;
 
-// Irradiance of four modes, red, green and blue; `first` is their place in mode_weight.
+// Irradiance of four modes in red, green and blue. `first` is their place in mode_weight.
 vec3 welkinModesOfLayer(vec2 at, float layer, int first) {
   vec4 mode = textureLod(welkinModesMap, vec3(at, layer), 0.0);
   return vec3(dot(mode, welkinSky.mode_weight[first]), dot(mode, welkinSky.mode_weight[first + 1]),
               dot(mode, welkinSky.mode_weight[first + 2]));
 }
 
-// Irradiance E, pi included, clamped at 0: welkin_sky_irradiance. A normal that looks down takes the modes of the opposite
-// one and the difference of the two, which is linear in the normal, as the ground's share is in |y|: one product with a
-// vector for each channel. A device filters with weights of VkPhysicalDeviceLimits::subTexelPrecisionBits bits b, 8 on
-// common ones: each mode is within 2^-b of the sum of its differences to the next column and the next row.
+// Irradiance E, pi included, clamped at 0, as welkin_sky_irradiance computes it. A normal that looks down takes the
+// modes of the opposite normal plus the difference of the two. That difference is linear in the normal and the ground's
+// share is linear in |y|, so it is one product with a vector for each channel. A device filters with weights of b bits,
+// VkPhysicalDeviceLimits::subTexelPrecisionBits, 8 on common ones. Each mode is within 2^-b of the sum of its
+// differences to the next column and the next row.
 vec3 welkinModesIrradiance(vec3 normal) {
   vec4 frame = welkinSky.mode_frame;
   vec4 texels = welkinSky.mode_texels;
@@ -50,7 +52,7 @@ vec3 welkinModesIrradiance(vec3 normal) {
   return max(sum, vec3(0.0));
 }
 
-// E / pi: what an albedo multiplies to give the radiance of a diffuse surface.
+// E / pi. Multiplied by an albedo it is the radiance of a diffuse surface.
 vec3 welkinModesIrradianceOverPi(vec3 normal) { return welkinModesIrradiance(normal) / kPi; }
 
 #endif

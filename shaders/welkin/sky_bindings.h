@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binding numbers inside the descriptor set that welkin_vulkan.h makes; C++ and GLSL. A shader that uses that set
-// defines WELKIN_SET and includes this file; one with a layout of its own defines all of these macros itself.
+// defines WELKIN_SET and includes this file. A shader with its own layout defines all of these macros itself.
 #ifndef WELKIN_SKY_BINDINGS_H
 #define WELKIN_SKY_BINDINGS_H
 

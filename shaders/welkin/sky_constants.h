@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky at an instant as a uniform block: one struct, compiled as C++ and as GLSL. Four-component vectors only, so
-// that std140, std430 and C++ lay it out alike.
+// The sky at an instant as a uniform block: one struct, compiled as C++ and as GLSL. It has four-component vectors
+// only, so that std140, std430 and C++ give it the same layout.
 #ifndef WELKIN_SKY_CONSTANTS_H
 #define WELKIN_SKY_CONSTANTS_H
 
@@ -14,7 +14,8 @@ struct WelkinFloat4 {
 #define WELKIN_FLOAT4 vec4
 #endif
 
-// Radiances and irradiances are in scene units, linear Rec. 709. Directions are unit, in world axes, towards the light.
+// Radiances and irradiances are in scene units, linear Rec. 709. Directions are unit vectors towards the light, in
+// world axes.
 struct WelkinSkyConstants {
   WELKIN_FLOAT4 sun;              // xyz: direction of the sun; w: hour of the day, in [0, 24)
   WELKIN_FLOAT4 luminance_abcd;   // coefficients of the relative luminance, shared/luminance.glsl

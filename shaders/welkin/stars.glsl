@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The star map, to be added to the dome. Needs what constants.glsl needs, and WELKIN_BINDING_STARS of sky_bindings.h.
+// The star map, to be added to the dome. Has the requirements of constants.glsl, and WELKIN_BINDING_STARS of
+// sky_bindings.h.
 #ifndef WELKIN_STARS_GLSL
 #define WELKIN_STARS_GLSL
 
@@ -12,7 +13,7 @@
 
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_STARS) uniform sampler2D welkinStarMap;
 
-// Radiance of the stars in unit `direction`, faded by the radiance `sky` of the dome there; nothing below the horizon.
+// Radiance of the stars in unit `direction`, faded by `sky`, the dome's radiance there. 0 below the horizon.
 vec3 welkinStars(vec3 direction, vec3 sky) {
   vec3 at = starCoordinates(direction, welkinSky.stars.x, welkinSky.stars.y, welkinSky.stars.z);
   vec3 map = textureLod(welkinStarMap, at.xy, 0.0).rgb;

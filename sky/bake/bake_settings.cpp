@@ -11,7 +11,7 @@
 namespace welkin::bake {
 namespace {
 
-/// The value of a word of an enumeration, or `otherwise` for "auto".
+/// Returns the enumerator of a word, or `otherwise` for "auto".
 template <typename T>
 T valueOfWord(base::Section& section, const std::string& key, std::initializer_list<T> values, T otherwise) {
   const std::string word = section.word(key);
@@ -20,7 +20,7 @@ T valueOfWord(base::Section& section, const std::string& key, std::initializer_l
   return otherwise;
 }
 
-/// The times name files: a millisecond apart.
+/// Times become file names, so they must be a millisecond apart.
 void checkCubemapTimes(base::TomlTable& table, const std::vector<double>& time_h) {
   for (std::size_t i = 1; i < time_h.size(); ++i)
     if (cubemap::millisecondOf(time_h[i]) == cubemap::millisecondOf(time_h[i - 1]))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The [bake] section of sky.toml: what a bake makes, and what it leaves to a budget.
+// The [bake] section of sky.toml: the products of a bake, and the choices left to a budget.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace welkin::bake {
 
-/// The [bake] section. What the file leaves open has the value of a bake without a budget.
+/// The [bake] section. Absent settings have the values of a bake without a budget.
 struct BakeSettings {
   int bands = 2;
   std::vector<double> key_time_h;
@@ -22,18 +22,18 @@ struct BakeSettings {
   table::Reconstruction reconstruction = table::Reconstruction::projected;
   table::Encoding encoding = table::Encoding::float32;
   bool mildest_window = false;
-  std::optional<double> max_error = std::nullopt;  ///< none: no budget, and everything is as it stands here
+  std::optional<double> max_error = std::nullopt;  ///< absent: no budget, and the settings apply as they stand here
 
-  /// What the file says itself, which a budget keeps; it chooses the rest.
+  /// Settings that the file states itself. A budget keeps them and chooses the rest.
   struct Fixed {
     bool bands = false, keys = false, cubemaps = false, gradients = false, reconstruction = false, encoding = false;
   } fixed = {};
 };
 
-/// Keys of a table with keys = "auto": one every five minutes.
+/// Number of keys of a table with keys = "auto": one every five minutes.
 inline constexpr int kAutoKeys = 288;
 
-/// Throws Error(content).
+/// Reads the section. Throws Error(content).
 BakeSettings readBake(base::Section section);
 
 }  // namespace welkin::bake

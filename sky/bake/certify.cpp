@@ -17,7 +17,7 @@ using table::DayInstant;
 
 constexpr int kFullNormals = 642;
 constexpr double kFullTolerance = 1e-5;
-constexpr std::size_t kQuadratureChecks = 24;  ///< instants at which the moments are compared with finer ones
+constexpr std::size_t kQuadratureChecks = 24;  ///< number of instants at which the moments are compared with finer ones
 constexpr double kConverged = 1e-9;
 constexpr std::size_t kInstantsAtOnce = 1024;  ///< bounds the memory
 
@@ -34,7 +34,7 @@ std::vector<double> instantsOf(const Baked& baked, double step_h) {
   return hours;
 }
 
-/// Errors of an instant by channel, before they are divided.
+/// Errors of an instant by channel, before the division.
 struct Looked {
   double error[3] = {};
   Number3 normal[3];
@@ -65,13 +65,13 @@ class Instant {
     ground_ = instant_.groundRadiance(at.field.moments.horizontal_irradiance);
   }
 
-  /// Of a normal of the sun's frame, on one side of the sun's plane or the other.
+  /// World direction of a normal in the sun's frame, on either side of the sun's plane.
   Number3 inWorld(const Number3& n, double side) const {
     return along_ * n.z + Number3(along_.z, 0.0, -along_.x) * (side * n.x) + Number3(0.0, n.y, 0.0);
   }
   const model::SkyInstant& model() const { return instant_; }
 
-  /// `shape`: the sky's irradiance there at intensity 1.
+  /// `shape` is the sky's irradiance at the normal, at intensity 1.
   void look(const Number3& normal, const Number3& shape, Looked& looked) const {
     const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
     float e[3];
@@ -98,7 +98,7 @@ Looked lookAt(const Instant& instant, const table::DayValues& day, std::size_t i
   return looked;
 }
 
-/// Largest difference between the irradiance of the moments that were baked and of converged ones.
+/// Largest difference between the irradiance of the baked moments and of converged ones.
 double quadratureOf(const Baked& baked, double brightest, const table::ErrorGrid& grid,
                     const table::Progress& progress) {
   std::vector<double> hours;
@@ -126,8 +126,8 @@ double quadratureOf(const Baked& baked, double brightest, const table::ErrorGrid
   return *std::max_element(error.begin(), error.end());
 }
 
-/// What the fast reference may itself be off by, as an error is divided: what every sky's may, or what it leaves out of
-/// this one.
+/// Possible error of the fast reference, divided as errors are. It is the larger of the bound for every sky and of the
+/// part left out for this one.
 double referenceErrorOf(const model::Sky& model, const std::vector<DayInstant>& instants) {
   const model::IrradianceProjector projector(model.luminance);
   double worst = 0.0;
@@ -141,12 +141,12 @@ double referenceErrorOf(const model::Sky& model, const std::vector<DayInstant>& 
   return worst;
 }
 
-/// Sum of errors over channels and normals, and how many those were.
+/// Sum of errors over channels and normals, with their count.
 struct Mean {
   double sum = 0.0, weight = 0.0;
 };
 
-/// Adds what a share of the instants shows.
+/// Adds the errors of a share of the instants.
 void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::DayValues& day,
          const table::Progress& progress, table::Certificate& certificate, Mean& mean) {
   const auto& instants = day.day->instant;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A baked sky as the bytes of a .welkin file.
+// Encodes a baked sky as the bytes of a .welkin file.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace welkin::bake {
 
-/// `cubemaps` are of the settings' times, in their order, all of one size and format. `certificate`: of these very
-/// numbers, or null when nothing was measured.
+/// `cubemaps` follow the order of the settings' times and share one size and format. `certificate` belongs to these
+/// very numbers; null when nothing was measured.
 std::vector<std::byte> encodeSky(const SkyFile& file, const table::DayTable& table,
                                  const std::vector<cubemap::Cubemap>& cubemaps,
                                  table::Encoding encoding = table::Encoding::float32,
                                  const table::Certificate* certificate = nullptr);
 
-/// A path as table LightPath, into a file that is being built.
+/// Adds a path, as table LightPath, to a file that is being built.
 flatbuffers::Offset<format::LightPath> encodePath(flatbuffers::FlatBufferBuilder& builder,
                                                   const model::LightPath& path);
 

@@ -14,7 +14,7 @@ using base::Parameter;
 using base::Range;
 using base::Required;
 
-constexpr Range kBrightness{0.0, 1e12};  // scene units; its square stays far inside float's range
+constexpr Range kBrightness{0.0, 1e12};  // Scene units; its square stays far inside float's range.
 constexpr Range kFraction{0.0, 1.0};
 constexpr Range kLatitude{-90.0, 90.0};
 constexpr Range kTurn{-360.0, 360.0};
@@ -35,7 +35,7 @@ std::vector<std::string_view> luminanceNames() {
   return names;
 }
 
-/// The rows that cannot stand beside a path: a place, a day, a phase.
+/// Marks a row that is not allowed beside a path: a place, a day, a phase.
 Parameter withoutPath(Parameter p) {
   p.without_path = true;
   return p;
@@ -43,7 +43,7 @@ Parameter withoutPath(Parameter p) {
 
 Domain rows() {
   return {
-      {"", "time_h", "", Kind::part, kHours, kDay, Required{}, "of every key; ascending, periodic"},
+      {"", "time_h", "", Kind::part, kHours, kDay, Required{}, "time of a key; ascending, periodic"},
       {"sky",
        "luminance",
        "",
@@ -51,7 +51,7 @@ Domain rows() {
        "",
        {},
        "far-cry-3",
-       "gradation and indicatrix above 1e-9 wherever the day's sun looks",
+       "gradation and indicatrix must be above 1e-9 for every direction and every sun of the day",
        "refused",
        luminanceNames()},
       {"sky", "luminance", "a", Kind::part, "", kCoefficient, Required{}, ""},
@@ -66,18 +66,19 @@ Domain rows() {
        "",
        {},
        "sun",
-       "where the relative luminance is 1",
+       "the direction whose relative luminance is 1",
        "refused",
        {"sun", "zenith"}},
       {"sky", "intensity", "", Kind::number_or_keys, kScene, kBrightness, 1.0, "radiance where the luminance is 1",
        "refused; cubemap texels past 65504 are stored as that, and counted"},
-      {"sky", "gradient_sun", "", Kind::gradient, "", kBrightness, 1.0, "an image's texels: finite, not negative"},
-      {"sky", "gradient_anti", "", Kind::gradient, "", kBrightness, 1.0, "the same at the opposite azimuth"},
+      {"sky", "gradient_sun", "", Kind::gradient, "", kBrightness, 1.0,
+       "at the sun's azimuth; an image's texels are finite and not negative"},
+      {"sky", "gradient_anti", "", Kind::gradient, "", kBrightness, 1.0, "at the opposite azimuth; texels likewise"},
       {"sky", "polarising_tint", "", Kind::tint, "", kBrightness, 1.0,
-       "an image is a strip over the day, its rows averaged; texels finite, not negative"},
+       "an image is a strip over the day whose rows are averaged; its texels are finite and not negative"},
       {"sky", "ambient_saturation", "", Kind::number_or_keys, "", kFraction, 1.0, ""},
       {"sky", "ground_albedo", "", Kind::colour, "", kFraction, 0.0, ""},
-      {"sky", "luminance_unit", "", Kind::number, "cd/m2", {1e-12, 1e12}, 1.0, "of radiance 1"},
+      {"sky", "luminance_unit", "", Kind::number, "cd/m2", {1e-12, 1e12}, 1.0, "luminance of radiance 1"},
       withoutPath({"sun", "latitude_deg", "", Kind::number, kDegrees, kLatitude, Required{}, ""}),
       withoutPath({"sun", "longitude_deg", "", Kind::number, kDegrees, {-180.0, 180.0}, 0.0, "east positive"}),
       withoutPath({"sun", "utc_offset_h", "", Kind::number, kHours, {-14.0, 14.0}, "longitude_deg / 15", ""}),
@@ -85,9 +86,9 @@ Domain rows() {
       withoutPath({"sun", "day_of_year", "", Kind::whole_number, "", {1.0, 366.0}, Required{}, ""}),
       {"sun", "north_offset_deg", "", Kind::number, kDegrees, kTurn, 0.0, "added to every azimuth"},
       {"sun", "path", "", Kind::path, "", {}, "a place and a day", ""},
-      {"sun", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
+      {"sun", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns change nothing"},
       {"sun", "path", "elevation_deg", Kind::part, kDegrees, kLatitude, Required{}, ""},
-      {"sun", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "of a surface that faces the light"},
+      {"sun", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "on a surface that faces the light"},
       {"sun", "colour", "", Kind::colour_or_keys, "", kBrightness, 1.0, "luminance above 1e-12"},
       {"sun", "disc_radius_deg", "", Kind::number, kDegrees, kDiscRadius, kSunRadius_deg, "0: no disc"},
       withoutPath({"moon", "declination_deg", "", Kind::number, kDegrees, kLatitude, Required{}, ""}),
@@ -95,23 +96,16 @@ Domain rows() {
       withoutPath({"moon", "latitude_deg", "", Kind::number, kDegrees, kLatitude, "the sun's", ""}),
       {"moon", "north_offset_deg", "", Kind::number, kDegrees, kTurn, "the sun's", "added to every azimuth"},
       {"moon", "path", "", Kind::path, "", {}, "declination and phase", ""},
-      {"moon", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns are the same"},
+      {"moon", "path", "azimuth_deg", Kind::part, kDegrees, kAzimuth, Required{}, "whole turns change nothing"},
       {"moon", "path", "elevation_deg", Kind::part, kDegrees, kLatitude, Required{}, ""},
-      {"moon", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "of a surface that faces the light"},
+      {"moon", "illuminance", "", Kind::number_or_keys, kScene, kBrightness, 0.0, "on a surface that faces the light"},
       {"moon", "colour", "", Kind::colour_or_keys, "", kBrightness, 1.0, "luminance above 1e-12"},
       {"moon", "disc_radius_deg", "", Kind::number, kDegrees, kDiscRadius, kSunRadius_deg, "0: no disc"},
       {"stars", "image", "", Kind::image, "", kFraction, Required{},
        "equirectangular, the celestial north pole on top, the middle column on the meridian at midnight"},
       {"stars", "intensity", "", Kind::number, kScene, kBrightness, Required{},
        "radiance of the map's white; a sky as bright hides it"},
-      {"bake",
-       "max_error",
-       "",
-       Kind::number,
-       "",
-       {1e-5, 1.0},
-       "no budget",
-       "largest error, a fraction, that a bake may make"},
+      {"bake", "max_error", "", Kind::number, "", {1e-5, 1.0}, "no budget", "largest error of a bake, as a fraction"},
       {"bake",
        "bands",
        "",
@@ -119,7 +113,7 @@ Domain rows() {
        "",
        {2.0, 5.0},
        2.0,
-       "under a budget as few as it takes",
+       "`auto`: under a budget as few as meet it",
        "refused",
        {"auto"}},
       {"bake",
@@ -129,7 +123,7 @@ Domain rows() {
        "",
        {1.0, 86400.0},
        "auto",
-       "`auto`: one every five minutes, under a budget where they are needed",
+       "`auto`: every five minutes, under a budget where they are needed",
        "refused",
        {"auto"}},
       {"bake",
@@ -139,7 +133,7 @@ Domain rows() {
        "texels",
        {0.0, 4096.0},
        128.0,
-       "along a face; 0: none; not 1",
+       "along a face; 0: no cubemaps; not 1",
        "refused",
        {"auto"}},
       {"bake", "cubemap_times", "", Kind::hours, "", {1.0, 1440.0}, 8.0, "a millisecond apart", "refused", {"auto"}},
@@ -182,7 +176,7 @@ Domain rows() {
        "",
        {},
        "auto",
-       "of the table; `auto`: without a budget `float32`",
+       "numbers of the table; `auto`: without a budget `float32`",
        "refused",
        {"auto", "float32", "float16", "fixed16", "fixed8"}},
       {"bake",
@@ -192,7 +186,7 @@ Domain rows() {
        "",
        {},
        "off",
-       "of coefficients; `mildest`: as little as keeps irradiance from becoming negative",
+       "window on the coefficients; `mildest`: the mildest that keeps irradiance from becoming negative",
        "refused",
        {"off", "mildest"}},
   };

@@ -22,7 +22,7 @@ namespace {
 constexpr double kDegree = det::kPi / 180.0;
 constexpr std::size_t kLargestSkyFile = std::size_t{16} << 20;
 
-/// Where the file lies, and what was read so far.
+/// The file's folder, and the inputs read so far.
 struct Reading {
   std::filesystem::path folder;
   std::vector<Input> inputs;
@@ -50,14 +50,14 @@ model::Gradient readGradient(base::Section& section, const std::string& key, Rea
   const image::Image image = reading.image(section.table(), key, *n);
   model::Gradient gradient{image.width, image.height, {}};
   const auto line = static_cast<std::size_t>(image.width) * 3;
-  for (int row = image.height - 1; row >= 0; --row) {  // the file's last row is the horizon
+  for (int row = image.height - 1; row >= 0; --row) {  // The file's last row is the horizon.
     const auto first = image.rgb.begin() + static_cast<std::ptrdiff_t>(line * static_cast<std::size_t>(row));
     gradient.rgb.insert(gradient.rgb.end(), first, first + static_cast<std::ptrdiff_t>(line));
   }
   return gradient;
 }
 
-/// A colour, keys, or an image strip over the day, whose rows are averaged.
+/// Reads a tint: a colour, keys, or an image strip over the day whose rows are averaged.
 base::Curve readTint(base::Section& section, Reading& reading) {
   const toml::node* n = section.table().node("polarising_tint");
   if (n == nullptr || !n->is_string()) return section.colourCurve("polarising_tint");
@@ -87,7 +87,7 @@ model::LuminanceModel readLuminance(base::Section& section) {
   for (std::size_t i = 0; i < 5; ++i) {
     const auto value = a->get(i)->value<double>();
     const base::Range& range = section.rangeOf("luminance", std::string_view("abcde").substr(i, 1));
-    // Both signs pass here; which coefficients must be negative whyUnusable says, for the sun of the day.
+    // Both signs pass here. whyUnusable checks which coefficients must be negative under the day's sun.
     if (!value || !a->get(i)->is_number() || !(std::abs(*value) <= -range.low))
       table.refuse("luminance", n,
                    fmt::format("coefficient {} must be a number, {} to {}", "abcde"[i], range.low, -range.low));
@@ -151,7 +151,7 @@ model::Light readMoon(base::Section section, const model::LightPath& sun) {
         section.number("latitude_deg", sun_has_place ? std::optional(sun.latitude_rad / kDegree) : std::nullopt) *
         kDegree;
     moon.path.declination_rad = section.number("declination_deg") * kDegree;
-    // New (0) it crosses the meridian with the sun, full (1/2) twelve hours later.
+    // A new moon (0) crosses the meridian with the sun, a full moon (1/2) twelve hours later.
     moon.path.transit_h = (sun_has_place ? sun.transit_h : 12.0) + 24.0 * section.number("phase");
   } else {
     section.excludeBesidePath("cannot stand beside path");
@@ -161,7 +161,8 @@ model::Light readMoon(base::Section section, const model::LightPath& sun) {
   return moon;
 }
 
-/// The map turns with the sun's daily circle; a path by hand turns about the zenith of latitude 0 and noon at 12 h.
+/// The map turns with the sun's daily circle. For a hand-drawn path it turns about the zenith of latitude 0, with noon
+/// at 12 h.
 model::Stars readStars(base::Section section, const model::LightPath& sun, Reading& reading) {
   base::TomlTable& table = section.table();
   const base::Range& values = section.rangeOf("image");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sky.toml: what an artist writes. docs/sky_file.md describes every key.
+// Reads sky.toml, the artist's file. docs/sky_file.md describes every key.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace welkin::bake {
 
-/// A file that was read: its name as written in sky.toml (sky.toml's own name without folders) and XXH3-128.
+/// A file that was read: its name as written in sky.toml and its XXH3-128. The name of sky.toml itself has no folders.
 struct Input {
   std::string name;
   std::filesystem::path path;
@@ -29,10 +29,10 @@ struct SkyFile {
   BakeSettings bake;
   std::string settings;  ///< sky.toml as JSON, keys sorted
   std::vector<Input> inputs;
-  std::vector<model::Warning> warnings;  ///< messages begin with sky.toml's name, without folders, and the line
+  std::vector<model::Warning> warnings;  ///< each message begins with sky.toml's name, without folders, and the line
 };
 
-/// Reads and checks a sky file and the images it names (relative to it). Throws Error.
+/// Reads and checks a sky file and the images that it names, relative to it. Throws Error.
 SkyFile readSkyFile(const std::filesystem::path& path);
 
 }  // namespace welkin::bake

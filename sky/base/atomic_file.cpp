@@ -15,7 +15,7 @@
 namespace welkin::base {
 namespace {
 
-/// Closes on destruction.
+/// A file descriptor that closes on destruction.
 struct Descriptor {
   int fd;
   explicit Descriptor(int fd_) : fd(fd_) {}
@@ -25,11 +25,11 @@ struct Descriptor {
   ~Descriptor() {
     if (fd >= 0) ::close(fd);
   }
-  /// 0 or the error. A signal that interrupts it has closed the file all the same (Linux).
+  /// Returns 0 or the error. After EINTR the file is closed all the same (Linux).
   int close() { return ::close(std::exchange(fd, -1)) != 0 && errno != EINTR ? errno : 0; }
 };
 
-/// A system call again as long as signals interrupt it.
+/// Repeats a system call as long as signals interrupt it.
 template <typename Call>
 auto uninterrupted(const Call& call) {
   auto result = call();
@@ -106,7 +106,7 @@ void writeFile(const std::filesystem::path& path, std::span<const std::byte> byt
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   if (holds(path, bytes)) {
-    ::unlink(temporary.c_str());  // of a run that was killed
+    ::unlink(temporary.c_str());  // Left by a run that was killed.
     return;
   }
   Descriptor file(

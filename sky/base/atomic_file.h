@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are there whole or not at all.
+// Writes files that appear whole or not at all, and reads files.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace welkin::base {
 
-/// Writes the bytes to `path`.tmp, flushes them to the device and renames; on failure removes what it wrote and throws
-/// Error(ExitStatus::file). A file that holds these bytes already is left untouched, its date included. What a killed
-/// run left at `path`.tmp goes. A device or a pipe is written where it is.
+/// Writes the bytes to `path`.tmp, flushes them to the device and renames the file. On failure it removes its temporary
+/// file and throws Error(ExitStatus::file). A file that already holds these bytes is left untouched, its date included.
+/// A `path`.tmp left by a killed run is removed. A device or a pipe is written in place.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
 
-/// Reads a whole regular file; throws Error(ExitStatus::file) naming it, or when it is larger than `limit` bytes
-/// Error(ExitStatus::content).
+/// Reads a whole regular file. Throws Error(ExitStatus::file) naming the file, or Error(ExitStatus::content) when it is
+/// larger than `limit` bytes.
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit = std::size_t{1} << 32);
 
-/// The first bytes of a regular file, `most` or fewer; throws Error(ExitStatus::file) naming it.
+/// Reads the first bytes of a regular file, at most `most`. Throws Error(ExitStatus::file) naming the file.
 std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t most);
 
 /// Makes a folder and its parents; throws Error(ExitStatus::file).

@@ -21,13 +21,13 @@ struct Curve {
   static Curve constant(double value) { return {1, {0.0}, {value}}; }
   static Curve constant(const Number3& value) { return {3, {0.0}, {value.x, value.y, value.z}}; }
 
-  /// Value at a finite time, of a curve of one component.
+  /// Value at a finite time. The curve has one component.
   double at(double time) const {
     double v = 0.0;
     format::interpolate(time_h, value, time, {&v, 1});
     return v;
   }
-  /// Value at a finite time, of a curve of three.
+  /// Colour at a finite time. The curve has three components.
   Number3 colourAt(double time) const {
     double v[3];
     format::interpolate(time_h, value, time, v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The domain of a file's parameters: kind, unit, range and default of each, and the consequence of a value outside. A
-// loader takes its ranges from here, a page of docs its table, and tests their sweeps.
+// The domain of a file's parameters: kind, unit, range and default of each, and the consequence of a value outside. The
+// loader, the table in the docs and the sweeps in the tests all use it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace welkin::base {
 
-/// Interval of numbers, closed unless an end is left out; never holds NaN.
+/// Interval of numbers, closed unless its high end is left out. Never holds NaN.
 struct Range {
   double low = 0.0;
   double high = 0.0;
@@ -31,7 +31,7 @@ enum class Kind {
   tint,       ///< a colour, keys, or the name of an image
   luminance,  ///< one of Parameter::words, or five coefficients, the parts
   path,       ///< [[time_h, azimuth_deg, elevation_deg], ...], the parts
-  hours,      ///< a whole number of hours spread evenly, a list of hours, or one of Parameter::words
+  hours,      ///< a number of evenly spread hours, a list of hours, or one of Parameter::words
   image,      ///< the name of an image
   file,       ///< the name of a file
   names,      ///< a list of names
@@ -39,38 +39,38 @@ enum class Kind {
   number_or_vector,
   points,   ///< [[x, y, z], ...]
   box,      ///< [min_x, min_y, min_z, max_x, max_y, max_z]
-  boxes,    ///< a list of those
+  boxes,    ///< a list of boxes
   sectors,  ///< true, false, a list of sectors, or one of Parameter::words
   part      ///< a number within another key's list
 };
 
-/// A key that must be there, unless the meaning says what may stand in its place.
+/// The key must be there, unless its meaning names a substitute.
 struct Required {};
-/// What stands for an absent key: a number (of a colour: of each component), a word, or words that say where it comes
-/// from.
+/// The default of an absent key: a number (for a colour, of every component), a word, or words that say where the value
+/// comes from.
 using Default = std::variant<Required, double, std::string_view>;
 
 struct Parameter {
-  std::string_view section;  ///< as in [section]; empty: in any
+  std::string_view section;  ///< as in [section]; empty: any section
   std::string_view key;
-  std::string_view part;  ///< of Kind::part: which
+  std::string_view part;  ///< which part, for Kind::part
   Kind kind = Kind::number;
   std::string_view unit;  ///< empty: none
-  Range range;            ///< of every number in the value; of a list of hours, of their count
+  Range range;            ///< range of every number in the value; for a list of hours, of their count
   Default otherwise = Required{};
-  std::string_view meaning;  ///< and further conditions
+  std::string_view meaning;  ///< meaning and further conditions
   std::string_view outside = "refused";
   std::vector<std::string_view> words = {};
-  bool without_path = false;  ///< cannot stand beside the section's path
+  bool without_path = false;  ///< not allowed beside the section's path
 };
 
 using Domain = std::vector<Parameter>;
 
-/// The row of a key, or of a part of it. There must be one.
+/// Returns the row of a key, or of a part of it. The row must exist.
 const Parameter& parameterOf(const Domain& rows, std::string_view section, std::string_view key,
                              std::string_view part = "");
 
-/// The table of a page: Markdown, a line a parameter.
+/// Returns the table for a page of the docs: Markdown, one line for each parameter.
 std::string domainTable(const Domain& rows);
 
 }  // namespace welkin::base

@@ -36,7 +36,7 @@ class Hasher {
   template <typename T>
   requires std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>
   void add(const T& value) { addBytes(std::as_bytes(std::span(&value, 1))); }
-  /// Their count, then each, which has no padding.
+  /// Hashes the count, then each item. Items have no padding.
   template <typename T>
   void addAll(std::span<const T> values) {
     add(std::uint64_t{values.size()});

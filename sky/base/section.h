@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A section of a file, whose keys are read by the ranges and defaults of its domain.
+// A section of a file. Its keys are read by the ranges and defaults of its domain.
 #pragma once
 
 #include "sky/base/toml_table.h"
@@ -8,42 +8,43 @@ namespace welkin::base {
 
 using det::Number3;
 
-/// Getters throw Error(content) for what is missing or out of its domain, and std::logic_error for a key without a row.
+/// Getters throw Error(content) for a missing value or one out of its domain, and std::logic_error for a key without a
+/// row.
 class Section {
  public:
-  /// The section `name` of the file's own table. `rows` outlive it.
+  /// The section `name` of the file's top-level table. `rows` must outlive the object.
   Section(TomlTable& file, std::string_view name, const Domain& rows)
       : rows_(&rows), name_(name), table_(file.table(name_)) {}
 
   TomlTable& table() { return table_; }
 
   double number(const std::string& key) { return table_.number(key, rangeOf(key), numberWithout(key)); }
-  /// With a default that depends on other keys.
+  /// A number whose default depends on other keys.
   double number(const std::string& key, std::optional<double> otherwise) {
     return table_.number(key, rangeOf(key), otherwise);
   }
   int wholeNumber(const std::string& key);
-  /// A whole number, or nothing when the key is absent or has a word of the row's list.
+  /// A whole number. Nothing when the key is absent or holds a word of the row's list.
   std::optional<int> wholeNumberIfAny(const std::string& key);
-  /// A word of the row's list; `otherwise` of the row when absent.
+  /// A word of the row's list. The row's default when the key is absent.
   std::string word(const std::string& key);
   Number3 colour(const std::string& key) { return table_.colour(key, rangeOf(key), Number3(*numberWithout(key))); }
   Curve curve(const std::string& key) { return table_.curve(key, rangeOf(key), *numberWithout(key)); }
   Curve colourCurve(const std::string& key) {
     return table_.colourCurve(key, rangeOf(key), Number3(*numberWithout(key)));
   }
-  /// Key times, then the parts; no rows when absent.
+  /// Rows of a key time and the parts. Empty when the key is absent.
   std::vector<std::vector<double>> rows(const std::string& key, std::initializer_list<std::string_view> parts);
-  /// Hours, of which there are `otherwise` when the key is absent or the row's word.
+  /// A list of hours. Evenly spread, `otherwise` of them, when the key is absent or holds the row's word.
   std::vector<double> hours(const std::string& key, int otherwise);
   /// Whether the key is there and is not "auto".
   bool isFixed(const std::string& key);
 
-  /// Refuses the keys that cannot stand beside a path.
+  /// Throws for keys that are not allowed beside a path.
   void excludeBesidePath(const std::string& must);
 
   const Range& rangeOf(std::string_view key, std::string_view part = "") const { return parameter(key, part).range; }
-  /// The row's default, where it is a number.
+  /// The row's default, if it is a number.
   std::optional<double> numberWithout(std::string_view key) const;
 
  private:

@@ -22,7 +22,7 @@ std::string written(const toml::node& node) {
   return shortened(text.str());
 }
 
-/// The end of the string whose first quote is at `i`: its last quote, or what cuts it.
+/// Returns the end of the string whose first quote is at `i`: its last quote, or the place where it is cut off.
 std::size_t endOfString(std::string_view text, std::size_t i) {
   const char quote = text[i];
   const bool lines = text.substr(i, 3) == std::string(3, quote);
@@ -37,8 +37,8 @@ std::size_t endOfString(std::string_view text, std::size_t i) {
   return text.size();
 }
 
-/// Where a key has more than kMostParts parts, if one has: toml++ recurses over the parts of a key and bounds only the
-/// nesting of values.
+/// Finds a key of more than kMostParts parts. toml++ recurses over the parts of a key and bounds only the nesting of
+/// values.
 std::optional<std::size_t> findDeepKey(std::string_view text) {
   constexpr int kMostParts = 16;
   int parts = 1;
@@ -162,7 +162,7 @@ Number3 TomlTable::colour(const std::string& key, Range range, const Number3& ot
   return n != nullptr ? colourOf(key, *n, range) : otherwise;
 }
 
-/// The first number of a key, after `before`.
+/// Reads the time of a key, which must lie after `before`.
 double TomlTable::keyTime(const std::string& key, const toml::array& entry, double before) const {
   const auto time = entry.get(0)->value<double>();
   if (!time || !entry.get(0)->is_number() || !(*time >= 0.0 && *time < 24.0))

@@ -17,14 +17,14 @@ namespace welkin::base {
 
 using det::Number3;
 
-/// Parses a file's text. Throws Error(content) for what is not TOML, and for a key of more than 16 parts.
+/// Parses a file's text. Throws Error(content) when it is not TOML or has a key of more than 16 parts.
 toml::table parseToml(const std::string& file, std::string_view text);
 
-/// A table of a file, or an absent one, which has no keys. Getters throw Error(content); a key that no getter asked for
-/// is unknown, which finish reports with the nearest name.
+/// A table of a file, or an absent table without keys. Getters throw Error(content). A key that no getter asked for is
+/// unknown; finish reports it with the nearest name.
 class TomlTable {
  public:
-  /// `path` is how the table is written before a key, "sun.", or empty for the file's own table.
+  /// `path` is the prefix of keys in messages, such as "sun."; it is empty for the top-level table.
   TomlTable(std::string file, const toml::table* table, std::string path);
 
   TomlTable table(const std::string& key);
@@ -40,17 +40,18 @@ class TomlTable {
   Curve curve(const std::string& key, Range range, double otherwise);
   /// A colour, or [[time_h, colour], ...].
   Curve colourCurve(const std::string& key, Range range, const Number3& otherwise);
-  /// Rows of `width` numbers: [[a, b, ...], ...], the first a key time; ranges for the others.
+  /// Rows of `width` numbers: [[a, b, ...], ...]. The first number is a key time; `ranges` bound the others.
   std::vector<std::vector<double>> rows(const std::string& key, const std::vector<Range>& ranges);
-  /// Lists of `width` numbers, [[a, b, ...], ...], which `form` shows in messages; none when absent.
+  /// Lists of `width` numbers: [[a, b, ...], ...]. Messages show the form as `form`. Empty when the key is absent.
   std::vector<std::vector<double>> lists(const std::string& key, std::size_t width, Range range,
                                          const std::string& form);
-  /// One such list; it must be there.
+  /// One such list. The key must be there.
   std::vector<double> list(const std::string& key, std::size_t width, Range range, const std::string& form);
-  /// A list of hours in [0, 24), strictly ascending; or a number N in 1..most: hours 24 i / N; `otherwise` when absent.
+  /// A list of hours in [0, 24), strictly ascending, or a number N in 1..most for the hours 24 i / N. `otherwise` is
+  /// the N of an absent key.
   std::vector<double> hours(const std::string& key, int most, int otherwise, const char* also_word);
 
-  /// Throws for any of the keys that is there.
+  /// Throws if any of the keys is there.
   void exclude(const std::vector<std::string>& keys, const std::string& must);
   /// Throws for a key that was never asked for.
   void finish() const;
@@ -71,7 +72,7 @@ class TomlTable {
   std::vector<std::string> known_;
 };
 
-/// Hours 24 i / count.
+/// Returns the hours 24 i / count.
 std::vector<double> evenHours(int count);
 
 }  // namespace welkin::base

@@ -19,7 +19,7 @@ Number3 normalised(const Number3& v) {
   return v * (1.0 / std::sqrt(dot(v, v)));
 }
 
-/// Of a cube's column or row, in [-1, 1].
+/// Coordinate of a cube's column or row, in [-1, 1].
 double faceCoordinate(Layout layout, int size, int i) {
   return layout == Layout::vulkan_cube ? (2.0 * i + 1.0) / size - 1.0 : 2.0 * i / (size - 1) - 1.0;
 }
@@ -29,13 +29,13 @@ struct Turn {
   double cosine, sine;
 };
 
-/// Of the latitude of a latlong's row.
+/// Cosine and sine of the latitude of a latlong's row.
 Turn circleOfRow(const Extent& extent, int row) {
   const double latitude = det::kHalfPi - det::kPi * row / (extent.height - 1);
   return {row == 0 || row == extent.height - 1 ? 0.0 : det::cos(latitude), det::sin(latitude)};
 }
 
-/// Of the longitude of its column, from +z towards +x.
+/// Cosine and sine of the longitude of its column, from +z towards +x.
 Turn turnOfColumn(const Extent& extent, int column) {
   const double longitude = det::kPi - det::kTwoPi * column / (extent.width - 1);
   return {det::cos(longitude), det::sin(longitude)};

@@ -14,12 +14,12 @@
 namespace welkin::cubemap {
 namespace {
 
-/// How many directions and instants an effort takes.
+/// Numbers of directions and instants that an effort takes.
 struct Density {
   DirectionCounts directions;
   double apart_h;  // instants between two cubemaps are at most this apart
   int pieces;      // and they cut every gap at least into as many
-  int rounds;      // of looking closer around the worst instant
+  int rounds;      // closer looks around the worst instant
 };
 Density densityOf(Effort effort) {
   if (effort == Effort::draft) return {{512, 256, 256}, 0.25, 2, 2};
@@ -33,7 +33,7 @@ struct Squares {
   void add(const Number3& difference, double weight) { sum += difference * difference * weight; }
 };
 
-/// What is measured at one instant.
+/// The measurement at one instant.
 struct AtInstant {
   double error = 0.0;
   int channel = 0;
@@ -132,13 +132,13 @@ std::vector<double> instantsOf(const model::Sky& sky, const std::vector<double>&
   return time_h;
 }
 
-/// An instant and what was found there.
+/// An instant and its measurement.
 struct Found {
   double time_h;
   AtInstant at;
 };
 
-/// Where the error is largest; the first of equals.
+/// The instant of the largest error; the first of equals.
 std::size_t worstOf(const std::vector<Found>& found) {
   std::size_t worst = 0;
   for (std::size_t i = 1; i < found.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the cubemaps of a bake are from the sky: docs/conventions.md, "Error of the cubemaps". At an instant it is
-// the root mean square, over the upper hemisphere, of what the runtime shows less the model's dome, over the mean of
-// the model's dome: the worst channel, of the larger of its own mean and the luminance's.
+// The error of a bake's cubemaps: docs/conventions.md, "Error of the cubemaps". The difference is the runtime's picture
+// less the model's dome. At an instant the error is its root mean square over the upper hemisphere, divided by the mean
+// of the model's dome: the larger of the channel's own mean and the luminance's. The worst channel counts.
 #pragma once
 
 #include <vector>
@@ -30,8 +30,8 @@ struct CubemapError {
     Number3 direction{0.0, 1.0, 0.0};
     int channel = 0;
   } largest;
-  double mean = 0.0;  ///< of the error over the day
-  /// What each part alone would cause, the largest over instants; their squares add up to about that of the whole.
+  double mean = 0.0;  ///< mean of the error over the day
+  /// The error of each part alone, the largest over instants; their squares add up to about the whole's square.
   struct Parts {
     double resolution = 0.0;  ///< filtering between texels: at the cubemaps' own times, unencoded
     double time = 0.0;        ///< blending two instants of the model itself
@@ -50,7 +50,7 @@ struct CubemapError {
 CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, Effort effort,
                              const table::Progress& progress = {});
 
-/// Resolution and encoding of each of the cubemaps at its own time, from a thousand directions: what a plan weighs.
+/// Resolution and encoding of each of the cubemaps at its own time, from a thousand directions, for a plan.
 std::vector<CubemapError::Parts> partsAt(const model::Sky& sky, const CubemapSet& cubemaps,
                                          const table::Progress& progress = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cubemaps show in the directions of a measurement. Most directions stay where they are while the sun moves: what
-// they see of a cubemap is looked up once. Texels that no file holds are rendered as a bake would, where they are seen.
+// Cubemaps as seen in the directions of a measurement. Most directions stay where they are while the sun moves: their
+// texels are looked up once. Texels that no file holds are rendered as a bake would, where they are seen.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct CubemapSet {
 /// Whether a direction above the horizon is at least a texel away from it, on its face: only those are compared.
 bool isClearOfHorizon(int size, const Number3& direction);
 
-/// What all looks at a set of cubemaps share.
+/// The part that all looks at a set of cubemaps share.
 class CubemapLooks {
  public:
   /// `sky` and `cubemaps` outlive it.
@@ -38,15 +38,15 @@ class CubemapLooks {
   /// A direction that stays.
   struct Staying {
     model::DomeRay ray;
-    bool compared;  ///< isClearOfHorizon; what follows is only there when it is
+    bool compared;  ///< isClearOfHorizon; the rest is only there when it is
     Footprint footprint;
-    std::array<model::DomeRay, 4> texel;  ///< of the footprint
+    std::array<model::DomeRay, 4> texel;  ///< the footprint's
   };
   const std::vector<Staying>& staying() const { return staying_; }
 
   const model::Sky& sky() const { return sky_; }
   const CubemapSet& cubemaps() const { return cubemaps_; }
-  /// Of the sky's luminance; null: exact.
+  /// The table of the sky's luminance; null: exact.
   const model::IndicatrixTable* table() const { return table_ ? &*table_ : nullptr; }
 
  private:
@@ -77,9 +77,9 @@ class CubemapLook {
     Number3 exact;  ///< the same without rounding to the format
     Number3 model;  ///< the dome at the cubemap's own time
   };
-  /// In the i-th direction that stays, which is compared.
+  /// The views in the i-th direction that stays, which is compared.
   const Shown& staying(std::size_t i) const { return staying_[i]; }
-  /// In another direction above the horizon. At the cubemap's own time `model` is left out, at others `exact`.
+  /// The views in another direction above the horizon, without `model` at the cubemap's own time, else without `exact`.
   Shown at(const model::DomeRay& ray, const Footprint& footprint, RecentTexels& recent, bool own_time) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 using format::CubemapFormat;
 
-constexpr double kMargin = 0.97;  // of the budget: what is aimed at, so that Effort::full agrees
+constexpr double kMargin = 0.97;  // the aim, as a share of the budget, so that Effort::full agrees
 constexpr double kSpare = 1.05;   // a plan this far below its aim is tried again with fewer bytes
 constexpr int kRounds = 12;
 
@@ -28,7 +28,7 @@ bool isSame(const CubemapPlan& a, const CubemapPlan& b) {
   return a.size == b.size && a.format == b.format && a.time_h == b.time_h;
 }
 
-/// What one choice of size and format leaves to the times.
+/// The error that one choice of size and format leaves to the times.
 struct Candidate {
   int size;
   CubemapFormat format;
@@ -80,7 +80,7 @@ class Planner {
     return plan;
   }
 
-  /// With what a bake would show; whether its error is at most `aim`. A draft finds most that are not.
+  /// Measures the cubemaps that a bake would make. False when their error is past `aim`, as a draft finds of most.
   bool keeps(CubemapPlan& plan, double aim) const {
     for (const Effort effort : {Effort::draft, Effort::fast}) {
       plan.measured = measureCubemaps(sky_, {plan.size, plan.format, plan.time_h, {}}, effort, progress_);
@@ -89,7 +89,7 @@ class Planner {
     return true;
   }
 
-  /// Takes the measured error where a gap or a cubemap is past `target` as what to expect there, and `more` times that.
+  /// Expects `more` times the measured error where a gap or a cubemap is past `target`.
   void tighten(const CubemapPlan& plan, double target, double more) {
     std::vector<double> fresh;
     std::vector<double> worst(plan.time_h.size(), 0.0);
@@ -207,7 +207,7 @@ class Planner {
   const table::Progress& progress_;
   DomeDay day_;
   CubemapStillErrors still_errors_;
-  std::vector<double> excess_;  ///< of DomeDay's candidates: measured over expected error between cubemaps
+  std::vector<double> excess_;  ///< by DomeDay's candidates: measured over expected error between cubemaps
   double still_ = 1.0;          ///< the same at the cubemaps' own times
 };
 
@@ -231,7 +231,7 @@ CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapL
       best = std::move(*plan);
       const double spare = aim / best.measured.error;
       if (spare < kSpare) break;
-      target *= std::min(spare, 1.5);  // the squares expected too much: ask for what is left over
+      target *= std::min(spare, 1.5);  // the squares expected too much: ask for the rest
     } else {
       planner.tighten(*plan, aim, 1.02 + 0.01 * round);
       last = std::move(*plan);

@@ -10,7 +10,7 @@
 
 namespace welkin::cubemap {
 
-/// What a plan never goes past.
+/// The limits of a plan.
 struct CubemapLimits {
   int largest_size = 1024;        ///< a power of two, 8 to 1024
   std::size_t most_times = 1440;  ///< at least 1
@@ -22,7 +22,7 @@ struct CubemapPlan {
   format::CubemapFormat format = format::CubemapFormat::rgba16f;
   std::vector<double> time_h;  ///< ascending, whole milliseconds
   double bytes = 0.0;          ///< of all texels
-  double predicted = 0.0;      ///< what the model of squares expected of the error
+  double predicted = 0.0;      ///< the error that the model of squares expects
   CubemapError measured;       ///< by Effort::fast, of the texels that a bake will make
   bool met = false;            ///< whether measured.error is under the budget
   std::string reason;          ///< when it is not: why, in one sentence
@@ -30,7 +30,7 @@ struct CubemapPlan {
 
 /// Plans for `max_error` > 0, relative (0.01: one percent). The fewest bytes; of as many, the fewest texels, which a
 /// bake renders soonest. Expects error^2 = resolution^2 + time^2 + encoding^2 at every instant, from cheap measures of
-/// the sky; then measures what a bake would show, and tightens where it is past the budget. A budget that the limits do
+/// the sky; then measures the bake's cubemaps, and tightens where it is past the budget. A budget that the limits do
 /// not allow gives the best that was found. The same plan for any number of threads. `progress` as in bakeDayTable.
 CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapLimits& limits = {},
                          const table::Progress& progress = {});

@@ -24,8 +24,8 @@ class CubemapStillErrors {
 
  private:
   std::vector<double> time_h_;
-  std::vector<std::vector<double>> resolution_;  ///< of a size: by hours
-  std::vector<std::vector<double>> encoding_;    ///< of a format: by hours
+  std::vector<std::vector<double>> resolution_;  ///< by size, then hour
+  std::vector<std::vector<double>> encoding_;    ///< by format, then hour
 };
 
 }  // namespace welkin::cubemap

@@ -152,7 +152,7 @@ std::vector<std::size_t> DomeDay::placeFrom(std::size_t start, std::span<const d
   const std::size_t n = time_h_.size();
   const std::size_t end = start + n;
   std::vector<std::size_t> chosen;
-  std::size_t stride = n;  // of the last gap: the next is about as long
+  std::size_t stride = n;  // the last gap's: the next is about as long
   for (std::size_t first = start; first < end;) {
     if (chosen.size() == most) return {};
     chosen.push_back(first % n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where cubemaps sit in the day: the fewest times between which a linear blend of the model's dome stays close to it.
+// The times of cubemaps in the day: the fewest between which a linear blend of the model's dome stays close to it.
 #pragma once
 
 #include <atomic>
@@ -36,7 +36,7 @@ class DomeDay {
   /// Empty when there are more than `most`.
   std::vector<std::size_t> place(std::span<const double> tolerance, std::size_t most) const;
 
-  /// As place, from one first candidate: quicker, at times one more.
+  /// Does as place, from one first candidate: quicker, at times one more.
   std::vector<std::size_t> placeQuickly(std::span<const double> tolerance, std::size_t most) const;
 
  private:
@@ -53,8 +53,8 @@ class DomeDay {
   std::vector<double> time_h_;
   std::vector<double> bend_h_;
   std::vector<std::size_t> bend_;             ///< candidates at the bends, or the next ones after them
-  std::vector<std::vector<float>> radiance_;  ///< of a candidate: direction, RGB
-  std::vector<Number3> scale_of_;             ///< of a candidate, each channel
+  std::vector<std::vector<float>> radiance_;  ///< by candidate: direction, RGB
+  std::vector<Number3> scale_of_;             ///< by candidate, each channel
   /// Squared distances of a candidate and those after it, each channel, from when they are first asked for; below 0
   /// before.
   std::unique_ptr<std::atomic<double>[]> distance_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions over the upper hemisphere that integrate what a cubemap gets wrong: even ones, ones that crowd about the
+// Directions over the upper hemisphere that integrate a cubemap's error: even ones, ones that crowd about the
 // sun, where a filter flattens the cusp, and ones that crowd above the horizon, where the sky changes fastest. A
 // deterministic mixture, weighted by the balance heuristic (Veach, "Robust Monte Carlo Methods for Light Transport
 // Simulation", 1997, ch. 9).
@@ -18,7 +18,7 @@ struct WeightedDirection {
   double solid_angle;  ///< that it stands for; the sum over a set is close to 2 pi
 };
 
-/// How many directions of each kind; `even` >= 1.
+/// Numbers of directions of each kind; `even` >= 1.
 struct DirectionCounts {
   int even;
   int about_sun;
@@ -32,7 +32,8 @@ class DomeDirections {
   /// spread over their logarithms.
   explicit DomeDirections(const DirectionCounts& counts);
 
-  /// About a sun in unit direction `sun`: first those that stay, then those of its crowd that are above the horizon.
+  /// The set for a sun in unit direction `sun`: first those that stay, then those of its crowd that are above the
+  /// horizon.
   std::vector<WeightedDirection> around(const Number3& sun) const;
 
   /// Those that are there whatever the sun: the even and the low ones.

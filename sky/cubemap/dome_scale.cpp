@@ -11,7 +11,7 @@
 namespace welkin::cubemap {
 namespace {
 
-constexpr double kDarkest = 1e-4;  // of the day's brightest instant
+constexpr double kDarkest = 1e-4;  // as a share of the day's brightest instant
 constexpr int kDirections = 192;
 
 }  // namespace

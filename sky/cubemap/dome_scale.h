@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What errors of the dome and of cubemaps are divided by: docs/conventions.md, "Error of the cubemaps".
+// The divisor of errors of the dome and of cubemaps: docs/conventions.md, "Error of the cubemaps".
 #pragma once
 
 #include "sky/model/sky.h"

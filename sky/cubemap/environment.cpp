@@ -15,7 +15,7 @@ namespace {
 
 constexpr image::ImageLimits kLimits{65536, std::size_t{1} << 27, true};
 
-/// Where the faces +x -x +y -y +z -z lie in a picture, in units of a face; -z of the vertical cross hangs upside down.
+/// Places of the faces +x -x +y -y +z -z in a picture, in units of a face; -z of the vertical cross hangs upside down.
 struct CubeLayout {
   const char* name;
   int across, down;

@@ -13,7 +13,7 @@ namespace welkin::cubemap {
 struct Environment {
   std::string layout;  ///< "cube", "strip", "cross" or "latlong"
   sh::TexelRule rule = sh::TexelRule::half_texel;
-  int width = 0;                          ///< of the latlong, or of a face
+  int width = 0;                          ///< the latlong's, or a face's
   int height = 0;                         ///< the same
   std::size_t negative = 0;               ///< values below 0
   std::vector<det::Number3> radiance_sh;  ///< bands^2, world axes

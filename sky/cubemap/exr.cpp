@@ -16,7 +16,7 @@
 namespace welkin::cubemap {
 namespace {
 
-/// Collects what OpenEXR writes, which goes back to fill in the offsets of the lines.
+/// Collects the output of OpenEXR, which goes back to fill in the offsets of the lines.
 class MemoryStream : public Imf::OStream {
  public:
   MemoryStream() : Imf::OStream("memory") {}

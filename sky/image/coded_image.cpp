@@ -15,7 +15,7 @@
 namespace welkin::image {
 namespace {
 
-/// OpenImageIO's name of the format, or "webp"; empty for none that is read.
+/// OpenImageIO's name of the format, or "webp". Empty when the format is not supported.
 const char* formatOf(const std::string& name, std::string_view start) {
   using namespace std::string_view_literals;
   if (start.starts_with("\x89PNG"sv)) return "png";

@@ -19,10 +19,10 @@ struct CodedImage {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Decodes the bytes of a PNG, JPEG, WebP, BMP or Targa file. One channel is grey, two are grey and alpha; without
-/// alpha it is 255; 16 bits are rounded to 8. Colour spaces that the file names are left alone (glTF 2.0, 3.8.3). The
-/// format is what the first bytes say, Targa's what the name's end says. Errors: Error(content) for a damaged or
-/// foreign image, an animation, and a size out of the limits, naming `name`.
+/// Decodes the bytes of a PNG, JPEG, WebP, BMP or Targa file. One channel is grey, two are grey and alpha. Missing
+/// alpha becomes 255; 16 bits are rounded to 8. Colour spaces named in the file are ignored (glTF 2.0, 3.8.3). The
+/// first bytes give the format; Targa is recognised by the end of the name. Throws Error(content), naming `name`, for a
+/// damaged or foreign image, an animation, or a size out of the limits.
 CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits = {});
 
 }  // namespace welkin::image

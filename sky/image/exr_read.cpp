@@ -16,7 +16,7 @@
 namespace welkin::image {
 namespace {
 
-/// The channels that give red, green and blue; one name thrice is grey. Empty: there are none.
+/// Names of the channels that give red, green and blue. Grey is one name three times. Empty if there are none.
 std::array<std::string, 3> colourChannels(const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
   if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
@@ -63,7 +63,7 @@ Image readExr(const std::filesystem::path& path, const ImageLimits& limits) {
     return read(path.string(), limits);
   } catch (const base::Error&) {
     throw;
-  } catch (const std::exception& e) {  // OpenEXR's own, whatever they are derived from, and what runs out
+  } catch (const std::exception& e) {  // OpenEXR's exceptions, whatever their base, and exhausted memory
     throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", path.string(), e.what()));
   }
 }

@@ -8,8 +8,8 @@
 
 namespace welkin::image {
 
-/// The channels R, G and B of a flat file's first part, or Y thrice, any type, as they are stored; and its `envmap`
-/// attribute. readImage's part for this format, and its errors; the values are not looked at.
+/// Reads the channels R, G and B of a flat file's first part, or Y for all three, of any type, without conversion, and
+/// the `envmap` attribute. This is readImage's part for EXR and throws the same errors. It does not check the values.
 Image readExr(const std::filesystem::path& path, const ImageLimits& limits);
 
 }  // namespace welkin::image

@@ -24,7 +24,7 @@ constexpr std::size_t kMagicBytes = 4;
 
 constexpr std::string_view kOpenExr = "openexr";
 
-/// OpenImageIO's name of the format that a file's first bytes belong to; empty for none that Welkin reads.
+/// OpenImageIO's name of the format that starts with these bytes. Empty if Welkin does not read it.
 std::string_view formatOf(std::string_view start) {
   using namespace std::string_view_literals;
   struct Magic {
@@ -49,7 +49,7 @@ std::string_view formatOf(std::string_view start) {
   return {};
 }
 
-/// Throws for the first value that is not finite, or below 0 where that is not allowed.
+/// Throws for the first value that is not finite, or is below 0 where that is not allowed.
 void requireValues(const std::filesystem::path& path, const Image& image, const ImageLimits& limits) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   const float least = limits.negative ? -kLargest : 0.0F;
@@ -82,7 +82,7 @@ const ImageModule& imageModule() {
 }
 
 Image readImage(const std::filesystem::path& path, const ImageLimits& limits) {
-  // A file that is not there or may not be read is the system's refusal, not the image's.
+  // A missing or unreadable file is the system's error, not the image's.
   const auto start = base::readStart(path, kMagicBytes);
   const std::string_view format = formatOf({reinterpret_cast<const char*>(start.data()), start.size()});
   if (format.empty())

@@ -22,7 +22,7 @@ struct Image {
   EnvironmentMap envmap = EnvironmentMap::none;
 };
 
-/// What an image may hold.
+/// Limits on the size and values of an image.
 struct ImageLimits {
   int largest_side = 16384;
   std::size_t most_texels = std::size_t{1} << 24;
@@ -30,17 +30,18 @@ struct ImageLimits {
 };
 
 /// Reads the first subimage. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names a
-/// gamma; floating-point images are linear. One channel is grey; alpha is ignored. The format is what the file's first
-/// bytes say, whatever its name.
-/// Errors: Error(file) for a file that cannot be read; Error(content) for a damaged or foreign one, more texels than
-/// the limits and a value out of them, naming file, column, row (from the top), channel and value.
+/// gamma; floating-point images are linear. One channel is grey; alpha is ignored. The first bytes give the format,
+/// whatever the file's name.
+/// Throws Error(file) when the file cannot be read. Throws Error(content) for a damaged or foreign file, more texels
+/// than the limits allow, or a value out of them; the message names file, column, row (from the top), channel and
+/// value.
 Image readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
 
-/// The bytes of a PNG of width x height sRGB-encoded RGB texels, rows from the top.
+/// Encodes width x height sRGB-encoded RGB texels, rows from the top, as the bytes of a PNG.
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint16_t> rgb);
 
-/// A line of text, its middle at texel (x, y), `size` texels high, in a TrueType font's file.
+/// A line of text centred on texel (x, y), `size` texels high, in the font of a TrueType file.
 struct Caption {
   int x = 0;
   int y = 0;

@@ -16,7 +16,7 @@ namespace {
 
 using Refusal = std::optional<std::string>;
 
-/// A file read front to back, whose length is known.
+/// Reads a file of known length from front to back.
 struct Reader {
   std::istream& stream;
   std::streamoff end = 0;
@@ -39,7 +39,7 @@ struct Reader {
   }
   std::int64_t exrInt() { return static_cast<std::int32_t>(number(std::endian::little)); }
 
-  /// A terminated name; OpenEXR's have at most 255 bytes.
+  /// Reads a terminated name. OpenEXR allows at most 255 bytes.
   std::string exrName() {
     std::string name;
     for (char c = '\0'; name.size() < 256 && stream.get(c) && c != '\0';) name.push_back(c);
@@ -47,7 +47,7 @@ struct Reader {
   }
 };
 
-/// Of one attribute's value, at which the reader stands.
+/// Checks the value of one attribute. The reader stands at its start.
 Refusal whyValueImpossible(Reader& file, const std::string& name, const std::string& type, std::int64_t largest_side) {
   if (type == "box2i" && name == "dataWindow") {
     std::int64_t v[4];
@@ -67,12 +67,12 @@ Refusal whyValueImpossible(Reader& file, const std::string& name, const std::str
 
 Refusal whyExrImpossible(Reader& file, int largest_side) {
   constexpr std::streamoff kMagic = 4;
-  constexpr std::uint32_t kMultipart = 0x1000;  // of the version: headers until an empty one
+  constexpr std::uint32_t kMultipart = 0x1000;  // Flag of the version: headers follow until an empty one.
   file.moveTo(kMagic);
   const bool multipart = (file.number(std::endian::little) & kMultipart) != 0;
   for (bool header_ended = false; file.stream;) {
     const std::string name = file.exrName();
-    if (name.empty()) {  // ends a header; where one should start, all of them
+    if (name.empty()) {  // Ends a header. At the start of a header it ends the list.
       if (!multipart || header_ended) break;
       header_ended = true;
       continue;

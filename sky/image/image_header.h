@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What image libraries take at its word: OpenEXR and libpng make room for the bytes that a header or a chunk names
-// before they look whether the file holds them.
+// Checks sizes that image libraries trust: OpenEXR and libpng allocate the bytes that a header or a chunk names before
+// they check that the file holds them.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace welkin::image {
 
-/// Why an image's file cannot be handed to its library, when it cannot: in OpenEXR an attribute that is longer than the
-/// file, a data window or a tile of more than `largest_side` a side; in PNG a chunk that is longer than the file.
-/// `format` is OpenImageIO's name. All else is the libraries' to judge.
+/// Returns the reason why a file must not be passed to its library, if there is one. OpenEXR: an attribute longer than
+/// the file, or a data window or tile with a side above `largest_side`. PNG: a chunk longer than the file. `format` is
+/// OpenImageIO's name. The libraries check everything else.
 std::optional<std::string> whyHeaderUnusable(const std::filesystem::path& path, std::string_view format,
                                              int largest_side);
 std::optional<std::string> whyHeaderUnusable(std::istream& file, std::string_view format, int largest_side);
 
-/// Throws Error(content) naming the file for a size out of the limits.
+/// Throws Error(content), naming the file, for a size out of the limits.
 void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits);
 
 }  // namespace welkin::image

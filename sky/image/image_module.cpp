@@ -17,12 +17,12 @@
 namespace welkin::image {
 namespace {
 
-/// Exponent of the decoding: 0 for sRGB's own curve, 1 for linear.
+/// Exponent of the decoding. 0 means sRGB's own curve, 1 means linear.
 double decodingGamma(const OIIO::ImageSpec& spec) {
   const std::string space = spec.get_string_attribute("oiio:ColorSpace");
   if (spec.format.is_floating_point() || space == "Linear" || space == "linear") return 1.0;
   const double gamma = double{spec.get_float_attribute("oiio:Gamma", 0.0F)};
-  const bool near_srgb = std::abs(gamma - 2.2) < 0.03;  // how PNG's gAMA chunk writes sRGB
+  const bool near_srgb = std::abs(gamma - 2.2) < 0.03;  // PNG's gAMA chunk writes sRGB this way.
   return space.starts_with("Gamma") && gamma > 0.0 && !near_srgb ? gamma : 0.0;
 }
 
@@ -34,7 +34,7 @@ Image read(const std::filesystem::path& path, const char* format, const ImageLim
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
   OIIO::ImageSpec wanted;
-  wanted.attribute("oiio:UnassociatedAlpha", 1);  // colours as they are stored, not multiplied by alpha
+  wanted.attribute("oiio:UnassociatedAlpha", 1);  // Keep stored colours; do not multiply by alpha.
   const auto input = OIIO::ImageInput::create(format);
   if (!input)
     throw base::Error(base::ExitStatus::file,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Welkin asks of OpenImageIO and libwebp. It lives in a module of its own, loaded when the first image is read or
-// written: linking OpenImageIO pulls in some two hundred libraries, whose loading costs more than most bakes.
+// Welkin's use of OpenImageIO and libwebp, as a module that is loaded when the first image is read or written. Linking
+// OpenImageIO pulls in some two hundred libraries, and loading them costs more than most bakes.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace welkin::image {
 
-/// Everything throws Error(content) for what an image holds, Error(internal) for what cannot be encoded.
+/// Every function throws Error(content) for bad content of an image and Error(internal) for a failed encoding.
 struct ImageModule {
   Image (*read)(const std::filesystem::path& path, const char* format, const ImageLimits& limits);
   CodedImage (*decode)(const std::string& name, const char* format, std::span<const std::byte> bytes,
@@ -27,7 +27,7 @@ struct ImageModule {
 /// Loads the module once. Throws Error(file) when it is not beside the program.
 const ImageModule& imageModule();
 
-/// The function that the module exports.
+/// Name of the function that the module exports.
 inline constexpr const char* kImageModuleEntry = "welkinImageModule";
 
 }  // namespace welkin::image

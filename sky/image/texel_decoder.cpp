@@ -37,7 +37,7 @@ CodedImage decodeWebp(const std::string& name, std::span<const std::byte> bytes,
   return image;
 }
 
-/// Two channels are grey and alpha; one and three have no alpha, which stays 255.
+/// Spreads the channels to RGBA. Two channels are grey and alpha. Without alpha (one or three) it stays 255.
 void spreadChannels(int channels, CodedImage& image) {
   if (channels >= 3) return;
   for (std::size_t i = 0; i < image.rgba.size(); i += kChannels) {

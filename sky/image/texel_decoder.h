@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes the texels of an image in memory, by OpenImageIO and, for WebP, libwebp: OpenImageIO multiplies WebP's
-// colours by their alpha.
+// Decodes the texels of an image in memory. OpenImageIO does so for every format but WebP, whose colours it multiplies
+// by alpha; WebP goes to libwebp.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace welkin::image {
 
-/// decodeImage() of a known format: OpenImageIO's name of it, or "webp".
+/// decodeImage() for a known format: OpenImageIO's name of it, or "webp".
 CodedImage decodeTexels(const std::string& name, const char* format, std::span<const std::byte> bytes,
                         const ImageLimits& limits);
 

@@ -10,7 +10,7 @@ namespace welkin::model {
 
 using det::Number3;
 
-/// Linear Rec. 709, >= 0. Row 0 is the horizon. Where a texel lies: shaders/shared/gradient.glsl.
+/// Linear Rec. 709, >= 0. Row 0 is the horizon. See shaders/shared/gradient.glsl for the position of a texel.
 struct Gradient {
   int width = 1;
   int height = 1;
@@ -21,21 +21,21 @@ struct Gradient {
   double brightestLuminance() const;
 };
 
-/// The colours of one instant from the horizon to the zenith: linear between row centres, clamped outside them.
+/// The colours at one instant from the horizon to the zenith: linear between row centres, clamped outside them.
 struct GradientColumn {
   std::vector<Number3> row;
 
   Number3 at(double elevation_rad) const;
   /// Elevation of the centre of row j, radians.
   double centre(int j) const { return (j + 0.5) / static_cast<double>(row.size()) * det::kHalfPi; }
-  /// Whether the colour bends at the centre of row j; a column of one colour never does.
+  /// Whether the colour bends at the centre of row j. Never true for a column of one colour.
   bool bendsAt(int j) const;
 };
 
 /// Interpolates the gradient's columns at a finite time.
 GradientColumn columnAt(const Gradient& gradient, double time_h);
 
-/// How a file holds a gradient's texels.
+/// Storage format of a gradient's texels in a file.
 enum class GradientFormat {
   rgb32f,  ///< floats: 12 bytes, exact
   rgb9e5   ///< shared exponent: 4 bytes, each component within 2^-9 of the texel's largest
@@ -46,12 +46,12 @@ constexpr const char* nameOf(GradientFormat format) {
   return format == GradientFormat::rgb9e5 ? "rgb9e5" : "rgb32f";
 }
 
-/// The gradient as a file of that format gives it back.
+/// Returns the gradient as it is read back from a file of that format.
 Gradient rounded(const Gradient& gradient, GradientFormat format);
 
-/// Divides both by the brightest luminance of either, which is 1 then: only hue and saturation count, and numbers from
-/// any range become safe. Two black gradients stay black. The luminance under which colours fade is then
-/// kGradientDelta.
+/// Divides both gradients by the brightest luminance of either. That luminance becomes 1, so only hue and saturation
+/// count and numbers of any range become safe. Two black gradients stay black. Afterwards colours fade below the
+/// luminance kGradientDelta.
 void normalise(Gradient& a, Gradient& b);
 
 /// 1e-4 of the brightest gradient luminance.

@@ -6,13 +6,13 @@
 namespace welkin::model {
 namespace {
 
-constexpr double kRatio = 3.0;       // of neighbouring panels that shrink towards a cusp or a layer
-constexpr double kThinnest = 1e-16;  // layer, radians
+constexpr double kRatio = 3.0;       // Ratio of neighbouring panels that shrink towards a cusp or a layer.
+constexpr double kThinnest = 1e-16;  // Thinnest layer, radians.
 
 /// sin 10 degrees is the cosine of the elevation at which the blend over azimuth starts to fade.
 const double kFadeElevation = 80.0 / 180.0 * det::kPi;
 
-/// Nodes a panel. Gauss's error falls by a constant factor a node; more bands turn faster.
+/// Number of nodes of a panel. Gauss's error falls by a constant factor with each node; more bands turn faster.
 struct Nodes {
   int coarse, middle, fine, azimuth;
   double smallest_h;
@@ -27,21 +27,22 @@ Nodes nodesFor(double tolerance, int orders) {
     ++nodes.fine;
     ++nodes.azimuth;
   }
-  // A panel may be a quarter circle, over which cos(m alpha) turns m / 4 times: three nodes a turn, and those that the
-  // sky's own change needs.
+  // A panel may be a quarter circle, over which cos(m alpha) turns m / 4 times. That takes three nodes a turn, plus the
+  // nodes for the sky's own change.
   nodes.azimuth = std::max(nodes.azimuth, 4 + 3 * orders / 4);
   return nodes;
 }
 
-/// Luminance of the darker of two gradient colours as a part of the brighter, not below where colours are neutral.
+/// Luminance of the darker of two gradient colours relative to the brighter, bounded below by the level where colours
+/// are neutral.
 double darknessOf(const Number3& darker, const Number3& brighter) {
   return std::max(det::luminanceOf(darker), kGradientDelta) / std::max(det::luminanceOf(brighter), kGradientDelta);
 }
 
-// From this ratio on panels are as small as a pole of the hue asks for: between rows, and between the gradients.
+// From this ratio on, panels are as small as a pole of the hue demands, both between rows and between the gradients.
 constexpr double kDark = 0.25;
 
-/// The least distance of a hue's pole from the rows that it lies beyond, where a texel's hue is 1 / luminance.
+/// The least distance between a pole of the hue and its rows. A texel's hue goes as 1 / luminance.
 double hueScaleOf(const GradientColumn& column) {
   double scale = det::kHalfPi;
   for (std::size_t j = 1; j < column.row.size(); ++j) {
@@ -62,7 +63,7 @@ bool hasDarkRows(const GradientColumn& column) {
   return false;
 }
 
-/// 1 where the other gradient is not much brighter.
+/// Returns 1 unless the other gradient is much brighter.
 double darkSide(const Number3& darker, const Number3& brighter) {
   const double ratio = darknessOf(darker, brighter);
   return ratio < kDark ? ratio : 1.0;
@@ -107,9 +108,9 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
   const double sun = frame.elevation;
   std::vector<double> edge(extra.begin(), extra.end());
   edge.push_back(kFadeElevation);
-  double least = 1e-12;  // panels that are thinner are rounding's
+  double least = 1e-12;  // Thinner panels are only rounding.
   if (m.a != 0.0) {
-    // exp(-40) of the layer is left below it. Of what is below kThinnest the darkest zenith, 1e-9, hides all but 1e-7.
+    // Below it exp(-40) of the layer is left. The darkest zenith, 1e-9, hides all but 1e-7 of the part below kThinnest.
     const double layer = std::max(-m.b / 40.0, kThinnest);
     least = std::min(least, 0.5 * layer);
     for (double e = det::kHalfPi / kRatio; e > layer; e /= kRatio) edge.push_back(e);
@@ -128,7 +129,7 @@ std::vector<double> HemisphereQuadrature::panels(const SunFrame& frame, std::spa
   for (const GradientColumn* column : {&instant.sunColumn(), &instant.antiColumn()})
     for (int j = 0; j < static_cast<int>(column->row.size()); ++j)
       if (column->bendsAt(j)) edge.push_back(column->centre(j));
-  // Above it the brighter gradient reaches the darker side, where the hue turns as soon as its share is as bright.
+  // Above it the brighter gradient reaches the darker side. The hue turns as soon as its share is as bright.
   for (double r = frame.dark_side; r < 1.0; r *= kRatio)
     edge.push_back(kFadeElevation + r * (det::kHalfPi - kFadeElevation));
   if (frame.has_dark_rows)
@@ -220,7 +221,8 @@ bool HemisphereQuadrature::fades(const SkyInstant& instant) {
 }
 
 void HemisphereQuadrature::addFadeCrossings(const SunFrame& sun, std::vector<double>& edge) {
-  // Luminance of the blended colour at the sun's azimuth and at the opposite, above what makes colours fade.
+  // Luminance of the blended colour at the sun's azimuth and at the opposite one, minus the luminance where colours
+  // fade.
   const auto excess = [&](double elevation, double cos_alpha) {
     const Latitude at = latitude(sun, elevation, 1.0);
     const double w = 0.5 + 0.5 * at.blend * cos_alpha;
@@ -238,7 +240,7 @@ void HemisphereQuadrature::addFadeCrossings(const SunFrame& sun, std::vector<dou
         const double middle = 0.5 * (low + high);
         ((excess(middle, side) > 0.0) == starts ? low : high) = middle;
       }
-      // The share of the circles that has crossed grows as a root from here.
+      // From here the share of the circles that has crossed grows as a square root.
       const double crossing = 0.5 * (low + high);
       edge.push_back(crossing);
       const double width = before[i] - before[i - 1];
@@ -263,7 +265,7 @@ const sh::GaussRule& HemisphereQuadrature::ruleFor(const SunFrame& sun, double l
   if (sun.has_dark_rows || (sun.dark_side < 1.0 && low >= kFadeElevation)) return dark_;
   const LuminanceModel& m = sun.instant.sky().luminance;
   const double width = high - low;
-  double scale = std::min(1.0, 3.0 * sun.hue_scale);  // over which the sky changes here
+  double scale = std::min(1.0, 3.0 * sun.hue_scale);  // The sky changes here over this distance.
   if (m.a != 0.0) scale = std::min(scale, std::max(low, width));
   if (m.c != 0.0) scale = std::min(scale, std::max({low - sun.elevation, sun.elevation - high, cuspScale(m) / 4.0}));
   return width > 0.3 * scale ? fine_ : width > 0.1 * scale ? middle_ : coarse_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quadrature of projection.h: where its panels lie and what the sky is at its nodes.
+// The quadrature of projection.h: the positions of its panels and the sky at its nodes.
 #pragma once
 
 #include <algorithm>
@@ -15,26 +15,28 @@ namespace welkin::model {
 
 using det::Number3;
 
-/// A circle of constant elevation in the sun's frame, and what is constant along it.
+/// A circle of constant elevation in the sun's frame, with the quantities that are constant along it.
 struct Latitude {
   double sine = 0.0;  ///< of the elevation
   double cosine = 1.0;
-  double weight = 0.0;  ///< of the elevation integral, the cosine of the solid angle included
+  double weight = 0.0;  ///< weight in the elevation integral, with the cosine of the solid angle
   double gradation = 1.0;
-  Number3 sun_colour;  ///< of the two gradients
+  Number3 sun_colour;  ///< colour of the sun's gradient
   Number3 anti_colour;
   double blend = 0.0;  ///< amplitude of the azimuth blend: the sun's weight is 1/2 + blend cos(alpha) / 2
-  // tan of half the azimuth, from the darker gradient's, over which the other takes the hue over; 1: as bright.
+  // tan of half the azimuth, counted from the darker gradient's side, at which the other gradient takes over the hue. 1
+  // if both are equally bright.
   double dark_sun = 1.0;
   double dark_anti = 1.0;
-  bool has_dark = false;  ///< one of the gradients, here or in a row beside
-  // sin^2 of half the angle to the sun is near + reach sin^2(alpha / 2), to its antipode far + reach cos^2(alpha / 2).
+  bool has_dark = false;  ///< whether a gradient is dark, here or in a neighbouring row
+  // sin^2 of half the angle to the sun is near + reach sin^2(alpha / 2). For the antipode it is far + reach cos^2(alpha
+  // / 2).
   double near = 0.0;
   double far = 0.0;
   double reach = 0.0;
 };
 
-/// A point of a circle, alpha in (0, pi) from the sun's azimuth.
+/// A point of a circle at azimuth alpha in (0, pi) from the sun's.
 struct Azimuth {
   double cosine = 1.0;  ///< of alpha
   double sine = 0.0;
@@ -43,9 +45,9 @@ struct Azimuth {
   double weight = 0.0;
 };
 
-/// What does not change while an instant is integrated.
+/// The quantities that stay constant while an instant is integrated.
 struct SunFrame {
-  /// `table` is of the instant's model, or null for the exact exponential.
+  /// `table` belongs to the instant's model. Null selects the exact exponential.
   SunFrame(const SkyInstant& instant, const IndicatrixTable* table);
 
   const SkyInstant& instant;
@@ -55,17 +57,17 @@ struct SunFrame {
   double half_cosine;
   double length;       ///< horizontal length of the sun's direction
   bool has_dark_rows;  ///< a gradient has a row much darker than its neighbour, or so dark that colours fade
-  double hue_scale;    ///< of the elevations over which a gradient's hue changes, radians
-  double dark_side;    ///< of the two gradients where their blend starts to fade: the darker by the brighter, or 1
+  double hue_scale;    ///< range of elevations over which a gradient's hue changes, radians
+  double dark_side;    ///< ratio of the darker gradient to the brighter where their blend starts to fade, or 1
 };
 
 class HemisphereQuadrature {
  public:
-  /// `orders`: how many cosines of multiples of the azimuth the caller integrates against; `d` of the luminance model:
-  /// a steeper cusp takes narrower panels.
+  /// `orders` is the number of cosines of multiples of the azimuth that the caller integrates against. `d` comes from
+  /// the luminance model; a steeper cusp takes narrower panels.
   HemisphereQuadrature(double tolerance, int orders, double d);
 
-  /// Elevations in [0, pi/2] between which the sky is smooth, ascending; `extra` adds the caller's own.
+  /// Elevations in [0, pi/2], ascending, between which the sky is smooth. `extra` adds the caller's own.
   std::vector<double> panels(const SunFrame& sun, std::span<const double> extra) const;
 
   /// Calls visit(latitude) for every node of the panels.
@@ -77,7 +79,7 @@ class HemisphereQuadrature {
                       [&](double elevation, double weight) { visit(latitude(sun, elevation, weight)); });
   }
 
-  /// Calls visit(azimuth) for the azimuths from the sun's to the opposite on one side. `extra` holds up to 4 values of
+  /// Calls visit(azimuth) for azimuths on one side, from the sun's to the opposite. `extra` holds up to 4 values of
   /// tan(alpha / 2) at which the caller's integrand bends.
   template <typename Visit>
   void forEachAzimuth(const Latitude& at, std::span<const double> extra, Visit&& visit) const {
@@ -94,14 +96,14 @@ class HemisphereQuadrature {
     });
   }
 
-  /// Adds to order[m] the integral of the sky's radiance times cos(m alpha) over half the circle; returns how many
-  /// directions it looked at.
+  /// Adds to order[m] the integral of the sky's radiance times cos(m alpha) over half the circle. Returns the number of
+  /// directions evaluated.
   std::size_t addOrders(const SunFrame& sun, const Latitude& at, std::span<Number3> order) const;
 
   /// Whether a gradient is dark enough here for its colours to fade.
   static bool fades(const SkyInstant& instant);
-  /// tan(alpha / 2) at which the blended colour crosses the luminance under which colours fade; none gives an empty
-  /// span.
+  /// Returns tan(alpha / 2) where the blended colour crosses the luminance below which colours fade. Empty if there is
+  /// no crossing.
   static std::span<const double> fadeCrossing(const Latitude& at, double (&storage)[1]);
 
  private:
@@ -111,9 +113,9 @@ class HemisphereQuadrature {
   static void addDarkRows(const GradientColumn& column, std::vector<double>& edge);
   static void addFadeCrossings(const SunFrame& sun, std::vector<double>& edge);
 
-  /// Panels of t = tan(alpha / 2) over [0, 1], alpha counted from the cusp's side. The distance to the cusp is
-  /// near + (near + reach) t^2 over 1 + t^2, whose root is at t = i h, and a dark gradient's hue has a pole at i dark:
-  /// panels grow from kFirst times the smaller of them by kGrowth.
+  /// Panels of t = tan(alpha / 2) over [0, 1], with alpha counted from the cusp's side. The distance to the cusp is
+  /// near + (near + reach) t^2 over 1 + t^2, with its root at t = i h. A dark gradient's hue has a pole at i dark.
+  /// Panels start at kFirst times the smaller of the two and grow by kGrowth.
   template <typename Visit>
   void forEachAzimuthInHalf(const Latitude& at, double distance, double dark, std::span<const double> extra,
                             Visit&& visit) const {
@@ -135,8 +137,8 @@ class HemisphereQuadrature {
   }
 
   static constexpr double kFirst = 1.25;      ///< the first panel's end, in units of h
-  static constexpr double kGrowth = 5.0;      ///< of the panels after it
-  static constexpr double kDarkGrowth = 2.5;  ///< the same beside a pole, which is stronger than a cusp
+  static constexpr double kGrowth = 5.0;      ///< growth of the panels after it
+  static constexpr double kDarkGrowth = 2.5;  ///< growth beside a pole, which is stronger than a cusp
   double smallest_h_;
   sh::GaussRule coarse_, middle_, fine_, azimuth_;
   sh::GaussRule dark_, dark_azimuth_;  ///< where a dark gradient's hue has poles

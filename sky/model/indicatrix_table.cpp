@@ -12,8 +12,8 @@ const double kEnd = std::sqrt(0.5);
 }  // namespace
 
 IndicatrixTable::IndicatrixTable(double d) {
-  // Hermite's cubics leave h^4 / 384 of the fourth derivative, (2 d)^4 at the sun and less than 1.4 times that
-  // elsewhere once d is past 1; below, the arc sine's own curvature counts: 24 at the right angle.
+  // Hermite's cubics leave h^4 / 384 of the fourth derivative. That is (2 d)^4 at the sun and less than 1.4 times as
+  // much elsewhere once -d is past 1. Below that the arc sine's own curvature counts: 24 at the right angle.
   const double bend = std::max(2.0 * -d, 4.0);
   const double h = std::sqrt(std::sqrt(384.0 * kError / 1.4)) / bend;
   const int intervals = static_cast<int>(std::ceil(kEnd / h));
@@ -25,7 +25,7 @@ IndicatrixTable::IndicatrixTable(double d) {
 std::vector<IndicatrixTable::Cubic> IndicatrixTable::tabulate(double d, double scale, int intervals) {
   const double h = kEnd / intervals;
   double value[2];
-  double slope[2];  // times h
+  double slope[2];  // Slopes times h.
   const auto evaluate = [&](int i, int to) {
     const double x = h * i;
     const double cosine = std::sqrt(1.0 - x * x);

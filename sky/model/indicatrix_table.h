@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The indicatrix' exponential from a table: half of what integrating a sky costs, without its arc tangent and
-// exponential.
+// The indicatrix' exponential from a table. It avoids the arc tangent and the exponential, which are half the cost of
+// integrating a sky.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace welkin::model {
 
 /// exp(d theta) over theta in [0, pi], as cubics in sin(theta / 2) up to a right angle and in cos(theta / 2) past it.
-/// For -kSteepest <= d < 0; error at most kError, absolute (tests/sky/luminance_test.cpp sweeps it); the slow reference
-/// is det::exp of det::angleBetween. The same bits everywhere.
+/// Valid for -kSteepest <= d < 0. The absolute error is at most kError (tests/sky/luminance_test.cpp sweeps it). The
+/// slow reference is det::exp of det::angleBetween. The bits are the same on every machine.
 class IndicatrixTable {
  public:
   static constexpr double kSteepest = 16.0;
@@ -21,7 +21,7 @@ class IndicatrixTable {
 
   explicit IndicatrixTable(double d);
 
-  /// From sin^2 and cos^2 of half the angle; they add up to 1.
+  /// Takes sin^2 and cos^2 of half the angle, which add up to 1.
   double exponential(double half_sine2, double half_cosine2) const {
     const bool facing = half_sine2 <= half_cosine2;
     return valueOf(facing ? from_sun_ : from_antipode_, std::sqrt(facing ? half_sine2 : half_cosine2));

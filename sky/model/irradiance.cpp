@@ -15,7 +15,7 @@ constexpr double kFieldTolerance = 1e-4;  // of the quadrature; with the extra p
 }  // namespace
 
 Number3 IrradianceField::excess(double y, double cos_alpha) const {
-  const double across = std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0));
+  const double across = det::sineFromCosine(y);
   return (moments.radiance_sh[polarIndex(1, 0)] * y + moments.radiance_sh[polarIndex(1, 1)] * (across * cos_alpha)) /
          det::kShLinear;
 }
@@ -30,7 +30,7 @@ IrradianceProjector::IrradianceProjector(const LuminanceModel& model, const Irra
     : quadrature_(kFieldTolerance, kOrders, model.d), recurrence_(kBands) {
   for (int r = 0; r < kRows; ++r) {
     const double y = det::yOfModeRow(r / (kRows - 1.0));
-    row_.push_back({y, std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0))});
+    row_.push_back({y, det::sineFromCosine(y)});
   }
   for (int i = 1; i < rule.panels; ++i) extra_.push_back(det::kHalfPi * i / rule.panels);
   if (model.d >= -IndicatrixTable::kSteepest) table_.emplace(model.d);

@@ -7,7 +7,7 @@ namespace welkin::model {
 namespace {
 constexpr double kRadian = det::kPi / 180.0;
 
-/// Days from J2000.0 (1 January 2000, 12 h UT) to 12 h UT of a day of the proleptic Gregorian calendar.
+/// Days from J2000.0 (1 January 2000, 12 h UT) to 12 h UT of a day in the proleptic Gregorian calendar.
 double daysSinceJ2000(int year, int day_of_year) {
   const auto daysBefore = [](long y) {
     const long p = y - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun and the moon: where they stand, how bright and what colour, over the day.
+// Direction, brightness and colour of the sun and the moon over the day.
 #pragma once
 
 #include "sky/base/curve.h"
@@ -8,7 +8,7 @@ namespace welkin::model {
 
 using det::Number3;
 
-/// A light's path: the daily circle of a frozen declination, or keys drawn by hand when there are any.
+/// The path of a light: the daily circle of a frozen declination, or keys drawn by hand if there are any.
 struct LightPath {
   double latitude_rad = 0.0;      ///< [-pi/2, pi/2]
   double declination_rad = 0.0;   ///< [-pi/2, pi/2]
@@ -22,9 +22,9 @@ struct LightPath {
   Number3 directionAt(double time_h) const;
 };
 
-/// Declination and clock time of transit of the sun on a day, frozen at 12 h of clock time. Meeus, "Astronomical
-/// Algorithms" (1998), ch. 25 (low accuracy, 0.01 degrees) and ch. 28 (equation of time); without nutation.
-/// `year` in [-2000, 6000], `day_of_year` 1..366, longitude in degrees, east positive, offset in hours.
+/// Declination of the sun on a day and clock time of its transit, frozen at 12 h of clock time. Meeus, "Astronomical
+/// Algorithms" (1998), ch. 25 (low accuracy, 0.01 degrees) and ch. 28 (equation of time), without nutation. `year` in
+/// [-2000, 6000], `day_of_year` 1..366, longitude in degrees, east positive, offset in hours.
 LightPath sunPathFromPlace(double latitude_deg, double longitude_deg, double utc_offset_h, int year, int day_of_year);
 
 struct Light {

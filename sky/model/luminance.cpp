@@ -35,15 +35,16 @@ namespace {
 
 constexpr double kDegree = det::kPi / 180.0;
 
-/// Least factor of a luminance. With coefficients up to 1e4 a relative luminance is then at most 2e26, which a float
-/// holds and the runtime accepts.
+/// Least value of a luminance factor. With coefficients up to 1e4 a relative luminance is then at most 2e26, which a
+/// float holds and the runtime accepts.
 constexpr double kDarkest = 1e-9;
 
 const char* phrase(double factor) {
   return factor < 0.0 ? "negative" : factor == 0.0 ? "zero" : "nearly zero";
 }
 
-/// Where in [low, high] the indicatrix is least: a scan by 1/8 degree, refined by golden section around its best.
+/// Finds the angle in [low, high] where the indicatrix is least: a scan by 1/8 degree, refined by golden section around
+/// its best.
 double darkestAngle(const LuminanceModel& m, double low, double high) {
   const int steps = std::max(8, static_cast<int>(std::ceil((high - low) / (kDegree / 8.0))));
   const double step = (high - low) / steps;
@@ -63,12 +64,12 @@ double darkestAngle(const LuminanceModel& m, double low, double high) {
   return det::indicatrix(m, refined) < det::indicatrix(m, best) ? refined : best;
 }
 
-/// The direction of the upper hemisphere at `angle` from the sun: in the sun's vertical plane, past the zenith or below
-/// the sun, whichever is above the horizon.
+/// Returns a direction of the upper hemisphere at `angle` from the sun. It lies in the sun's vertical plane, past the
+/// zenith or below the sun, whichever is above the horizon.
 Number3 directionAtAngle(const Number3& sun, double angle) {
   const double elevation = det::elevationOf(sun);
   const double azimuth = det::atan(sun.x, -sun.z);
-  const double up = elevation + angle;  // measured over the zenith
+  const double up = elevation + angle;  // Elevation, measured over the zenith.
   return up <= det::kPi + 1e-12 ? det::directionOf(azimuth, up) : det::directionOf(azimuth, elevation - angle);
 }
 
@@ -85,8 +86,8 @@ std::optional<std::string> whyUnusable(const LuminanceModel& m, const LightPath&
         m.a, phrase(zenith), zenith, det::elevationOf(noon) / kDegree, m.b, -det::exp(-m.b));
   std::vector<double> times = sun.key_time_h;
   for (int minute = 0; minute < 1440; ++minute) times.push_back(minute / 60.0);
-  // The angles to the sun that the upper hemisphere shows, and 0 for the normalisation: most under the lowest sun, and
-  // all of them once it is below the horizon.
+  // The angles to the sun that the upper hemisphere shows, and 0 for the normalisation. The range is widest under the
+  // lowest sun, and complete once it is below the horizon.
   double time = times.front();
   double widest = -1.0;
   for (const double t : times) {

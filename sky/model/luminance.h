@@ -22,13 +22,13 @@ struct NamedLuminance {
 /// table 1 with the sign of c corrected).
 const std::vector<NamedLuminance>& namedLuminances();
 
-/// Null when there is no such name.
+/// Returns the model of that name, or null if there is none.
 const LuminanceModel* findLuminance(std::string_view name);
 
-/// Why a model cannot be used under the given sun, if it cannot: a coefficient out of its domain, or a luminance that
-/// is zero (below 1e-9) or negative in a direction at a sun position of the day. Names coefficient, sun elevation and
-/// direction. The day is scanned by the minute, keys included, the angle to the sun by 1/8 of a degree and by golden
-/// section.
+/// Returns the reason why a model cannot be used under the given sun, if there is one. The reason is a coefficient out
+/// of its domain, or a luminance below 1e-9 or negative in some direction during the day. The text names coefficient,
+/// sun elevation and direction. The scan takes every minute of the day and every key. It covers the angle to the sun by
+/// 1/8 of a degree and refines by golden section.
 std::optional<std::string> whyUnusable(const LuminanceModel& model, const LightPath& sun);
 
 }  // namespace welkin::model

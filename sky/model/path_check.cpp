@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = det::kPi / 180.0;
 
-/// A key below the horizon half way along a stretch, as it is written in a sky file.
+/// Text of a sky file's key that lies below the horizon half way along a stretch.
 std::string keyBelow(const LightPath& path, const HorizonStretch& stretch) {
   const double middle_h = format::wrapTime(stretch.from_h + stretch.length_h / 2.0);
   const Number3 d = path.directionAt(middle_h);
@@ -34,7 +34,7 @@ std::vector<HorizonStretch> horizonStretchesOf(const LightPath& path) {
   const std::size_t count = path.key_time_h.size();
   const auto isOnHorizon = [](double elevation_rad) { return std::abs(elevation_rad) <= kHorizonBand_deg * kDegree; };
   if (std::all_of(path.key_elevation_rad.begin(), path.key_elevation_rad.end(), isOnHorizon)) return {};
-  const auto lengthAfter = [&](std::size_t i) {  // from key i to the next, over midnight after the last
+  const auto lengthAfter = [&](std::size_t i) {  // From key i to the next, over midnight after the last one.
     return i + 1 < count ? path.key_time_h[i + 1] - path.key_time_h[i] : path.key_time_h[0] + 24.0 - path.key_time_h[i];
   };
   const auto isStretch = [&](std::size_t i) {
@@ -43,7 +43,7 @@ std::vector<HorizonStretch> horizonStretchesOf(const LightPath& path) {
   };
   std::vector<HorizonStretch> stretches;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!isStretch(i) || isStretch((i + count - 1) % count)) continue;  // counted from its first key
+    if (!isStretch(i) || isStretch((i + count - 1) % count)) continue;  // Already counted from its first key.
     HorizonStretch stretch{path.key_time_h[i], 0.0};
     for (std::size_t j = i; isStretch(j); j = (j + 1) % count) stretch.length_h += lengthAfter(j);
     stretches.push_back(stretch);

@@ -9,17 +9,17 @@
 namespace welkin::model {
 namespace {
 
-/// Tolerances from here on may use tables whose error is IndicatrixTable::kError.
+/// From this tolerance on, tables with an error of IndicatrixTable::kError may be used.
 constexpr double kTableTolerance = 1e-6;
 
-/// The named models have lobes up to c = 24. What a much stronger one leaves of the rule's error is no longer hidden by
-/// the rest of the sky: up to 2e-5 of c0 from the rule for 1e-5 at c = 1e4, d = -50.
+/// The named models have lobes up to c = 24. For a much stronger lobe the rest of the sky no longer hides the rule's
+/// error: up to 2e-5 of c0 where the rule promises 1e-5, at c = 1e4, d = -50.
 double toleranceFor(const LuminanceModel& model, double tolerance) {
   constexpr double kStrong = 100.0;
   return std::abs(model.c) > kStrong ? 1e-2 * tolerance : tolerance;
 }
 
-/// cos(m phi) and sin(m phi) of a direction's azimuth in the polar frame; the pole itself counts as azimuth 0.
+/// cos(m phi) and sin(m phi) of a direction's azimuth in the polar frame. The pole itself has azimuth 0.
 struct Turn {
   double cosine = 1.0;
   double sine = 0.0;
@@ -96,7 +96,7 @@ SkyMoments SkyProjector::project(const SkyInstant& instant) const {
 Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& normal) const {
   const Turn sun_turn(instant.sunDirection());
   const Turn facing(normal);
-  // Azimuth of the normal from the sun's, and the elevation at which the plane of the surface leaves the circle.
+  // Azimuth of the normal from the sun's, and the elevation at which the surface's plane leaves the circle.
   const double cos_facing = facing.cosine * sun_turn.cosine + facing.sine * sun_turn.sine;
   const double sin_facing = facing.sine * sun_turn.cosine - facing.cosine * sun_turn.sine;
   const double facing_rad = det::atan(sin_facing, cos_facing);
@@ -115,7 +115,7 @@ Number3 SkyProjector::irradiance(const SkyInstant& instant, const Number3& norma
       std::size_t bends = 0;
       double storage[1];
       for (const double t : HemisphereQuadrature::fadeCrossing(at, storage)) bend[bends++] = t;
-      if (std::abs(along) < across) {  // the surface's plane cuts the circle at +-beta from the normal's azimuth
+      if (std::abs(along) < across) {  // The surface's plane cuts the circle at +-beta from the normal's azimuth.
         const double beta = det::atan(std::sqrt(across * across - along * along), -along);
         for (const double phi : {facing_rad - beta, facing_rad + beta}) {
           const double alpha = std::remainder(side * phi, det::kTwoPi);

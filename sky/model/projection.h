@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Projection of the sky's radiance into spherical harmonics by a quadrature made for it, not through a cubemap.
 //
-// The integrand has a conical cusp at the sun (and a weak one opposite), a layer at the horizon that is as steep as
-// exp(b / sin elevation), bends where the gradients' rows are centred, and is symmetric about the sun's vertical plane.
+// The integrand has a conical cusp at the sun (and a weak one opposite) and a layer at the horizon as steep as exp(b /
+// sin elevation). It bends at the centres of the gradients' rows and is symmetric about the sun's vertical plane.
 // Gauss-Legendre panels in elevation meet the bends and shrink geometrically towards the horizon, the sun and its
-// antipode; so do panels in the tangent of half the azimuth, from the sun's to the opposite. Coefficients are
-// accumulated in the sun's frame, where only the cosine orders live, and rotated to the world once.
+// antipode. Panels in the tangent of half the azimuth, from the sun's to the opposite, do the same. Coefficients are
+// accumulated in the sun's frame, which has only the cosine orders, and rotated to the world once.
 #pragma once
 
 #include <cstddef>
@@ -25,42 +25,43 @@ using det::Number3;
 struct SkyMoments {
   std::vector<Number3> radiance_sh;  ///< bands^2, world axes
   Number3 horizontal_irradiance;     ///< integral of radiance times sin elevation
-  std::size_t evaluations = 0;       ///< directions that the quadrature looked at
+  std::size_t evaluations = 0;       ///< number of directions evaluated by the quadrature
 };
 
-/// The same in the frame of the sun's azimuth: pole +y, azimuth counted from the sun's. Only the orders m >= 0 are
-/// there, for the sky is symmetric about the sun's vertical plane; index polarIndex(l, m).
+/// The same moments in the frame of the sun's azimuth: pole +y, azimuth counted from the sun's. Only orders m >= 0 are
+/// stored, because the sky is symmetric about the sun's vertical plane. Index: polarIndex(l, m).
 struct PolarMoments {
   std::vector<Number3> radiance_sh;  ///< bands (bands + 1) / 2
   Number3 horizontal_irradiance;
   std::size_t evaluations = 0;
 };
 
-/// Index of degree l and order 0 <= m <= l among the coefficients of m >= 0.
+/// Index of the coefficient of degree l and order 0 <= m <= l, when only m >= 0 are stored.
 constexpr std::size_t polarIndex(int l, int m) {
   return static_cast<std::size_t>(l * (l + 1) / 2 + m);
 }
 
-/// Adds the share of a circle whose radiance has the half integrals `order` against cos(m alpha); `factor`: the
-/// latitude's factors of the basis (sh::LatitudeRecurrence).
+/// Adds the share of a circle. `order` holds the half integrals of its radiance against cos(m alpha); `factor` holds
+/// the latitude's factors of the basis (sh::LatitudeRecurrence).
 void addMoments(const Latitude& at, std::span<const Number3> order, std::span<const double> factor, int bands,
                 PolarMoments& moments);
 
-/// What a bake promises of every coefficient, relative to c0.
+/// The bake's bound for the error of every coefficient, relative to c0.
 inline constexpr double kTolerance = 1e-5;
 
-/// Immutable after construction; project may be called from many threads.
+/// Immutable after construction. Many threads may call project at once.
 class SkyProjector {
  public:
   /// For skies of `model`; `bands` >= 1. Every coefficient is kept within `tolerance` of c0, for every sun elevation
-  /// (tests/sky/projection_test.cpp): 1e-4, 1e-5, 1e-9, or 1e-12 for what rounding allows; between them the next finer
-  /// one is taken.
+  /// (tests/sky/projection_test.cpp). The levels are 1e-4, 1e-5, 1e-9 and 1e-12, the last being what rounding allows. A
+  /// tolerance in between takes the next finer level.
   SkyProjector(const LuminanceModel& model, int bands, double tolerance = kTolerance);
 
   SkyMoments project(const SkyInstant& instant) const;
   PolarMoments projectPolar(const SkyInstant& instant) const;
 
-  /// Irradiance (pi included) of a surface with unit `normal` from the sky at intensity 1, integrated directly: no SH.
+  /// Irradiance (pi included) of a surface with unit `normal` from the sky at intensity 1, by direct integration
+  /// without SH.
   Number3 irradiance(const SkyInstant& instant, const Number3& normal) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky model: what an artist described, and its radiance at an instant, in double.
+// The sky model: an artist's description and its radiance at an instant, in double.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace welkin::model {
 
 using det::Number3;
 
-/// A star map, drawn on the dome only; shaders/shared/stars.glsl says how it lies.
+/// A star map, drawn on the dome only. See shaders/shared/stars.glsl for its orientation.
 struct Stars {
   int width = 0;
   int height = 0;
@@ -27,7 +27,7 @@ struct Stars {
   double midnight_h = 0.0;  ///< clock time at which the middle column crosses the meridian
 };
 
-/// A sky over one day. See docs/conventions.md for every formula.
+/// A sky over one day. docs/conventions.md has every formula.
 struct Sky {
   LuminanceModel luminance = *findLuminance("far-cry-3");
   bool normalise_to_sun = true;  ///< false: to the zenith
@@ -46,7 +46,7 @@ struct Sky {
 /// The sky at one time. Radiances are RGB in scene units; directions are unit vectors.
 class SkyInstant {
  public:
-  /// `time_h` is finite.
+  /// `time_h` must be finite.
   SkyInstant(const Sky& sky, double time_h);
 
   const Sky& sky() const { return *sky_; }
@@ -69,12 +69,12 @@ class SkyInstant {
   Number3 shape(const Number3& direction) const {
     return direction.y < 0.0 ? Number3(0.0) : chromaticity(direction) * luminance(direction);
   }
-  /// With intensity; below the horizon the ground.
+  /// Radiance with intensity. Below the horizon it is `ground`.
   Number3 radiance(const Number3& direction, const Number3& ground) const {
     return direction.y < 0.0 ? ground : shape(direction) * intensity_;
   }
-  /// What the dome and the cubemaps show: with the tint above the horizon. `table`, of this sky's luminance, gives the
-  /// indicatrix within IndicatrixTable::kError in half the time; null: exact.
+  /// The radiance that dome and cubemaps show, with the tint above the horizon. `table`, for this sky's luminance,
+  /// gives the indicatrix within IndicatrixTable::kError in half the time. Null selects the exact one.
   Number3 dome(const Number3& direction, const Number3& ground, const IndicatrixTable* table = nullptr) const {
     return direction.y < 0.0 ? ground : dome(DomeRay(sky_->luminance, direction), table);
   }

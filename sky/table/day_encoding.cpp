@@ -9,7 +9,7 @@
 namespace welkin::table {
 namespace {
 
-/// The float that is no smaller.
+/// The smallest float that is not below the value.
 float roundedUp(double value) {
   const auto rounded = static_cast<float>(value);
   return double{rounded} < value ? std::nextafter(rounded, INFINITY) : rounded;
@@ -39,7 +39,7 @@ EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding) {
       for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(table.number[key * count + i]));
       out.key_scale.push_back(roundedUp(largest));
     }
-  const auto ofKey = [&](std::size_t key, std::size_t i) {  // 0 where all of the key is
+  const auto ofKey = [&](std::size_t key, std::size_t i) {  // 0 where the whole key is 0
     const double scale = double{out.key_scale[key]};
     return scale > 0.0 ? table.number[key * count + i] / scale : 0.0;
   };

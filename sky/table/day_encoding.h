@@ -12,7 +12,7 @@ namespace welkin::table {
 
 using format::Encoding;
 
-/// runtime/format/welkin.fbs, table Day.
+/// The arrays of table Day in runtime/format/welkin.fbs.
 struct EncodedNumbers {
   Encoding encoding = Encoding::float32;
   std::vector<std::uint8_t> numbers;
@@ -22,12 +22,13 @@ struct EncodedNumbers {
   std::size_t bytes() const { return numbers.size() + 4 * (key_scale.size() + row_scale.size()); }
 };
 
-/// float32 rounds each number. float16 stores it over the largest of its key: 2^-11 of itself, 2^-25 of that largest at
-/// the least. The fixed-point encodings store it over the largest of its key and over the largest that its row then
-/// has: off by at most 1/65534 (fixed16) or 1/254 (fixed8) of the product of the two.
+/// Encodes the numbers. float32 rounds each number. float16 divides by the key's largest number first: the error is
+/// 2^-11 of the number and at least 2^-25 of that largest. The fixed-point encodings divide by the largest of the key,
+/// then by the largest of the row. Their error is at most 1/65534 (fixed16) or 1/254 (fixed8) of the product of the
+/// two.
 EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding);
 
-/// The numbers that a reader gets, in the table's order.
+/// Returns the numbers as a reader decodes them, in the table's order.
 std::vector<double> decodeNumbers(const DayTable& table, const EncodedNumbers& encoded);
 
 }  // namespace welkin::table

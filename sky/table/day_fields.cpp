@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kOrders = static_cast<std::size_t>(model::IrradianceProjector::kOrders);
 
-/// Instants darker than this share of the brightest are divided by it.
+/// Instants darker than this share of the brightest are divided by that share.
 constexpr double kDarkest = 1e-4;
 
 /// Mean ambient irradiance over all normals, ground included, after desaturation.
@@ -44,8 +44,8 @@ ErrorGrid::ErrorGrid() : cosine_(model::azimuthCosines(kColumns, model::Irradian
 }
 
 Number3 ErrorGrid::Normal::inSunFrame() const {
-  const double across = std::sqrt(std::max((1.0 - y) * (1.0 + y), 0.0));
-  return {across * std::sqrt(std::max((1.0 - cos_alpha) * (1.0 + cos_alpha), 0.0)), y, across * cos_alpha};
+  const double across = det::sineFromCosine(y);
+  return {across * det::sineFromCosine(cos_alpha), y, across * cos_alpha};
 }
 
 double ErrorGrid::y(std::size_t point) const {
@@ -155,7 +155,7 @@ std::vector<double> hoursOfInterest(const model::Sky& sky, double step_h) {
     const double before = elevation(t - kMinute);
     const double after = elevation(t + kMinute);
     const double bend = before - 2.0 * here + after;
-    if ((here - before) * (after - here) < 0.0 && bend != 0.0)  // a parabola through three minutes
+    if ((here - before) * (after - here) < 0.0 && bend != 0.0)  // Vertex of a parabola through three minutes.
       hours.push_back(t - 0.5 * kMinute * (after - before) / bend);
   }
   for (double& t : hours) t = format::wrapTime(t);

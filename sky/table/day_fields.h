@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day's irradiance at many hours: what tables are planned from and measured against, and the measure of their
-// error.
+// The day's irradiance at many hours, and the measure of its error. Tables are planned from it and measured against it.
 #pragma once
 
 #include <array>
@@ -24,8 +23,8 @@ struct FieldChannel {
   FieldChannel& add(const FieldChannel& other, double factor);
 };
 
-/// The normals at which tables are compared, on one side of the sun's vertical plane: azimuths of every 11.25 degrees
-/// on rows of elevation that lie between the rows of any map of modes, above the horizon and their opposites below it.
+/// The normals at which tables are compared, on one side of the sun's vertical plane. Azimuths are every 11.25 degrees.
+/// Rows of elevation lie between the rows of any map of modes, above the horizon, with their opposites below it.
 class ErrorGrid {
  public:
   ErrorGrid();
@@ -35,10 +34,10 @@ class ErrorGrid {
     Number3 inSunFrame() const;  ///< x across, y up, z towards the sun's azimuth
   };
   Normal normal(std::size_t point) const;
-  double y(std::size_t point) const;  ///< of that normal
+  double y(std::size_t point) const;  ///< y of that normal
   /// Irradiance at every normal: the upper ones first, by row and column, then their opposites in the same order.
   std::vector<double> valuesOf(const FieldChannel& channel) const;
-  /// The same from values of the upper normals alone and the two coefficients of n . V.
+  /// Appends the lower normals, given the values of the upper ones and the two coefficients of n . V.
   void addLower(std::vector<double>& upper, double vector_up, double vector_along) const;
 
   static constexpr int kColumns = 17;
@@ -49,7 +48,7 @@ class ErrorGrid {
   std::vector<double> cosine_;  ///< cos(m alpha): column, order
 };
 
-/// The sky at an hour, and what an error of its irradiance is divided by.
+/// The sky at an hour, and the divisor of its irradiance errors.
 struct DayInstant {
   double time_h = 0.0;
   model::IrradianceField field;
@@ -62,8 +61,8 @@ struct DayFields {
   const model::Sky* sky = nullptr;
   std::vector<DayInstant> instant;  ///< ascending times
 
-  /// The error of an instant whose shape is wrong by `shape` at intensity 1 at the grid's normals, channel by channel,
-  /// and whose horizontal irradiance by `horizontal`: the largest, and at which normal and channel.
+  /// The largest error of an instant, with its normal and channel. `shape` is the error of the shape at intensity 1 at
+  /// the grid's normals, by channel; `horizontal` is the error of the horizontal irradiance.
   struct Error {
     double value = 0.0;
     std::size_t point = 0;
@@ -74,14 +73,15 @@ struct DayFields {
                 const Number3& horizontal) const;
 };
 
-/// The largest divisor of the day, by quarter hours: instants far darker are divided by a share of it.
+/// The largest divisor of the day, by quarter hours. Far darker instants are divided by a share of it.
 double brightestOf(const model::Sky& sky);
 
-/// Samples the day in parallel; the same bits for any number of threads. `time_h` ascends; `brightest` is brightestOf.
+/// Samples the day in parallel. The bits are the same for any number of threads. `time_h` ascends; `brightest` is
+/// brightestOf.
 DayFields sampleDay(const model::Sky& sky, const std::vector<double>& time_h, double brightest,
                     const Progress& progress, const model::IrradianceRule& rule = model::kIrradianceRules[0]);
 
-/// Hours at which a day bends or is worth looking at: every `step_h` hours, the keys of the sun's path, and the sun's
+/// Hours at which a day bends or is worth checking: every `step_h` hours, the keys of the sun's path, and the sun's
 /// rising, setting, highest and lowest instants to the second.
 std::vector<double> hoursOfInterest(const model::Sky& sky, double step_h);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The farthest end of a run that holds, where longer runs are dearer to try and seldom hold again.
+// Finds the farthest end of a run for which a test holds, when longer runs cost more to test and seldom hold again.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace welkin::table {
 
-/// The largest index that a search finds from `first` on with `holds(index)`, at most `last`: it gallops, steps of
-/// `step`, twice that and so on, until one does not hold, then bisects. `first` + 1 holds untried. `step` >= 1.
+/// Returns the largest index found, at most `last`, with `holds(index)`. The search gallops from `first`, by `step`,
+/// twice that and so on, until the test fails, then bisects. `first` + 1 is assumed to hold. `step` >= 1.
 template <typename Holds>
 std::size_t farthest(std::size_t first, std::size_t last, std::size_t step, const Holds& holds) {
   std::size_t good = first + 1;

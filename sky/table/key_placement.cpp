@@ -13,7 +13,7 @@ namespace welkin::table {
 using det::Number3;
 namespace {
 
-/// Instants of a day taken round and round.
+/// The instants of a day as a closed loop.
 class Round {
  public:
   Round(const DayValues& day, const Representation& r) : day_(day), r_(r), count_(day.day->instant.size()) {}
@@ -24,7 +24,7 @@ class Round {
   }
   const Number3* weightsAt(std::size_t i) const { return r_.weight.data() + i % count_ * r_.rows; }
 
-  /// Whether interpolating from `first` to `last` keeps instant `between` within `error`.
+  /// Whether interpolation from `first` to `last` keeps instant `between` within `error`.
   bool holds(std::size_t first, std::size_t last, std::size_t between, double error) const {
     const double weight = (timeAt(between) - timeAt(first)) / (timeAt(last) - timeAt(first));
     std::vector<Number3> row(r_.rows);
@@ -32,7 +32,7 @@ class Round {
       row[k] = weightsAt(first)[k] * (1.0 - weight) + weightsAt(last)[k] * weight;
     return errorOf(day_, r_, between % count_, row).value <= error;
   }
-  /// All between, the middle ones first: where it fails, it fails there.
+  /// Whether all instants between hold. The middle ones come first, since they fail first.
   bool reaches(std::size_t first, std::size_t last, double error) const {
     const std::size_t inside = last - first - 1;
     for (std::size_t stride = std::bit_ceil(inside + 1); stride > 1; stride /= 2)
@@ -55,7 +55,7 @@ bool oneKeyDoes(const DayValues& day, const Representation& r, double error) {
   return true;
 }
 
-/// A table's rows at an hour, from its numbers or from what is stored of them.
+/// A table's rows at an hour, from exact numbers or from decoded ones.
 std::vector<Number3> rowsAt(const DayTable& table, const std::vector<double>& number, double time_h) {
   const auto s = format::findSegment(table.key_time_h, time_h);
   const auto channels = static_cast<std::size_t>(table.channels);
@@ -82,7 +82,7 @@ std::vector<std::size_t> placeKeys(const DayValues& day, const Representation& r
 
   const Round round(day, r);
   std::vector<std::size_t> keys = {0};
-  std::size_t guess = 1;  // how far the last one reached
+  std::size_t guess = 1;  // Length of the previous reach.
   while (keys.back() < count) {
     if (keys.size() > most) return {};
     const std::size_t first = keys.back();
@@ -91,7 +91,7 @@ std::vector<std::size_t> placeKeys(const DayValues& day, const Representation& r
     guess = std::max<std::size_t>(1, (good - first) * 3 / 4);
     keys.push_back(good);
   }
-  keys.pop_back();  // the first again
+  keys.pop_back();  // The first key again.
   return keys;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The modes as a map of texels, and what is read from it.
+// The modes as a map of texels, and values read from it.
 #include <Imath/half.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kRows = model::IrradianceProjector::kRows;
 constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
 
-/// A mode at the texels' centres: row, column.
+/// Values of a mode at the texels' centres, by row and column.
 std::vector<double> atCentres(const FieldChannel& mode, std::size_t columns, std::size_t rows) {
   std::vector<double> value;
   for (std::size_t j = 0; j < rows; ++j)
@@ -31,7 +31,7 @@ std::vector<double> atCentres(const FieldChannel& mode, std::size_t columns, std
   return value;
 }
 
-/// Second difference of `count` numbers `stride` apart, at place i; at an end that of its neighbour.
+/// Second difference at place i of `count` numbers that are `stride` apart. At an end it is the neighbour's.
 double secondDifference(const double* at, std::size_t i, std::size_t count, std::ptrdiff_t stride) {
   if (count < 3) return 0.0;
   const double* middle = at + (i == 0 ? stride : i + 1 == count ? -stride : 0);
@@ -50,7 +50,7 @@ ModeTable mapOf(const ModeSet& modes, int columns, int rows, int bands) {
     const auto rowBend = [&](std::size_t i, std::size_t j) {
       return secondDifference(value.data() + j * width + i, j, height, static_cast<std::ptrdiff_t>(width));
     };
-    double zenith = 0.0;  // there all columns are one normal
+    double zenith = 0.0;  // All columns are one normal there.
     for (std::size_t i = 0; i < width; ++i) zenith += rowBend(i, height - 1) / static_cast<double>(width);
     for (std::size_t j = 0; j < height; ++j)
       for (std::size_t i = 0; i < width; ++i) {

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kRows = model::IrradianceProjector::kRows;
 constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
-constexpr std::size_t kOrdersCompared = 12;  ///< the rest follows the others, and weighs nothing
+constexpr std::size_t kOrdersCompared = 12;  ///< the remaining orders follow these and weigh nothing
 constexpr std::size_t kBasis = 20;
-constexpr std::size_t kSteps = 24;        ///< of the refinement: what more bring is a few hundredths
-constexpr std::size_t kSnapshots = 300;   ///< about as many are looked for modes
-constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's normals are looked at
+constexpr std::size_t kSteps = 24;        ///< steps of the refinement; more gain only a few hundredths
+constexpr std::size_t kSnapshots = 300;   ///< about as many snapshots are searched for modes
+constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's normals are compared
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::vector<double> DayModes::vectorOf(const FieldChannel& channel) {
   for (std::size_t r = 0; r < kRows; ++r) {
     const auto edge = [](double row) { return det::yOfModeRow(std::clamp(row / (kRows - 1.0), 0.0, 1.0)); };
     const double place = static_cast<double>(r);
-    const double share = edge(place + 0.5) - edge(place - 0.5);  // of the upper hemisphere
+    const double share = edge(place + 0.5) - edge(place - 0.5);  // Share of the upper hemisphere.
     for (std::size_t m = 0; m < kOrdersCompared; ++m)
       v.push_back(channel.series[r * kOrders + m] * std::sqrt(m == 0 ? share : 0.5 * share));
   }

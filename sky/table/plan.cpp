@@ -13,19 +13,19 @@ namespace welkin::table {
 using det::Number3;
 namespace {
 
-/// Maps of modes that are tried, by growing bytes.
+/// Sizes of mode maps to try, in order of growing bytes.
 struct MapSize {
   int columns, rows;
 };
 constexpr MapSize kMaps[] = {{5, 3}, {5, 5}, {9, 5}, {9, 7}, {9, 9}, {9, 13}, {13, 13}, {17, 17}, {17, 25}, {25, 25}};
 constexpr Encoding kEncodings[] = {Encoding::fixed8, Encoding::fixed16, Encoding::float16, Encoding::float32};
 
-/// What a minimax fit may take off an error; it costs 0.2 s a day, so only what comes as close is fitted.
+/// Largest gain expected of a minimax fit. A fit costs 0.2 s a day, so only tables this close are fitted.
 constexpr double kWorthFitting = 1.7;
-constexpr int kFallbackBands = 3;          // of samples, beside modes, when nobody says
-constexpr std::size_t kInstantsApart = 4;  // in the first look at a way; keys are placed with all of them
+constexpr int kFallbackBands = 3;          // Bands of the samples beside modes, unless the file says.
+constexpr std::size_t kInstantsApart = 4;  // in the first look at a way; keys are placed with all instants
 
-/// The largest error at keys of every so many instants.
+/// The largest error of every kInstantsApart-th instant when it is a key.
 double errorAtKeys(const DayValues& day, const Representation& r) {
   std::vector<double> error((day.day->instant.size() + kInstantsApart - 1) / kInstantsApart);
   tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
@@ -35,7 +35,7 @@ double errorAtKeys(const DayValues& day, const Representation& r) {
   return *std::max_element(error.begin(), error.end());
 }
 
-/// Indices of the instants at fixed keys; every one was sampled.
+/// Indices of the instants at fixed keys. Every fixed key was sampled.
 std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<double>& time_h) {
   std::vector<std::size_t> keys;
   for (std::size_t i = 0; i < day.day->instant.size(); ++i)
@@ -73,7 +73,7 @@ class Search {
   }
 
  private:
-  /// A way to hold the day, and what became of it.
+  /// A way to hold the day, and its result.
   struct Way {
     Representation representation;
     PlanChoice choice;
@@ -96,14 +96,14 @@ class Search {
   void collect() {
     if (request_.reconstruction != Reconstruction::modes)
       for (int bands = request_.bands.value_or(2); bands <= request_.bands.value_or(5); ++bands)
-        if (bands != 4 || request_.bands)  // irradiance has no band 3: it would see three bands
+        if (bands != 4 || request_.bands)  // Irradiance has no band 3: four bands would equal three.
           add(coefficientsOf(day_, bands, request_.reconstruction == Reconstruction::fitted));
     if (request_.reconstruction && request_.reconstruction != Reconstruction::modes) return;
     const DayModes modes(*day_.day, *day_.grid);
     const int bands = request_.bands.value_or(kFallbackBands);
     for (std::size_t count = 1; count <= DayModes::kMost; ++count) {
       const ModeSet set = modes.best(count);
-      if (set.count() < count) break;  // the day has no more
+      if (set.count() < count) break;  // The day has no more modes.
       const std::vector<Number3> weights = weightsOf(day_, set);
       const MapSize& finest = kMaps[std::size(kMaps) - 1];
       add(modesOf(day_, set, weights, finest.columns, finest.rows, bands));
@@ -113,7 +113,7 @@ class Search {
     }
   }
 
-  /// Keys that the way with the least error takes: no other takes much fewer.
+  /// Number of keys of the way with the least error. No other way needs far fewer.
   std::size_t leastKeys() const {
     if (!request_.key_time_h.empty()) return request_.key_time_h.size();
     const auto closest = std::min_element(ways_.begin(), ways_.end(), byError);
@@ -127,7 +127,7 @@ class Search {
     return r.fixedBytes() + least_keys_ * bytesOfKey(r, encoding);
   }
 
-  /// Tries what `wanted` accepts, by growing least bytes, until nothing left can be smaller than the best.
+  /// Tries the ways that `wanted` accepts, by growing least bytes, until none left can be smaller than the best.
   template <typename Wanted>
   void tryAll(Wanted&& wanted) {
     struct Candidate {
@@ -146,7 +146,7 @@ class Search {
       if (c.least_bytes < plan_.bytes) tryOne(*c.way, c.encoding);
   }
 
-  /// Keys for an error that is lowered until the stored numbers keep what was asked for.
+  /// Places keys for an error that is lowered until the stored numbers keep the requested one.
   void tryOne(Way& way, Encoding encoding) {
     const Representation& r = way.representation;
     double aim = request_.max_error;
@@ -175,7 +175,7 @@ class Search {
     }
   }
 
-  /// Where the error cannot be met: every instant a key, nothing rounded.
+  /// Used where the error cannot be met: every instant becomes a key and nothing is rounded.
   void takeTheBest(const Way& way) {
     plan_.representation = way.representation;
     plan_.encoding = request_.encoding.value_or(Encoding::float32);

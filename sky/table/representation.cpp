@@ -11,14 +11,14 @@
 namespace welkin::table {
 namespace {
 
-/// Irradiance of the coefficients (l, m >= 0) of `bands` bands at the grid's normals: normal, coefficient.
+/// Irradiance of the coefficients (l, m >= 0) of `bands` bands at the grid's normals, by normal and coefficient.
 std::vector<double> coefficientValues(const ErrorGrid& grid, int bands) {
   const sh::LatitudeRecurrence recurrence(bands);
   std::vector<double> factor(static_cast<std::size_t>(sh::coefficientCount(bands)));
   std::vector<double> values;
   for (std::size_t p = 0; p < grid.count(); ++p) {
     const auto normal = grid.normal(p);
-    recurrence.evaluate(normal.y, std::sqrt(std::max((1.0 - normal.y) * (1.0 + normal.y), 0.0)), factor);
+    recurrence.evaluate(normal.y, det::sineFromCosine(normal.y), factor);
     for (int l = 0; l < bands; ++l) {
       sh::MultipleCosines cosine(normal.cos_alpha);
       for (int m = 0; m <= l; ++m, cosine.advance())
@@ -38,7 +38,7 @@ std::vector<Number3> irradianceOf(const Representation& r, std::span<const Numbe
   return irradiance;
 }
 
-/// Horizontal irradiance; 0 where none is held.
+/// Horizontal irradiance. 0 if the table holds none.
 Number3 horizontalOf(const Representation& r, std::span<const Number3> weight) {
   Number3 sum(0.0);
   for (std::size_t k = 0; k < r.horizontal.size(); ++k) sum += weight[k] * r.horizontal[k];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What baking costs, beside its physical limits: the evaluations of the sky alone, reading the texels once.
+// The cost of baking, beside its physical limits: the evaluations of the sky alone, and one read of the texels.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -58,7 +58,7 @@ BENCHMARK(dayTable)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
-/// The sky's radiance alone, direction by direction: what a cubemap cannot do without.
+/// The sky's radiance alone, direction by direction: the least work of a cubemap.
 void evaluations(benchmark::State& state) {
   const model::Sky sky = exampleSky();
   const model::SkyInstant instant(sky, 8.0);
@@ -144,7 +144,7 @@ void projectLatlong(benchmark::State& state) {
 }
 BENCHMARK(projectLatlong)->ArgName("height")->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-/// The least that a projection can do: touch every texel's three floats once.
+/// The least work of a projection: every texel's three floats are read once.
 void readTexels(benchmark::State& state) {
   const auto rgb = picture(static_cast<int>(state.range(0)));
   for (auto _ : state) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bits and scales of the sky's transfer buy, beside what the rays leave open: differences of the irradiance of a
-// level's probes, by direction and channel, under a uniform sky and its own at 24 hours, in percent of the open sky's.
+// The error of fewer bits and scales in the sky's transfer, beside the noise of the rays. It compares the irradiance of
+// a level's probes, by direction and channel, under a uniform sky and its own at 24 hours, in percent of the open
+// sky's.
 //   encoding_bench LEVEL.toml [PROBES]
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -28,7 +29,7 @@ constexpr std::size_t kTruthPaths = 65536;
 
 using Transfers = std::vector<transfer::ProbeTransfer>;
 
-/// Numbers of a probe that share a scale.
+/// Groups of a probe's numbers that share a scale.
 struct Sharing {
   const char* name;
   std::size_t scales;
@@ -41,7 +42,7 @@ constexpr Sharing kSharing[] = {
     {"a direction and band", 8, [](std::size_t b, std::size_t k) { return 2 * b + (k > 0); }},
 };
 
-/// Whether the numbers that are never below 0 use the bit of the sign.
+/// Whether numbers that are never negative have a sign bit, too (of_all).
 enum class Sign { of_all, of_some };
 
 transfer::ProbeTransfer roundedSky(transfer::ProbeTransfer t, int bits, const Sharing& sharing, Sign sign) {
@@ -63,7 +64,7 @@ transfer::ProbeTransfer roundedVisibility(transfer::ProbeTransfer t, int bits) {
   return t;
 }
 
-/// The sky at a time.
+/// The sky at one time.
 struct Instant {
   transfer::Relight light;
   double open;  ///< horizontal irradiance, luminance
@@ -80,7 +81,7 @@ std::vector<Instant> instantsOf(const model::Sky& sky) {
   return instants;
 }
 
-/// Root mean square and worst.
+/// Text of the root mean square and the largest difference, percent.
 std::string difference(const Transfers& a, const Transfers& b, const std::vector<Instant>& instants) {
   double squares = 0.0;
   double worst = 0.0;
@@ -119,7 +120,7 @@ class LevelProbes {
   std::size_t count() const { return place_.size(); }
   std::size_t all() const { return all_; }
 
-  /// `error`: half the 95 % confidence interval of the worst probe.
+  /// Transfers by this many rays. `error` becomes half the 95 % confidence interval of the worst probe.
   Transfers traced(std::size_t rays, double& error) const {
     transfer::TransferSettings settings;
     settings.rays = rays;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time of a level's bake goes, part by part of its sectors, on one thread.
+// The time of a level's bake, by the parts of its sectors, on one thread.
 //   level_bench LEVEL.toml
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -52,7 +52,7 @@ void run(const std::filesystem::path& file) {
   std::uint64_t rays = 0;
   std::size_t probes = 0;
   for (const geometry::SectorId id : bake.sectors()) {
-    // The parts, as bakeSector puts them together.
+    // The parts, in the order of bakeSector.
     geometry::NearSurfaces near =
         clock.time(kWithin, [&] { return geometry::surfacesWithin(bake.surfaces(), geometry::columnOf(id, reach_m)); });
     const build::SectorSettings settings{

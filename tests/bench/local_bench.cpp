@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local transfer of a sector, with the virtual lights of the eight about it: time, rays and error a probe, with a
-// number of paths and under budgets; what bits of a number take in bytes and cost in error and in transfers that find
-// no room; and how far from the reference the light of lamps is that shine from virtual lights' places and between
-// them.
-//   local_bench [PATHS [LIGHTS A VERTEX [NEAREST_M [OBJ SCALE X Z]]]]
+// Local transfer of a sector, with the virtual lights of the eight about it. It measures time, rays and error a probe,
+// with a number of paths and under budgets. It rounds the numbers and shows bytes, error and transfers without room.
+// Then it compares the light of lamps with the reference, in virtual lights' places and between them.
+//   local_bench [PATHS [LIGHTS A VERTEX [NEAREST_M [OBJ SCALE X Z]]]]      PATHS of a probe and of the reference
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
@@ -51,14 +50,14 @@ reference::DistantLight darkness() {
 }
 
 struct LampError {
-  double rms = 0.0;   ///< of the difference, over that of the light
-  double mean = 0.0;  ///< of its magnitude, over that of the light
+  double rms = 0.0;   ///< of the difference, over the light's rms
+  double mean = 0.0;  ///< of the difference's magnitude, over the light's mean
 };
 
-/// Irradiance of lamps at `place` from the local transfer against the reference, over all directions of the probes
-/// within 12 m of them.
+/// Compares the irradiance of lamps at `place` by local transfer with the reference, over all directions of the probes
+/// within 12 m of a lamp.
 LampError lampError(const geometry::Tracer& tracer, const geometry::PlacedSector& sector,
-                    const transfer::SectorLocal& local, const std::vector<f64::Number3>& place) {
+                    const transfer::SectorLocal& local, const std::vector<f64::Number3>& place, std::size_t paths) {
   const reference::DistantLight dark = darkness();
   const auto see = [&](const f64::Number3& a, const f64::Number3& b) { return transfer::seesEachOther(tracer, a, b); };
   double difference = 0.0;
@@ -75,7 +74,7 @@ LampError lampError(const geometry::Tracer& tracer, const geometry::PlacedSector
       const auto irradiance = transfer::relitLocal(local.probe[i], shared.colour);
       for (std::size_t b = 0; b < transfer::kDirections; ++b) {
         const f64::Number3 truth = reference::traceReference(tracer, dark, lamp, sector.probe[i].position,
-                                                             transfer::transferBasis()[b], {1024, 2, 1})
+                                                             transfer::transferBasis()[b], {paths, 2, 1})
                                        .local.value;
         for (int c = 0; c < 3; ++c) {
           difference += (irradiance[b][c] - truth[c]) * (irradiance[b][c] - truth[c]);
@@ -89,7 +88,7 @@ LampError lampError(const geometry::Tracer& tracer, const geometry::PlacedSector
   return {std::sqrt(difference / light), magnitude / sum};
 }
 
-/// Traces the sector on one thread and says what that took.
+/// Traces the sector on one thread and prints the time, rays and errors.
 std::vector<transfer::LocalProbe> traced(const geometry::Tracer& tracer, const geometry::PlacedSector& sector,
                                          const std::vector<f64::Number3>& lights,
                                          const transfer::LocalSettings& settings) {
@@ -120,8 +119,8 @@ std::vector<transfer::LocalProbe> traced(const geometry::Tracer& tracer, const g
   return probes;
 }
 
-/// Shares of the influence that find no room in a sector with so many bytes a transfer: of all probes', and of the
-/// worst one's.
+/// Shares of the influence that find no room in a sector, with so many bytes a transfer: over all probes, and of the
+/// worst probe.
 std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t lights,
                                    const std::vector<transfer::LocalProbe>& probes) {
   std::vector<std::pair<double, std::size_t>> influence;
@@ -141,7 +140,7 @@ std::pair<double, double> lostWith(std::size_t transfer_bytes, std::size_t light
   return {std::accumulate(lost.begin(), lost.end(), 0.0) / std::accumulate(whole.begin(), whole.end(), 0.0), worst};
 }
 
-/// What bits of a coefficient cost: of a probe's irradiance by one virtual light, and by all of them alike.
+/// Prints the error of fewer bits a coefficient, in a probe's irradiance by one virtual light and by all of them alike.
 void printBits(const std::vector<f64::Number3>& lights, const std::vector<transfer::LocalProbe>& probes) {
   fmt::print(
       "bits  bytes a transfer  worst of the largest number  rms of one light, all lights  influence lost: all, worst "
@@ -235,7 +234,7 @@ int main(int argc, char** argv) {
     if (!transfer::seesEachOther(tracer, at.back(), between.back())) between.pop_back();
   }
   for (const auto& [place, name] : {std::pair(&at, "at virtual lights"), std::pair(&between, "between them")}) {
-    const LampError error = lampError(tracer, sector, decoded, *place);
+    const LampError error = lampError(tracer, sector, decoded, *place, settings.rays);
     fmt::print("{} lamps {} against the reference: rms {:.1f} %, mean {:.1f} %\n", place->size(), name,
                100.0 * error.rms, 100.0 * error.mean);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the runtime costs a frame, and what opening costs beside reading the same bytes.
+// The cost of the runtime a frame, and of opening a file beside reading the same bytes.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -10,8 +10,8 @@
 
 namespace {
 
-/// A file of 288 keys and 8 cubemaps of 128, as a bake without a budget makes it. `modes`: 8 modes, whose numbers mean
-/// nothing, in place of the sky's coefficients.
+/// A day of 288 keys and 8 cubemaps of 128 texels a side: the default bake. With `modes`, 8 modes of arbitrary numbers
+/// replace the sky's coefficients.
 std::vector<std::byte> bakedSky(int bands, bool modes) {
   welkin::bake::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each byte of the sun's transfer buys: the error of 2 bands and of 1 to 16 modes, encoded, in a sector of a town,
-// against the same probes traced with many paths at every knot and between.
+// The error of the sun's transfer by its bytes: 2 bands, and 1 to 16 modes, encoded, in a sector of a town. The
+// reference is the same probes, traced with many paths at every knot and between knots.
 //   sun_bench [PROBES [PATHS [KNOTS A DAY]]]
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "probes/transfer/encoding_error.h"
 #include "probes/transfer/relight.h"
 #include "probes/transfer/trace_transfer.h"
-#include "sky/base/error.h"
 #include "town.h"
 
 namespace {
@@ -26,7 +25,7 @@ f64::Number3 sunAt(double time_h) {
   return geometry::unit(f64::Number3(std::cos(hour), std::sin(hour) * std::sin(tilt), std::sin(hour) * std::cos(tilt)));
 }
 
-struct Error {
+struct Difference {
   double sum = 0.0;
   double worst = 0.0;
   std::size_t count = 0;
@@ -73,7 +72,7 @@ int main(int argc, char** argv) {
   }
   const transfer::SunModesFit all = transfer::fitSunModes(probes, track, {}, transfer::kMostSunModes);
   const auto errorOf = [&](const transfer::SectorProbes& p, transfer::SunTransfer way) {
-    base::Error error;
+    Difference error;
     for (std::size_t k = 0; k < fine.time_h.size(); ++k) {
       const transfer::Relight light =
           transfer::relightAt(fine.time_h[k], {}, {fine.direction[k], f64::Number3(1.0)}, {}, way, p.modes);
@@ -84,7 +83,7 @@ int main(int argc, char** argv) {
     }
     return error;
   };
-  base::Error signal;
+  Difference signal;
   for (const transfer::TracedProbe& t : truth)
     for (const auto& direction : t.transfer.sun)
       for (const f64::Number3& s : direction) signal.add(s, f64::Number3(0.0));
@@ -98,7 +97,7 @@ int main(int argc, char** argv) {
     numbers.sun = fit.coefficient;
     const transfer::EncodedProbes encoded = transfer::encodeProbes(numbers);
     const transfer::SectorProbes decoded = transfer::decodedProbes(encoded, {0, 0});
-    const base::Error error = errorOf(decoded, m == 0 ? transfer::SunTransfer::sh : transfer::SunTransfer::directional);
+    const Difference error = errorOf(decoded, m == 0 ? transfer::SunTransfer::sh : transfer::SunTransfer::directional);
     fmt::print("{:<12} {:>13} {:>8} {:>8.4f} {:>7.4f}   {:.4f} worst\n", m == 0 ? "sh" : fmt::format("{} modes", m),
                encoded.bytesAProbe(), encoded.bytes().total() + 4096, error.rms(), error.worst,
                transfer::encodingError(numbers, decoded).sun);

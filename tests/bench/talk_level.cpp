@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level as large as that of the talk (McAuley, GDC 2012): 51 sectors of about 70 probes each, for `welkin bake`.
+// Writes a level as large as in McAuley's talk (GDC 2012): 51 sectors of about 70 probes each, for `welkin bake`.
 //   talk_level DIR      writes DIR/level.toml, DIR/town.obj, DIR/town.mtl and DIR/sky.toml
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace welkin;
 
-constexpr double kEmpty = 0.68;  // of the town: with more houses there are more probes
+constexpr double kEmpty = 0.68;  // share of empty squares; more houses would give more probes
 
 std::string objText(const geometry::Surfaces& surfaces) {
   std::string text = "mtllib town.mtl\n";
@@ -38,7 +38,8 @@ std::string mtlText(const geometry::Surfaces& surfaces) {
 
 void write(const std::filesystem::path& folder) {
   geometry::Surfaces surfaces;
-  // Seven by seven sectors and two more, each to 1 m within their borders: what touches another is in it.
+  // Seven by seven sectors and two more. The ground ends 1 m inside the borders, because a surface on a border belongs
+  // to both sectors.
   bench::addTown(surfaces, {1, 447, 1, 447}, 2, kEmpty);
   bench::addTown(surfaces, {1, 127, 447, 511}, 2, kEmpty);
   base::makeFolder(folder);

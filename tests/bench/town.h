@@ -23,8 +23,8 @@ struct Ground {
   int low_x, high_x, low_z, high_z;  ///< metres
 };
 
-/// Adds hills of triangles as wide as `step_m`, which the ground is a multiple of, and a house in every square of 12 m
-/// but the share `empty`, each of its own colour. Grounds that touch fit.
+/// Adds hills of triangles `step_m` wide; the ground's sides are multiples of it. Squares of 12 m, except the share
+/// `empty`, get a house each, in a colour of its own. Grounds that touch fit together.
 inline void addTown(geometry::Surfaces& s, const Ground& ground, int step_m, double empty) {
   using geometry::Random;
   if (s.object.empty()) s.object.push_back({"town", geometry::Role::fixed});
@@ -61,7 +61,7 @@ inline geometry::Surfaces town() {
   return s;
 }
 
-/// Positions 1 m above what rays from above meet in the middle 60 m.
+/// Positions 1 m above the surfaces that rays from above hit in the middle 60 m.
 inline std::vector<Number3> probesIn(const geometry::Tracer& tracer, int count) {
   std::vector<Number3> position;
   geometry::Random random(1);

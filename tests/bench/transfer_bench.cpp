@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tracing the transfer costs beside its physical limit: a bare Embree loop over the same rays, on one thread.
+// The cost of tracing the transfer beside its physical limit: a bare Embree loop over the same rays, on one thread.
 //   transfer_bench [PROBES [PATHS [BOUNCES]]]
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct Ray {
   bool occluded;
 };
 
-/// A tracer that notes what it is asked.
+/// A tracer that records its rays.
 class Recorder {
  public:
   explicit Recorder(const geometry::Tracer& tracer) : tracer_(tracer) {}
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     const geometry::Tracer seen = tracer.within(position[i], settings.reach_m);
     const Recorder recorder(seen);
     transfer::traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
-    // Beside each other, so that what else the machine does falls on both.
+    // One right after the other, so that other work on the machine slows both.
     bare += seconds([&] { hits += bareLoop(scene, recorder.ray()); });
     traced += seconds([&] {
       const transfer::TracedProbe probe = transfer.trace(position[i], {0, 0}, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library that changes the floating-point environment of the program: no bytes, or the same bytes.
+// A library changes the floating-point environment of the program. A bake then writes nothing or the same bytes.
 #include <catch2/catch.hpp>
 
 #include "run_tool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What init, bake, plan and validate leave behind: the same bytes whatever the threads and the folder.
+// Files left by init, bake, plan and validate: the same bytes for any number of threads and any folder.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 const std::string kSmallBake = "bands = 3\nkeys = 6\ncubemap_size = 8\ncubemap_times = [0, 7.25, 12]";
 
-/// `welkin init` with the bake section replaced by a small one.
+/// Runs `welkin init` and replaces the bake section by a small one.
 std::string startingSky(const Folder& folder) {
   REQUIRE(runTool({"init", folder / "level"}).status == 0);
   const std::string text = readBytes(folder / "level/sky.toml");
@@ -33,7 +33,7 @@ void bake(const std::string& sky, const std::string& folder,
   const Run run = runTool(arguments);
   INFO(run.err);
   REQUIRE(run.status == 0);
-  REQUIRE(run.out.empty());  // results only, and a bake prints none
+  REQUIRE(run.out.empty());  // Stdout is for results, and a bake prints none.
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ TEST_CASE("Bake, CubemapsAreOfTheFormatThatIsAsked") {
     REQUIRE(real >= plan["bytes"].get<double>());
     REQUIRE(real <= plan["bytes"].get<double>() + 3000.0);
   }
-  // EXR files are half floats whatever the format.
+  // EXR files hold half floats, whatever the format.
   for (const char* name : {"rgb9e5", "b10g11r11"})
     REQUIRE(readBytes(folder.path() / name / "cubemaps/sky_071500000.exr") ==
             readBytes(folder.path() / "rgba16f/cubemaps/sky_071500000.exr"));

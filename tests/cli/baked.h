@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bake of the tool says about itself.
+// Runs bakes of the tool and reads their reports.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -12,11 +12,11 @@
 
 namespace welkin::tests {
 
-/// A day with two dusks, a night, and hues of grey.
+/// A day with two dusks, a night, and shades of grey.
 inline const std::string kDay = "luminance = \"cie-12\"\nnormalise = \"sun\"";
 inline const std::string kDaySun = "path = [[0, 0, -40], [6, 90, 0], [12, 180, 55], [18, 270, 0]]";
 
-/// `welkin bake FILE -o FOLDER`, silent but for what it says at its end.
+/// Runs `welkin bake FILE -o FOLDER`, silent except for its final output.
 inline Run runBake(const std::string& sky, const std::string& folder, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments = {"bake", sky, "-o", folder, "--progress", "none"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -32,7 +32,7 @@ inline nlohmann::json bakeReport(const std::string& sky, const std::string& fold
   return nlohmann::json::parse(readBytes(folder + "/report.json"));
 }
 
-/// What a command that must succeed prints as JSON.
+/// The JSON printed by a command that must succeed.
 inline nlohmann::json printedJson(const std::vector<std::string>& arguments) {
   const Run run = runTool(arguments);
   INFO(run.err);

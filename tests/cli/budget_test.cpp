@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Error budgets on the command line and in the file: kept, refused when they cannot be, and what the file fixes stays.
+// Error budgets on the command line and in the file: kept, or refused when impossible. Choices fixed in the file stay.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -19,7 +19,7 @@ json planOf(const std::string& sky, const std::vector<std::string>& more = {}) {
   return printedJson(arguments);
 }
 
-/// A bake that ends with status 3 and these words, and leaves a folder as it was.
+/// Requires a bake to end with status 3 and these words, and to leave a folder unchanged.
 void requireCannot(const Folder& folder, const std::string& sky, const std::vector<std::string>& more,
                    const std::vector<std::string>& said) {
   const auto before = filesUnder(folder / "out");
@@ -50,7 +50,7 @@ TEST_CASE("Budget, IsKeptByWhatABakeMeasures") {
     REQUIRE(report["table"]["predicted_error"] <= budget);
     REQUIRE(report["certificate"]["max_error"] <= budget);
     REQUIRE(report["certificate"]["max_error"] < before);
-    REQUIRE(report["certificate"]["max_error"] > 0.2 * budget);  // and no more is spent than it takes
+    REQUIRE(report["certificate"]["max_error"] > 0.2 * budget);  // and spends no more than needed
     before = report["certificate"]["max_error"];
     REQUIRE(report["settings"]["bake"].contains("max_error") == false);  // the file's own settings
     REQUIRE(runTool({"validate", folder / "out"}).status == 0);
@@ -222,7 +222,8 @@ TEST_CASE("Budget, FittedCoefficientsNeedNone") {
   REQUIRE(projected["table"]["keys"] == 288);
   REQUIRE(fitted["table"]["keys"] == 288);
   const auto truncation = [](const json& report) { return report["certificate"]["parts"]["truncation"].get<double>(); };
-  REQUIRE(truncation(fitted) < 0.85 * truncation(projected));  // a minimax fit takes a third off a clear sky's 3 bands
+  REQUIRE(truncation(fitted) <
+          0.85 * truncation(projected));  // A minimax fit lowers the error of a clear sky's 3 bands by a third.
 }
 
 TEST_CASE("Budget, ModesNeedOne") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bake says about its own error: the truth, where closed forms know it, and the same in every place.
+// A bake's certificate: true where closed forms are known, and the same in every place.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
@@ -13,15 +13,15 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kSmall = "keys = 6\ncubemap_size = 0";
-constexpr double kQuadrature = 1e-5;  // of the mean: what a bake's moments are kept to
-constexpr double kReference = 8e-5;   // IrradianceProjector::kError, of what a fast certificate compares with
-constexpr double kSearch = 1e-2;      // of an error: the normals that are looked at miss its summit by that
+constexpr double kQuadrature = 1e-5;  // Bound of a bake's moments, relative to the mean.
+constexpr double kReference = 8e-5;   // IrradianceProjector::kError, of the reference of a fast certificate.
+constexpr double kSearch = 1e-2;      // Relative: the tested normals miss the peak of an error by this much.
 
 std::string smallSky(const Folder& folder, const std::string& bake = kSmall) {
   return folder.write("sky.toml", skyText(kDay, kDaySun, bake));
 }
 
-/// The lines of what a run said on stderr.
+/// The lines of a run's stderr.
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
@@ -42,8 +42,7 @@ TEST_CASE("Certificate, TwoBandsHoldAUniformSky") {
 
 TEST_CASE("Certificate, OvercastSkyHasTheErrorOfItsEvenBands") {
   // L = (1 + 2 sin el) / 3: E(up) = 7 pi / 9, the mean of E is pi / 3, bands 0 and 1 give E(up) = 13 pi / 18, and band
-  // 2 has 5 pi / 96 more. The sum of the bands that are left out is largest straight up; straight down it is clamped at
-  // 0.
+  // 2 has 5 pi / 96 more. The sum of the missing bands is largest straight up. Straight down it is clamped at 0.
   for (const auto& [bands, error] : {std::pair(2, 1.0 / 6.0), {3, 1.0 / 96.0}}) {
     const Folder folder;
     const std::string sky =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk that fails at any call, and a disk or a result pipe that is full: status 2, nothing half-written, and what was
-// there before stays.
+// A disk that fails at any call, and a full disk or result pipe: status 2, nothing half-written, and earlier files
+// stay.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cerrno>
@@ -27,7 +27,7 @@ Setting fullAfter(std::uintmax_t bytes) {
   return {{{"LD_PRELOAD", WELKIN_FAILING_DISK}, {"WELKIN_DISK_BYTES", std::to_string(bytes)}}, "", "", 0, 60.0};
 }
 
-/// One line that says which file of the bake the system refused, and why.
+/// Requires one line that names a file of the bake that the system refused, and the reason.
 void requireRefusal(const Run& run, const TwoBakes& bakes, const std::string& why) {
   REQUIRE(run.status == 2);
   REQUIRE(std::count(run.err.begin(), run.err.end(), '\n') == 1);
@@ -54,7 +54,7 @@ std::vector<Call> callsOf(const std::string& log) {
 }  // namespace
 
 TEST_CASE("FailingDisk, AnyCallMayFailWithAnyError") {
-  // Errors take turns: a file takes five calls and there are four errors, so that each kind of call meets each of them.
+  // Errors take turns. A file takes five calls and there are four errors, so each kind of call meets each of them.
   constexpr std::pair<const char*, int> kErrors[] = {
       {"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EDQUOT", EDQUOT}, {"EROFS", EROFS}};
   const bool into_new_folder = GENERATE(false, true);
@@ -73,7 +73,7 @@ TEST_CASE("FailingDisk, AnyCallMayFailWithAnyError") {
 }
 
 TEST_CASE("FailingDisk, FromAnyCallOn") {
-  // The system makes a device read-only after an error: nothing can be cleaned up either.
+  // The system makes a device read-only after an error, so cleaning up is impossible as well.
   TwoBakes bakes(kCubemapSize);
   for (int call = 1;; ++call) {
     bakes.putOld();
@@ -82,7 +82,7 @@ TEST_CASE("FailingDisk, FromAnyCallOn") {
     if (run.status == 0) break;
     requireRefusal(run, bakes, std::strerror(EROFS));
     bakes.requireWhole(true);
-    const std::string sky = call % 2 == 0 ? "old" : "new";  // with the sky changed back, too
+    const std::string sky = call % 2 == 0 ? "old" : "new";  // also with the sky changed back
     REQUIRE(runTool(bakes.command(sky)).status == 0);
     bakes.requireIs(sky);
   }
@@ -137,7 +137,7 @@ TEST_CASE("FullDisk, BakeLeavesEveryFileOldOrNew") {
     bakes.requireWhole();
     REQUIRE(readBytes(bakes.out() / "sky.welkin") == readBytes(bakes.file("old/sky.welkin")));
   }
-  REQUIRE(runTool(bakes.command("new")).status == 0);  // with room again
+  REQUIRE(runTool(bakes.command("new")).status == 0);  // with space again
   bakes.requireIs("new");
 }
 
@@ -182,7 +182,8 @@ TEST_CASE("FullDisk, ResultsThatCannotBeWrittenAreAnError") {
 
 TEST_CASE("FullDisk, AFullStderrChangesNoStatus") {
   const Folder folder;
-  const std::string file = folder.write("sky.toml", sky(1e9));  // brighter than half floats: a warning as well
+  const std::string file =
+      folder.write("sky.toml", sky(1e9));  // brighter than half floats, so there is a warning as well
   Setting setting;
   setting.err_path = "/dev/full";
   for (const char* progress : {"bar", "plain", "json", "none"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files and folders that the system refuses: status 2, and the name of the one that is meant.
+// Files and folders that the system refuses: status 2, and a message that names the right one.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ void requireRefused(const std::vector<std::string>& arguments, const std::string
   REQUIRE(run.said(said));
 }
 
-/// Every command that reads a sky file.
+/// Tries every command that reads a sky file.
 void requireSkyRefused(const Folder& folder, const std::string& sky, const std::string& said) {
   requireRefused({"bake", sky, "-o", folder / "unused"}, said);
   requireRefused({"plan", sky}, said);
@@ -29,7 +29,7 @@ void requireSkyRefused(const Folder& folder, const std::string& sky, const std::
   REQUIRE_FALSE(fs::exists(folder / "unused"));
 }
 
-/// Every command that reads a baked one.
+/// Tries every command that reads a baked file.
 void requireBakedRefused(const std::string& path, const std::string& said) {
   requireRefused({"inspect", path}, said);
   requireRefused({"validate", path}, said);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gradient images that are foreign, damaged or out of their domain: status 3, and the image is named.
+// Gradient images that are foreign, damaged or out of their domain: status 3, and the message names the image.
 #include <OpenImageIO/imageio.h>
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace welkin::tests;
 
 namespace {
 
-/// The bytes of an image of floats, stored as the extension's format and `type`.
+/// The bytes of an image of floats, stored in the extension's format as `type`.
 std::string imageBytes(const std::string& name, int width, int height, const std::vector<float>& rgb,
                        OIIO::TypeDesc type) {
   const Folder folder;
@@ -43,7 +43,7 @@ std::string bigEndian(std::uint32_t v) {
   return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
 }
 
-/// A PNG that says it has this many texels and holds none.
+/// A PNG header that promises so many texels, without any.
 std::string pngHeader(std::uint32_t width, std::uint32_t height) {
   const std::string chunk = "IHDR" + bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5);
   return "\x89PNG\r\n\x1a\n" + bigEndian(13) + chunk + bigEndian(crc32(chunk)) + bigEndian(0) + "IDAT" +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures that examples/island keeps are what `welkin init` paints.
+// `welkin init` paints the pictures that examples/island keeps.
 #include <catch2/catch.hpp>
 
 #include "run_tool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bake that is told to stop.
+// Interrupts a bake.
 #include <signal.h>
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kSoon_s = 10.0;  // long before the bake would end by itself, also on a machine busy with other tests
+constexpr double kSoon_s = 10.0;  // Long before the bake would end by itself, even on a machine busy with other tests.
 
 bool anyTemporary(const fs::path& folder) {
   for (const auto& name : filesUnder(folder))
@@ -61,7 +61,7 @@ TEST_CASE("Interrupt, KeepsWholeFilesAndTheOldSky") {
   for (const auto& name : filesUnder(folder / "same"))
     if (name != "timing.json")
       REQUIRE(readBytes(folder.path() / "out" / name) == readBytes(folder.path() / "same" / name));
-  // A uniform sky looks the same at any hour: what was finished is that picture, whole.
+  // A uniform sky looks the same at any hour, so every finished picture is that one, whole.
   REQUIRE(readBytes(folder / "out/cubemaps/sky_000712000.exr") ==
           readBytes(folder / "same/cubemaps/sky_000000000.exr"));
   REQUIRE(runTool({"validate", folder / "out"}).status == 0);

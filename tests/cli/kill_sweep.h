@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A command that is killed again and again, each time from the same start.
+// Kills a command again and again, each time from the same start.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,11 @@ struct KillSweep {
   std::function<void(int)> requireGood;  ///< what is left after a kill, of the so manyeth run
 };
 
-/// Kills at every call that changes the disk, the first and on, until a run has no such call left: past the `least`th.
+/// Kills at every call that changes the disk, from the first on, until a run has no such call left. That must be past
+/// the `least`th.
 void killAtEveryCall(const KillSweep& sweep, int least);
 
-/// Kills so many runs, evenly spread over a little more than the time of a whole one.
+/// Kills so many runs, evenly spread over a little more than the time of a whole run.
 void killAtAnyTime(const KillSweep& sweep, int kills);
 
 }  // namespace welkin::tests

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bake that is killed: every file is the old or the new one, and the next bake clears up.
+// Kills a bake. Every file is then the old or the new one, and the next bake cleans up.
 #include <catch2/catch.hpp>
 
 #include "kill_sweep.h"
@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is left after a kill; then a bake of either sky, which must leave what it leaves in an empty folder.
+/// Checks the folder after a kill. Then a bake of either sky must leave the same files as in an empty folder.
 void requireRecovers(const TwoBakes& bakes, int turn) {
   bakes.requireWhole(true);
   if (fs::exists(bakes.out() / "sky.welkin")) REQUIRE(runTool({"validate", bakes.out()}).status == 0);
@@ -19,7 +19,7 @@ void requireRecovers(const TwoBakes& bakes, int turn) {
   bakes.requireIs(sky);
 }
 
-/// Of the new sky's bake, over the old one or in a new folder.
+/// The bake of the new sky, over the old one or in a new folder.
 KillSweep sweepOf(TwoBakes& bakes, bool fresh) {
   return {bakes.command("new"), [&bakes, fresh] { fresh ? bakes.putNothing() : bakes.putOld(); },
           [&bakes](int turn) { requireRecovers(bakes, turn); }};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sky does not need: named by plan and report, with its saving, and without a trace in the certified error.
+// Parts that a sky does not need. Plan and report name them with the bytes saved, and the certified error shows no
+// trace of them.
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
@@ -13,7 +14,7 @@ using nlohmann::json;
 namespace {
 
 const std::string kSmall = "bands = 3\nkeys = 6\ncubemap_size = 0\nencoding = \"float32\"";
-constexpr double kQuadrature = 2e-5;  // of the mean: two bakes whose moments are kept to 1e-5
+constexpr double kQuadrature = 2e-5;  // Relative to the mean: two bakes whose moments are kept to 1e-5.
 
 struct Baked {
   std::map<std::string, json> left_out;
@@ -22,7 +23,7 @@ struct Baked {
   bool leavesOut(const std::string& what) const { return left_out.contains(what); }
 };
 
-/// A bake whose plan says the same as its report.
+/// A bake whose plan and report agree.
 Baked bake(const std::string& text, const std::vector<std::string>& more = {}) {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", text);
@@ -49,7 +50,7 @@ TEST_CASE("LeftOut, TwoChannelsOfAGreySky") {
   const Baked grey = bake(skyText(kDay, kDaySun, kSmall));
   REQUIRE(grey.report["table"]["channels"] == 1);
   REQUIRE(grey.left_out.at("two of three channels")["bytes"] == 2 * 6 * 6 * 4);  // numbers of a key, keys, floats
-  // One colour at every hour and height: each channel is a multiple of the grey sky, and red, the brightest, has its
+  // One colour at every hour and height. Each channel is a multiple of the grey sky, and red, the brightest, has its
   // error.
   const Baked orange =
       bake(skyText(kDay + "\ngradient_sun = [1.0, 0.5, 0.25]\ngradient_anti = [1.0, 0.5, 0.25]", kDaySun, kSmall));
@@ -114,7 +115,7 @@ TEST_CASE("LeftOut, CubemapsOfALevelThatReflectsNothing") {
   const auto [count, why] = cubemapsOf(0.9, sky);
   REQUIRE(count == 0);
   REQUIRE(why.find("level") != std::string::npos);
-  REQUIRE(cubemapsOf(0.9, sky + "cubemap_size = 4\n").first == 8);  // asked for
+  REQUIRE(cubemapsOf(0.9, sky + "cubemap_size = 4\n").first == 8);  // Requested by the file.
   const Folder folder;
   const std::string level = levelOf(folder, 0.9, sky);
   const json report = bakeReport(level, folder / "out", {"--certify", "none"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a baked level: what inspect, validate and merge say of whole, half and damaged ones.
+// The files of a baked level: inspect, validate and merge on whole, incomplete and damaged ones.
 #include <catch2/catch.hpp>
 
 #include "level_text.h"
@@ -138,7 +138,7 @@ TEST_CASE("LevelFiles, InspectExplainsEveryByte") {
 TEST_CASE("LevelFiles, RoomsAreInTheFileAndOfItsSectorsAlone") {
   const SmallLevel level;
   level.bake("out");
-  // About the hut's west, in 2_0 and within the reach of 1_0; its settings change, its file has no room.
+  // A room around the hut's west, in 2_0 and within the reach of 1_0. Its settings change, but its file has no space.
   level.writeLevel("rays = 64", "[[room]]\nbox = [140, -1, 8, 165.5, 8, 56]");
   REQUIRE(level.bake("out") == 2);
   const auto inspected = [&](const std::string& sector) {

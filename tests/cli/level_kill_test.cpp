@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a level that is killed, told to stop, or has no room: finished sectors stay whole, and the same command
-// does what is missing.
+// The bake of a level that is killed, interrupted or out of space. Finished sectors stay whole, and the same command
+// completes the rest.
 #include <signal.h>
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Sectors that are there, all of them whole.
+/// Number of sectors present. Each must be whole.
 int wholeSectors(const SmallLevel& level, const std::string& out) {
   int count = 0;
   if (!fs::exists(level.path() / out / "sectors")) return 0;
@@ -29,7 +29,7 @@ int wholeSectors(const SmallLevel& level, const std::string& out) {
   return count;
 }
 
-/// The same command bakes what is missing, and leaves what a bake leaves that nobody disturbed.
+/// The same command bakes the missing sectors. The result equals that of an undisturbed bake.
 void requireResumes(const SmallLevel& level, const std::string& out) {
   const int there = wholeSectors(level, out);
   const bool has_sky = fs::exists(level.path() / out / "sky.welkin");
@@ -43,7 +43,7 @@ void requireResumes(const SmallLevel& level, const std::string& out) {
   REQUIRE(filesUnder(level.path() / out) == filesUnder(level.path() / "whole"));
 }
 
-/// Of a bake into a new folder.
+/// A bake into a new folder.
 KillSweep sweepOf(const SmallLevel& level) {
   return {level.command("out"), [&level] { fs::remove_all(level / "out"); },
           [&level](int) { requireResumes(level, "out"); }};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a level's local transfer: which sectors get it, and the same bytes by any way to them.
+// The bake of a level's local transfer: the sectors that get it, and the same bytes by every way of baking.
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -18,7 +18,7 @@ json sectorOf(const SmallLevel& level, const std::string& out, const std::string
   return json::parse(run.out)["sector"];
 }
 
-/// Sectors with local transfer, by the bytes that inspect and the report say.
+/// Sectors with local transfer, according to the bytes in the output of inspect and in the report.
 std::vector<std::string> sectorsWithLocal(const SmallLevel& level, const std::string& out) {
   std::vector<std::string> names;
   const json whole = json::parse(readBytes(level / (out + "/report.json")));
@@ -73,7 +73,7 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
   std::size_t transfers = 0;
   for (const json& probe : sector["probes"]) transfers += probe["local_count"].get<std::size_t>();
   const std::size_t lights = sector["virtual_lights"].size();
-  REQUIRE(transfers > sector["probes"].size());  // of neighbours too
+  REQUIRE(transfers > sector["probes"].size());  // Neighbours count too.
   const json& local = sector["error"]["local"];
   REQUIRE(local["kept"] == transfers);
   REQUIRE(local["dropped"] == 0);
@@ -89,7 +89,7 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
                                                         {"local_scale", 2 * transfers},
                                                         {"local_radiance", 12 * transfers}};
   for (const auto& [name, count] : arrays) REQUIRE(bytes[name] == count);
-  // Those of sector 1_0 are among them, and nothing of 0_0.
+  // The sources include those of sector 1_0 and none of 0_0.
   double least_x = 1e9;
   for (const json& light : sector["virtual_lights"]) least_x = std::min(least_x, light[0].get<double>());
   REQUIRE(least_x >= 64.0);
@@ -134,8 +134,8 @@ TEST_CASE("LevelLocal, EveryTransferIsShown") {
         const auto radiance = transfer["radiance"][channel].get<std::vector<double>>();
         REQUIRE(radiance.size() == 4);
         REQUIRE(radiance[0] >= 0.0);
-        // The probe's own light, 1 m above open ground that is lit as from 2 m: of a surface at an angle whose cosine
-        // is c, radiance albedo / pi times c / 4 within 60 degrees and c^3 beyond.
+        // The probe's own light, 1 m above open ground that is lit as from 2 m. A surface at an angle whose cosine is c
+        // has the radiance albedo / pi times c / 4 within 60 degrees and c^3 beyond.
         const auto away = [&](int axis) {
           return std::abs(lights[static_cast<std::size_t>(light)][axis].get<double>() -
                           probe["position"][axis].get<double>());
@@ -171,7 +171,7 @@ TEST_CASE("LevelLocal, TracesWhatTheBudgetTakes") {
 }
 
 TEST_CASE("LevelLocal, ASectorPastTheBudgetIsNamed") {
-  // Two probes beside the hut, for a million paths each.
+  // Two probes beside the hut, with a million paths each.
   const SmallLevel level;
   level.writeLevel("rays = \"auto\"\nlocal_lights = true\nsun = \"none\"\nbounces = 1\nreach_m = 8",
                    "add = [[166, 1, 28], [166, 1, 34]]\nremove = [[-1000, -1000, -1000, 1000, 1000, 1000]]");
@@ -213,6 +213,6 @@ TEST_CASE("LevelLocal, WhatLiesBeyondReachChangesNothing") {
   const auto third = bytes("2_0");
   level.writeHut(171.0);
   REQUIRE(level.bake("out", {"--force"}) == kSectors);
-  REQUIRE(bytes("-1_0") == first);  // 150 m off; 0_0 and its probes, which light it, see none of the hut
+  REQUIRE(bytes("-1_0") == first);  // 150 m away; 0_0 and its probes, which light it, see none of the hut.
   REQUIRE(bytes("2_0") != third);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order in which a level's files name things, and what lies out of reach, bake nothing again.
+// Changes of the order in a level's files, and of parts out of reach, cause no new bake.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -15,7 +15,7 @@ struct Placed {
   double x;
 };
 
-/// Sectors -1_0 to 6_0: ground of one file, placed trees and rocks of two others.
+/// Sectors -1_0 to 6_0: ground from one file, placed trees and rocks from two others.
 class Garden {
  public:
   Garden() {
@@ -93,7 +93,7 @@ TEST_CASE("LevelOrder, OfNodesBakesNothingAgain") {
   REQUIRE(garden.bake() == 0);
   garden.writeGround([&](json& model) { nodes(model).erase(8); });  // the first tuft, at -20
   REQUIRE(garden.bake() == 2);
-  garden.writeGround([&](json& model) {  // another one first of all, as far as 6_0 and 5_0
+  garden.writeGround([&](json& model) {  // A new first node, as far away as 6_0 and 5_0.
     nodes(model).erase(8);
     json tuft = model["nodes"][8];
     tuft["translation"] = {440, 0.5, 40};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a level: what an edit makes stale, and the same bytes by any way to them.
+// The bake of a level: which sectors an edit makes stale, and the same bytes by every way of baking.
 #include <catch2/catch.hpp>
 
 #include "level_text.h"
@@ -40,9 +40,9 @@ TEST_CASE("Level, AnEditRebakesWhatIsWithinReach") {
   level.writeLevel("rays = 64\nreach_m = 16", "add = [[-30, 1, 30]]");
   REQUIRE(level.bake("out") == 1);
   level.writeLevel("rays = 64\nreach_m = 16", "add = [[-30, 1, 30]]\n[scale]\nsky = 2");
-  REQUIRE(level.bake("out") == 0);  // the index has it
+  REQUIRE(level.bake("out") == 0);  // the index holds the scale
   level.writeSky(60.0, "intensity = 2");
-  REQUIRE(level.bake("out") == 0);  // of the sky alone
+  REQUIRE(level.bake("out") == 0);  // a setting of the sky alone
   level.writeSky(50.0);
   REQUIRE(level.bake("out") == kSectors);  // the sun's path
   level.writeLevel("rays = 64\nreach_m = 16\nsun = \"sh\"");
@@ -102,7 +102,7 @@ TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
   requireSame(level.path() / "one", level.path() / "named");
   REQUIRE(runTool({"merge", level / "shards"}).status == 0);  // again
   REQUIRE(level.bake("shards") == 0);
-  REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 3 + 2 + 6);  // no parts, but the shards' reports
+  REQUIRE(filesUnder(level.path() / "shards").size() == kSectors + 3 + 2 + 6);  // No parts, but the shards' reports.
 }
 
 TEST_CASE("Level, CommandLinesThatAreWrong") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level of four sectors in a row, -1_0 to 2_0, for the command line: ground and a hut.
+// A level for the command line with four sectors in a row, -1_0 to 2_0: ground and a hut.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ class SmallLevel {
     writeLevel("rays = " + std::to_string(rays));
   }
 
-  /// `lamp_x`: of a point light, if there is one.
+  /// `lamp_x` is the position of a point light, if there is one.
   void writeHut(double x, std::optional<double> lamp_x = std::nullopt) const {
     GltfText model;
     model.addNode(model.addMesh(squareMesh()), {{"translation", {64, 0, 32}}, {"scale", {127, 1, 31}}});
@@ -48,7 +48,7 @@ class SmallLevel {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  /// Sectors that a bake into `out` bakes.
+  /// Number of sectors that a bake into `out` bakes.
   int bake(const std::string& out, const std::vector<std::string>& more = {}) const {
     const Run run = runTool(command(out, more));
     if (run.status != 0) throw std::runtime_error(run.err);
@@ -61,7 +61,8 @@ class SmallLevel {
 
 inline constexpr int kSectors = 4;
 
-/// The files of two folders, but for what a run cost and what of it is of shards.
+/// Requires the files of two folders to be equal, except for the costs of a run and the part of them that concerns
+/// shards.
 inline void requireSame(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::size_t compared = 0;
   for (const auto& name : filesUnder(a)) {

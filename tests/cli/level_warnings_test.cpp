@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bake of a level warns of, where that is, and that a kept sector says the same as a baked one.
+// Warnings of a level's bake and their places. A kept sector gives the same warnings as a baked one.
 #include <catch2/catch.hpp>
 
 #include "level_text.h"

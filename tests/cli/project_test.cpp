@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin project: its numbers on a baked cubemap, its words on bad input.
+// welkin project: its numbers for a baked cubemap, and its messages on bad input.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bakes of real levels, where WELKIN_DATA names a folder that has them under levels/: probes everywhere one can walk.
+// Bakes of real levels, if WELKIN_DATA names a folder with levels/: probes wherever one can walk.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The folder of the levels; nothing, with a warning, where there is none.
+/// The folder of the levels. Nothing, with a warning, if there is none.
 std::optional<std::string> levels() {
   if (const char* folder = std::getenv("WELKIN_DATA")) return std::string(folder) + "/levels/";
   WARN("skipped: WELKIN_DATA names no folder with levels/");
@@ -36,7 +36,7 @@ std::string sectorsAround(int reach) {
   return list.str();
 }
 
-/// Bakes a level of that geometry, says what came of it, and returns its report.
+/// Bakes a level of that geometry, prints the result, and returns its report.
 json bakeLevel(const std::string& name, const std::string& text, const std::string& sectors = "") {
   const Folder folder;
   folder.write("sky.toml", skyText(kUniform, "path = [[0, 0, -40], [6, 90, 0], [12, 180, 55], [18, 270, 0]]"));
@@ -70,7 +70,8 @@ json bakeLevel(const std::string& name, const std::string& text, const std::stri
   return report;
 }
 
-/// The [[geometry]] of every node of a Godot scene whose name begins so: yaw and one scale, as its transforms have.
+/// The [[geometry]] of every node of a Godot scene whose name begins with `node`. Its transforms have yaw and one
+/// scale.
 std::string placed(const std::string& scene, const std::string& node, const std::string& file,
                    const std::string& more) {
   std::ifstream in(scene);

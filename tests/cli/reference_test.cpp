@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What welkin reference prints, against closed forms, and what it refuses.
+// Output of welkin reference against closed forms, and its refusals.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kStandardErrors = 4.0;
-constexpr double kLevel = 2e-3;  // the ground ends 500 m away: what is beyond is black
+constexpr double kLevel = 2e-3;  // The ground ends 500 m away; beyond it is black.
 
 /// A level: a square of ground, 1 km wide at y = 0, of the albedo 0.2, 0.5, 0.9.
 class Level {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin render from the shell. tests/vulkan looks at the pictures.
+// welkin render from the shell. tests/vulkan checks the pictures.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -63,7 +63,7 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   };
   const std::string level = "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"a.gltf\"\n";
   const std::string path = folder.write("level.toml", level);
-  check({"--level", path}, 2, "a.gltf");  // it is not there
+  check({"--level", path}, 2, "a.gltf");  // The file is missing.
   folder.write("a.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"extensionsRequired\": [\"KHR_draco\"]}");
   check({"--level", path}, 3, "KHR_draco");
   folder.write("a.gltf", "{\"asset\": {\"ver");
@@ -90,7 +90,7 @@ TEST_CASE("Render, ProbesErrorsHaveTheirStatus") {
     CHECK(run.status == status);
     CHECK(run.said(says));
   };
-  check(level / "out", 2, "Vulkan");  // all is well but for the device
+  check(level / "out", 2, "Vulkan");  // All is well except for the device.
   check(level / "none", 2, level / "none/sectors");
   fs::create_directories(level.path() / "empty/sectors");
   check(level / "empty", 2, "holds no sector");

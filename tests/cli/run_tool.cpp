@@ -19,7 +19,7 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Makes a file the child's descriptor; the child has no way to report a failure but its exit status.
+/// Opens a file as the child's descriptor. The child can report a failure only by its exit status.
 void redirect(const std::string& path, int flags, int descriptor) {
   const int fd = ::open(path.c_str(), flags, 0600);
   if (fd < 0 || ::dup2(fd, descriptor) < 0) ::_exit(99);

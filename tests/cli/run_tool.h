@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the welkin program and says how it ended.
+// Runs the welkin program and reports how it ended.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@
 
 namespace welkin::tests {
 
-/// How a run ended.
+/// The result of a run.
 struct Run {
   int status = 0;  ///< exit status; minus the signal that ended it; kHung when it was still running at the deadline
   std::string out, err;
@@ -37,10 +37,10 @@ class Tool {
   Tool& operator=(const Tool&) = delete;
   ~Tool();
 
-  /// Whether it ended within the time.
+  /// Whether the program ended within the time.
   bool endsWithin(double seconds);
   void send(int signal) const;
-  /// Waits for its end, until the deadline.
+  /// Waits for its end, at most until the deadline.
   Run wait();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sky files whose content is wrong: status 3; the message names the file, the line, the key, the value and what is
-// allowed; nothing crashes or hangs, and nothing is written.
+// Sky files with wrong content: status 3. The message names the file, the line, the key, the value and the allowed
+// range. Nothing crashes, hangs or is written.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -134,7 +134,7 @@ TEST_CASE("SkyErrors, Bake") {
 }
 
 TEST_CASE("SkyErrors, FreeCoefficientsMustKeepTheSkyBright") {
-  // Type 12 with the misprint c = -10 and Far Cry 3's with -24: negative at the sun.
+  // Type 12 with the misprint c = -10 and Far Cry 3 with -24 are negative at the sun.
   const std::string high = "path = [[0, 180, 30]]";
   requireInvalid(
       {{skyText("luminance = [-1, -0.32, -10, -3, 0.45]", high),
@@ -180,7 +180,7 @@ TEST_CASE("SkyErrors, DotsOutsideKeysAreNotParts") {
       skyText(kUniform + "\nintensity = [[0, 1.5], [1, 2.5], [2, 3.5], [3, .5e1]" + "\n# \"" + dots + "\n]");
   const Run run = runTool({"validate", folder.write("sky.toml", text)});
   INFO(run.err);
-  REQUIRE(run.status == 3);  // ".5e1" is not TOML; it is what toml++ complains about, not the dots
+  REQUIRE(run.status == 3);  // ".5e1" is not TOML; toml++ complains about it, not about the dots.
   REQUIRE(run.said("not TOML"));
   std::string good = text;
   good.replace(good.find(".5e1"), 4, "0.5");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sky that is up to date is left alone, and nothing passes for up to date that a bake from nothing would not make.
+// A sky that is up to date is not baked again. It counts as up to date only if a fresh bake would give the same files.
 #include <xxhash.h>
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> kUncertified = {"--certify", "none"};
 const std::string kCubemap = "cubemaps/sky_120000000_latlong.exr";
 
-/// Requires two folders to be the same but for the times that a bake took.
+/// Requires two folders to be equal, except for the times of a bake.
 void requireSameFolder(const fs::path& a, const fs::path& b) {
   REQUIRE(filesUnder(a) == filesUnder(b));
   for (const auto& name : filesUnder(a)) {
@@ -45,7 +45,7 @@ class BakedSky {
                 kDaySun, "bands = 2\nkeys = 24\ncubemap_size = 4\ncubemap_times = [0, 12]"));
   }
 
-  /// Whether a bake into the folder baked the sky; what it said on stderr goes to `said`.
+  /// Returns whether the bake into the folder baked the sky. `said` receives its stderr.
   bool bake(const std::string& to, const std::vector<std::string>& more = kUncertified,
             std::string* said = nullptr) const {
     const Run run = runBake(folder_ / "in/sky.toml", folder_ / to, more);
@@ -61,7 +61,7 @@ class BakedSky {
     return printedJson(words);
   }
 
-  /// The sky is out of date; baking it makes what a bake from nothing makes, and then it is up to date.
+  /// Requires the sky to be out of date. Baking it must equal a fresh bake, after which it is up to date.
   void requireBakes(const std::string& why, const std::vector<std::string>& more = kUncertified) const {
     const json sky = plan(more)["sky"];
     REQUIRE(sky["why"] == why);
@@ -85,7 +85,7 @@ void flipBit(const std::string& path, std::size_t at) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// The record with another content, whose own checksum is right.
+/// Writes a record with other content and a matching checksum.
 void writeRecord(const std::string& path, ordered_json record) {
   record.erase("xxh3_128");
   const std::string text = record.dump();
@@ -143,7 +143,7 @@ TEST_CASE("SkyState, AnotherInputIsBaked") {
   sky.requireBakes("changed: gradient_sun.png");
   sky.writeSky("ground_albedo = [0.2, 0.3, 0.4]");
   sky.requireBakes("changed: sky.toml");
-  sky.writeSky("ground_albedo = [0.2, 0.3, 0.4]  # as grass");  // the file holds what sky.toml's bytes were
+  sky.writeSky("ground_albedo = [0.2, 0.3, 0.4]  # as grass");  // the file held the old bytes of sky.toml
   sky.requireBakes("changed: sky.toml");
   std::string text = readBytes(sky.folder() / "in/sky.toml");
   text.replace(text.find("cie-5"), 5, "cie-4");
@@ -165,7 +165,7 @@ TEST_CASE("SkyState, AnotherRequestIsBaked") {
 TEST_CASE("SkyState, AnotherToolsSkyIsBaked") {
   const BakedSky sky;
   ordered_json record = ordered_json::parse(readBytes(sky.out("sky.json")));
-  writeRecord(sky.out("sky.json"), record);  // only the spaces are others
+  writeRecord(sky.out("sky.json"), record);  // Only white space differs.
   REQUIRE_FALSE(sky.bake("out"));
   record["request"]["method"] = record["request"]["method"].get<int>() + 1;
   writeRecord(sky.out("sky.json"), record);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A real file system that is full, out of names or read-only. Linux, where a test may mount one that nobody else sees.
+// A real file system that is full, out of names or read-only. Needs Linux, where a test may mount one that nobody else
+// sees.
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/statvfs.h>
@@ -27,7 +28,8 @@ bool put(const char* path, const std::string& text) {
   return !stream.fail();
 }
 
-/// A view of the mounted file systems of this process's own; without root's rights as the same user in a new namespace.
+/// Gives this process its own view of the mounted file systems. Without root's rights it does so as the same user in a
+/// new namespace.
 bool separateMounts() {
   const auto uid = ::geteuid();
   const auto gid = ::getegid();
@@ -55,7 +57,7 @@ void onSmallDisk(const fs::path& place, const std::string& options, const std::f
     try {
       checks();
       status = 0;
-    } catch (...) {  // Catch2 has said which
+    } catch (...) {  // Catch2 has already printed it.
     }
     std::cout.flush();
     ::_exit(status);
@@ -76,7 +78,7 @@ void requireStatus(const TwoBakes& bakes, int status, const std::string& why = "
   bakes.requireWhole();
 }
 
-/// Leaves room for so many bytes.
+/// Fills the disk up to so many free bytes.
 void fillBut(const fs::path& disk, std::uintmax_t bytes) {
   fs::remove(disk / "filler");
   const auto room = fs::space(disk).available;

@@ -19,7 +19,7 @@ bool isTemporary(const std::string& name) {
   return name.ends_with(".tmp");
 }
 
-/// Whether the outputs are those that the report has the checksums of.
+/// Whether the outputs have the checksums in the report.
 bool reportFits(const fs::path& out) {
   const auto report = nlohmann::json::parse(readBytes(out / "report.json"), nullptr, false);
   if (!report.is_object() || report["outputs"].empty()) return false;
@@ -91,7 +91,7 @@ void TwoBakes::requireWhole(bool may_have_temporaries) const {
       INFO(name);
       if (name != "report.json" && name != "timing.json") REQUIRE(fs::exists(out() / name));
     }
-  // A mixture must not look like a bake: the report, which lists every output, fits one of the two or nothing.
+  // A mixture must not look like a bake. The report lists every output, so it must fit one of the two or nothing.
   if (reportFits(out())) REQUIRE((isAll("old") || isAll("new")));
 }
 

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two bakes of which one is to replace the other, and whether what is there instead is whole.
+// Two bakes, one of which replaces the other, and checks that the result is whole.
 #pragma once
 
 #include "run_tool.h"
 
 namespace welkin::tests {
 
-/// The folder `out` holds the bake of an old sky; a bake of a new sky shall replace it. No file of the two is the same,
-/// and each has a cubemap that the other has not.
+/// The folder `out` holds the bake of an old sky. A bake of a new sky replaces it. The two share no equal file, and
+/// each has a cubemap that the other lacks.
 class TwoBakes {
  public:
-  /// `place`, where `out` is; this object's own folder when empty.
+  /// `place` is the parent of `out`; if empty, this object's own folder.
   explicit TwoBakes(int cubemap_size, std::filesystem::path place = {});
 
   std::filesystem::path out() const { return place_ / "out"; }
   std::string file(const std::string& name) const { return folder_ / name; }
   /// The command line that bakes a sky, "old" or "new", into `out`; its make rule is `out.d`.
   std::vector<std::string> command(const std::string& sky) const;
-  /// Makes `out` the old bake; or nothing.
+  /// Makes `out` the old bake, or leaves it absent.
   void putOld();
   void putNothing();
 
-  /// Requires every file of `out` to be the old or the new one, none to be missing that the sky there needs, none at
-  /// all after putOld() but stale cubemaps, and all to be of one bake if report.json fits them. *.tmp must not be there
-  /// unless they may.
+  /// Requires every file of `out` to be the old or the new one. No file that the sky there needs may be missing. After
+  /// putOld() only stale cubemaps may be missing. If report.json fits the files, all must be of one bake. *.tmp files
+  /// are allowed only with `may_have_temporaries`.
   void requireWhole(bool may_have_temporaries = false) const;
   /// Requires `out` to be one of the bakes, "old" or "new", and nothing else.
   void requireIs(const std::string& sky) const;
@@ -37,7 +37,7 @@ class TwoBakes {
   bool had_old_ = false;
 };
 
-/// What a disk of tests/cli/failing_disk.c does.
+/// A fault of the disk simulated by tests/cli/failing_disk.c.
 struct DiskFault {
   std::string fault, call, log;
 };

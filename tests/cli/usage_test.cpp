@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Command lines that are wrong: status 1, nothing on stdout, and the word that is wrong in the message.
+// Wrong command lines: status 1, nothing on stdout, and a message with the wrong word.
 #include <catch2/catch.hpp>
 #include <string>
 

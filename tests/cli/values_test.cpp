@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What eval, inspect and sample print, against closed forms.
+// Output of eval, inspect and sample against closed forms.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -59,7 +59,7 @@ TEST_CASE("Eval, UniformSkyGivesPiUpAndHalfOfItSideways") {
 TEST_CASE("Eval, OvercastSkyGivesMoonAndSpencersIrradiance") {
   const std::string sky = skyText("luminance = \"cie-overcast\"\nnormalise = \"zenith\"");
   requireAll(eval(sky, "0,1,0", "irradiance"), 7.0 * kPi / 9.0, kQuadrature);
-  // Vertical: integral of (1 + 2 sin el)/3 cos^2 el over half the azimuths = pi/6 + 4/9.
+  // Vertical surface: the integral of (1 + 2 sin el)/3 cos^2 el over half the azimuths = pi/6 + 4/9.
   requireAll(eval(sky, "0,0,-1", "irradiance"), kPi / 6.0 + 4.0 / 9.0, kQuadrature);
 }
 

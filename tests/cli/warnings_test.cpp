@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings: what bakes all the same, and is said and counted.
+// Warnings: the bake succeeds, and each warning is printed and counted.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,7 +16,7 @@ const std::string kThreeKeys = "path = [[6, 90, 0], [12, 180, 60], [18, 270, 0]]
 const std::string kGoodPath = "path = [[0, 0, -60], [6, 90, 0], [12, 180, 60], [18, 270, 0]]";
 const std::string kNeverRises = "path = [[0, 0, -60], [12, 180, -5.2]]";
 
-/// What bake and plan say of a sun and other sections.
+/// Output of bake and plan for a sun and other sections.
 struct Said {
   json report, plan;
   std::string err;

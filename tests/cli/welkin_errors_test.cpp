@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Baked files that are cut, damaged, foreign or of another version: status 3 from every command that reads them.
-// tests/runtime goes through every byte; this shows that the statuses reach the shell.
+// tests/runtime covers every byte; these tests show that the statuses reach the shell.
 #include <catch2/catch.hpp>
 #include <string>
 

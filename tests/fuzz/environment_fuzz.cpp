@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the bytes of a cubemap or latlong that is projected into spherical harmonics.
+// Fuzz target: the bytes of a cubemap or latlong picture for projection into spherical harmonics.
 #include <algorithm>
 
 #include "fuzz.h"
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace welkin;
   constexpr int kBands = 3;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   const auto path = kFolder.write("environment", {bytes, size});
   cubemap::Environment environment;
   if (!fuzz::accepts([&] { environment = cubemap::projectImage(path, kBands); })) return 0;

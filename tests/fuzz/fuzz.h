@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the fuzz targets share: a folder for the input's file, and the outcomes that an input may have.
+// Helpers of the fuzz targets: a folder for the input's file, and the permitted outcomes of an input.
 #pragma once
 
 #include <unistd.h>
@@ -17,12 +17,12 @@
 #include "sky/base/error.h"
 #include "tests/folder.h"
 
-/// The entry that libFuzzer and the replay call with every input.
+/// The entry point. libFuzzer and the replay call it with every input.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
 
 namespace welkin::fuzz {
 
-/// Ends the program, which both report with the input, unless `holds`.
+/// Ends the program unless `holds`. libFuzzer and the replay then report the input.
 inline void require(bool holds, std::string_view what) {
   if (holds) return;
   std::fprintf(stderr, "violated: %.*s\n", static_cast<int>(what.size()), what.data());
@@ -34,7 +34,7 @@ bool isFinite(const Vector3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// A folder of this process alone, in memory where the system has such a place.
+/// A folder of this process alone, in memory (/dev/shm) where the system has it.
 class Folder {
  public:
   Folder() : folder_(parent()) {}
@@ -55,7 +55,7 @@ class Folder {
   tests::Folder folder_;
 };
 
-/// Whether `read` takes the input. It may refuse by nothing but an Error about a file or its content, in words; any
+/// Whether `read` accepts the input. It may refuse it only by an Error about a file or its content, with a message. Any
 /// other exception ends the program.
 template <typename Read>
 bool accepts(Read&& read) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the bytes of a gradient's image, in any of the formats that are read.
+// Fuzz target: the bytes of a gradient's image, in any supported format.
 #include <algorithm>
 
 #include "fuzz.h"
@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   const auto path = kFolder.write("image", {bytes, size});
   image::Image image;
   if (!fuzz::accepts([&] { image = image::readImage(path); })) return 0;

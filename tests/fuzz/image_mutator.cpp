@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's mutator of images: a PNG's chunks get the checksums of their new bytes in seven inputs of eight, so that
-// what lies behind the checksums is reached. The other formats have none.
+// libFuzzer's mutator of images. In seven inputs of eight a PNG's chunks get the checksums of their new bytes, so that
+// the input reaches the code behind the checksums. The other formats have none.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kSignature = 8;
 constexpr std::size_t kFrame = 12;  // length, type, checksum
 
-/// CRC-32 of ISO 3309, as PNG's annex D computes it.
+/// CRC-32 of ISO 3309, computed as in PNG's annex D.
 std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size) {
   static const auto kTable = [] {
     std::array<std::uint32_t, 256> table{};

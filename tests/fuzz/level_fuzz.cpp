@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the bytes of a level's geometry. The first one says of what: glTF, binary glTF, OBJ, or MTL.
+// Fuzz target: the bytes of a level's geometry. The first byte selects glTF, binary glTF, OBJ or MTL.
 #include <algorithm>
 
 #include "fuzz.h"
@@ -46,7 +46,7 @@ void requireWhole(const geometry::Surfaces& s) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // not in an input's time
+  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   if (size == 0) return 0;
   const std::size_t kind = bytes[0] % std::size(fuzz::kNames);
   auto path = kFolder.write(fuzz::kNames[kind], {bytes + 1, size - 1});

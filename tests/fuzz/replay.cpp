@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a fuzz target over files and over every file under folders, without libFuzzer: a main for any compiler.
+// Runs a fuzz target over files, and over every file in folders, without libFuzzer. It works with any compiler.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -15,7 +15,7 @@ void replay(const std::filesystem::path& path) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   welkin::fuzz::require(stream.good() || stream.eof(), "the file can be read");
   std::printf("%s\n", path.c_str());
-  std::fflush(stdout);  // the last line names the input that ends the program
+  std::fflush(stdout);  // the last line names an input that ends the program
   const auto start = std::chrono::steady_clock::now();
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs a fuzzer and, when it finds something, says how to repeat it. New inputs go to WORK, INPUTS are only read.
+# Runs a fuzzer. After a finding it prints the command that repeats it. New inputs go to WORK; INPUTS are only read.
 file(REMOVE_RECURSE ${WORK}/found)
 file(MAKE_DIRECTORY ${WORK}/corpus ${WORK}/found)
 execute_process(COMMAND ${PROGRAM} ${OPTIONS} -artifact_prefix=${WORK}/found/ ${WORK}/corpus ${INPUTS}
@@ -12,6 +12,6 @@ elseif(NOT result EQUAL 0)
   list(JOIN OPTIONS " " options)
   list(JOIN INPUTS " " inputs)
   message(FATAL_ERROR "Failed (${result}); repeat it with:\n  ${PROGRAM} ${options} ${WORK}/corpus ${inputs}")
-elseif(found)  # by the wall clock of a machine that may have been busy
+elseif(found)  # measured by the wall clock of a machine that may have been busy
   message(STATUS "Perhaps slow; repeat it with:\n  ${PROGRAM} ${found}")
 endif()

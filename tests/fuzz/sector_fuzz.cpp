@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the bytes of a sector's file or of a level's index. Reading reads nothing outside them; what is read
-// decodes to finite numbers, and is written as it was.
+// Fuzz target: the bytes of a sector's file or of a level's index. The reader stays inside them. An accepted file
+// decodes to finite numbers and is written back with the same content.
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -57,7 +57,7 @@ void checkSector(const sectors::SectorFile& sector) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
-  std::vector<std::byte> copy(size);  // exactly its size, so that a read past the end is seen
+  std::vector<std::byte> copy(size);  // of the exact size, so that a read past the end is caught
   if (size > 0) std::memcpy(copy.data(), bytes, size);
   fuzz::accepts([&] { fuzz::checkSector(sectors::decodeSector(copy, "the input")); });
   fuzz::accepts([&] {

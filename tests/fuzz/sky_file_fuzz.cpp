@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the text of a sky.toml. What is read must be a sky that can be evaluated, baked and opened at any hour.
+// Fuzz target: the text of a sky.toml. An accepted sky can be evaluated, baked and opened at any hour.
 #include <welkin/welkin.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const Folder& folder() {
         {"stars.ppm", "P3 2 1 255  0 0 0  255 255 255"}};
     for (const auto& [name, text] : kImages)
       kFolder.write(std::string(name), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    image::imageModule();  // loaded here, not in an input's time
+    image::imageModule();  // loaded before the time of an input counts
     return true;
   }();
   return kFolder;
@@ -59,7 +59,7 @@ void checkInstant(const model::Sky& sky, double time_h) {
     require(isFinite(instant.dome(direction, ground)), "the dome's radiance is finite");
 }
 
-/// Bakes one key and opens the result as a game does.
+/// Bakes one key and opens the result like a game.
 void checkBaked(const bake::SkyFile& file) {
   constexpr int kBands = 2;
   const auto table = table::bakeDayTable(file.sky, kBands, {kHours[2]}, [] { return true; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: the bytes of a .welkin file. Opening reads nothing outside them; what opens answers every call of the
-// runtime's interface with finite numbers.
+// Fuzz target: the bytes of a .welkin file. The runtime reads nothing outside them while it opens the file. An opened
+// file answers every call of the runtime's interface with finite numbers.
 #include <welkin/welkin.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kDirections[][3] = {{0.0F, 1.0F, 0.0F},  {1.0F, 0.0F, 0.0F},    {0.0F, 0.0F, -1.0F},
                                     {0.0F, -1.0F, 0.0F}, {0.6F, 1e-30F, -0.8F}, {-0.48F, 0.6F, 0.64F}};
-constexpr std::uint32_t kMostKeys = 16;  // of a kind that one input tries
+constexpr std::uint32_t kMostKeys = 16;  // tried of each kind by one input
 
 void requireOk(WelkinResult result, const char* call) {
   require(result == WELKIN_OK, std::string(call) + " succeeds: " + welkin_result_string(result));
@@ -35,7 +35,7 @@ void checkLight(const WelkinLight& light) {
   require(light.disc_radius_rad >= 0.0F && light.disc_radius_rad < 1.6F, "a disc's radius is at most a quarter turn");
 }
 
-/// What the file of `size` bytes lends: every byte is there, and no more cubemaps than fit.
+/// Checks the memory that the file of `size` bytes lends: every byte is there, and no more cubemaps than fit.
 void checkBorrowed(const WelkinSky* sky, const WelkinSkyInfo& info, std::size_t size) {
   std::size_t sum = 0;
   const auto touch = [&](const void* first, std::size_t bytes) {
@@ -184,7 +184,7 @@ struct Free {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
-  // Exactly its size, so that a read past the end is seen.
+  // Of the exact size, so that a read past the end is caught.
   void* copy = nullptr;
   fuzz::require(::posix_memalign(&copy, format::kAlignment, size) == 0, "memory for the input");
   const std::unique_ptr<void, fuzz::Free> owner(copy);

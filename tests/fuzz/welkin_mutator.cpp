@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's mutator of .welkin files: it changes the payload and forges size and checksum over it, so that what lies
-// behind the checksum is reached. One input in eight is left unforged.
+// libFuzzer's mutator of .welkin files. It changes the payload and forges size and checksum over it, so that the input
+// reaches the code behind the checksum. One input in eight keeps its wrong checksum.
 #include <algorithm>
 #include <cstring>
 #include <limits>

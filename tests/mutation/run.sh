@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Does a test fail for every one-token fault of faults.txt? Each is made in a copy of the committed tree, built, and the
-# tests that should see it are run. Prints a line a fault; exit status 1 when one lives.
+# Does a test fail for every one-token fault of faults.txt? The script makes each fault in a copy of the committed tree,
+# builds it, and runs the tests that should see it. Prints a line a fault; exit status 1 when one lives.
 #   tests/mutation/run.sh WORK [FIRST [LAST]]      WORK: a folder for the copy and its build
 set -eu
 work="$1"
@@ -18,7 +18,7 @@ cd "$work/tree"
 cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWELKIN_INSTALL=OFF >"$work/log"
 programs="$(awk -F '\t' -v first="$first" -v last="$last" '
   !/^#/ && NF >= 4 && ++n >= first && n <= last { print $4 }' "$here/faults.txt" | sort -u)"
-ninja -C ../build $programs >>"$work/log"  # first without a fault
+ninja -C ../build $programs >>"$work/log"  # once without a fault
 number=0
 lived=0
 tab="$(printf '\t')"
@@ -35,7 +35,7 @@ while IFS="$tab" read -r file from to program filter; do
   if ! ninja -C ../build "$program" >>"$work/log" 2>&1; then
     outcome="does not compile"
   elif ! "$(find ../build/tests -name "$program" -type f)" --abort $filter >"$work/out" 2>&1; then
-    # The last heading: a warning of a test that passes has one as well.
+    # The last heading: the warning of a test that passes has a heading as well.
     outcome="$(grep -A1 '^-----' "$work/out" | grep -v '^--' | grep ', ' | tail -1 || true)"
   fi
   case "$outcome" in LIVES|"does not compile") lived=1 ;; esac

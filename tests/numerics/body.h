@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The models that the formulas of formulas.h are called with, and the calls. Needs a, b (unit directions), near_b (one
-// that is close to b), rgb (Number3), azimuth_rad, angle_rad (an elevation), x (at most 0), up (the cosine of a zenith
-// angle, above 0), theta (in [0, pi]) and s, t (in [0, 1]), as Number.
+// The models for the formulas of formulas.h, and the calls. Needs a, b (unit directions), near_b (a direction close to
+// b), rgb (Number3), azimuth_rad, angle_rad (an elevation), x (at most 0), up (the cosine of a zenith angle, above 0),
+// theta (in [0, pi]) and s, t (in [0, 1]), as Number.
 #ifndef WELKIN_NUMERICS_BODY_H
 #define WELKIN_NUMERICS_BODY_H
 
 #include "formulas.h"
 
-// Floats of an evaluation's arguments, and results of it.
+// Numbers of floats in an evaluation's arguments, and of its results.
 #define WELKIN_NUMERICS_ARGUMENTS 20
-#define WELKIN_NUMERICS_RESULTS 96
+#define WELKIN_NUMERICS_RESULTS 97
 
 #define WELKIN_NUMERICS_BODY                                                   \
   LuminanceModel clear_sky = WELKIN_MODEL(-1.0, -0.32, 10.0, -3.0, 0.45, 0.0); \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the errors of the shared formulas are held to: what was measured and a tenth, for other versions of the C
+// Bounds of the shared formulas' errors: the measured error plus a tenth, which leaves room for other versions of the C
 // library and of Mesa.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace welkin::numerics {
 
-/// Units of the last place.
+/// Bounds of one formula, in units of the last place.
 struct Bound {
   std::string_view formula;
-  double floats;  ///< the CPU's
-  double gpu;     ///< lavapipe's
+  double floats;  ///< on the CPU
+  double gpu;     ///< on lavapipe
 };
 
 const std::vector<Bound>& bounds();

@@ -9,13 +9,13 @@
 
 namespace welkin::numerics {
 
-/// A result of an evaluation: of a formula, or a component of it.
+/// One result of an evaluation: a formula's value, or a component of it.
 struct Slot {
   std::string formula;
-  std::string arguments;  ///< which ones matter
+  std::string arguments;  ///< names of those that matter
 };
 
-/// What an evaluation returns, in its order.
+/// The results of an evaluation, in its order.
 const std::vector<Slot>& slots();
 
 /// Value and size (formulas.h) of every slot.
@@ -27,9 +27,9 @@ struct Values {
 void evaluateAsFloats(std::span<const float> arguments, Values& out);
 void evaluateAsDoubles(std::span<const float> arguments, Values& out);
 
-/// Arguments of the evaluations from `first` on: uniform ones, and for each formula those near its edges: directions at
-/// the poles, on the horizon and close to each other, small angles, small exponents, dark colours. The same for every
-/// call.
+/// Arguments of the evaluations from `first` on. They are uniform, or near the edges of a formula: directions at the
+/// poles, on the horizon and close to each other, small angles, small exponents, dark colours. Every call gives the
+/// same arguments.
 std::vector<float> drawArguments(std::size_t first, std::size_t count);
 
 /// The arguments that matter to a slot, in words.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every shared formula once, as calls that compile as GLSL and as C++: PUT(name, size, arguments, value) and PUT3 for a
-// vector. An error counts in units of the last place of the value or of `size`, whichever is larger: 0 where the
-// formula owes its relative digits, and otherwise what its value is added to or multiplied with. `arguments` says which
-// of the arguments of body.h matter.
+// vector. An error counts in units of the last place of the value or of `size`, whichever is larger. `size` is 0 for a
+// formula that owes its relative digits. Otherwise it is the size of the number that the value is added to or
+// multiplied with. `arguments` names the arguments of body.h that matter.
 #ifndef WELKIN_NUMERICS_FORMULAS_H
 #define WELKIN_NUMERICS_FORMULAS_H
 
@@ -10,6 +10,7 @@
 
 #define WELKIN_FORMULAS_OF_ANGLES                                                                                   \
   PUT3(directionOf, 1.0, "az el", directionOf(azimuth_rad, angle_rad))                                              \
+  PUT(sineFromCosine, 0.0, "y", sineFromCosine(up))                                                                 \
   PUT(horizontalLength, 0.0, "a", horizontalLength(a))                                                              \
   PUT(elevationOf, 0.0, "a", elevationOf(a))                                                                        \
   PUT(angleBetween, 0.0, "a b", angleBetween(a, b))                                                                 \

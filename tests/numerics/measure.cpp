@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kChunk = 65536;
 
-/// A float's unit in the last place at a magnitude.
+/// Unit in the last place of a float of this magnitude.
 double unitAt(double magnitude) {
   const double least = double{std::numeric_limits<float>::min()};
   return std::ldexp(1.0, std::ilogb(std::max(magnitude, least)) - 23);

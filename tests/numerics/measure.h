@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest error of every shared formula in units of the last place, and where it is.
+// The largest error of every shared formula in units of the last place, and the arguments that give it.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ struct Measured {
   std::string formula;
   Worst floats;        ///< the CPU's floats against double
   Worst gpu;           ///< the device's against double
-  double apart = 0.0;  ///< the device's against the CPU's floats, ulp
+  double apart = 0.0;  ///< the device's floats against the CPU's, ulp
 };
 
-/// Over `count` evaluations of evaluate.h; components of a formula count together. `gpu`: on the first Vulkan device,
-/// whose name goes into `device`.
+/// Measures over `count` evaluations of evaluate.h; the components of a formula count together. With `gpu` it also
+/// measures the first Vulkan device, and writes its name to `device`.
 std::vector<Measured> measure(std::size_t count, bool gpu, std::string& device);
 
 }  // namespace welkin::numerics

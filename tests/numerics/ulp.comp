@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every shared formula for a list of arguments; evaluate.cpp does the same on the CPU.
+// Evaluates every shared formula for a list of arguments; evaluate.cpp does the same on the CPU.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "welkin/formulas.glsl"

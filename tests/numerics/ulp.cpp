@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Float against double, and the GPU against both: the largest error of every shared formula and where it is.
+// Compares float with double, and the GPU with both: the largest error of every shared formula and its arguments.
 //   ulp                      prints the table of docs/numerics.md
-//   ulp --check              whether every formula keeps its bound (bounds.h)
+//   ulp --check              fails when a formula exceeds its bound (bounds.h)
 //   ulp --write PAGE         puts the table into the page
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ constexpr std::size_t kEvaluations = std::size_t{1} << 18;
 
 std::string tableOf(const std::vector<Measured>& formulas) {
   std::string text =
-      "| formula | float, ulp | bound | where | GPU, ulp | bound | where | GPU from float "
+      "| formula | float, ulp | bound | where | GPU, ulp | bound | where | GPU against float "
       "|\n|---|---|---|---|---|---|---|---|\n";
   for (const Measured& m : formulas)
     for (const Bound& bound : bounds())

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake's sections of level.toml: what they give, every number at the ends of its range, and what is said of what
-// is wrong with them.
+// The bake's sections of level.toml: their values, every number at the ends of its range, and messages about errors.
 #include "probes/build/bake_section.h"
 
 #include <fmt/format.h>

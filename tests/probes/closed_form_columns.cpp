@@ -16,7 +16,7 @@ constexpr std::size_t kProbes = 64;
 
 using FourDirections = std::array<Number3, transfer::kDirections>;
 
-/// One independent probe's irradiance over pi: traced, its sun fitted by modes, relit.
+/// Irradiance over pi of one independent probe: traced, its sun fitted by modes, relit.
 FourDirections probeOf(const ClosedForm& form, const transfer::TransferTracer& transfer,
                        const transfer::LocalTransferTracer& local, std::size_t index) {
   const transfer::TracedProbe traced = transfer.trace(form.position, {3, -2}, index);
@@ -45,7 +45,7 @@ Number3 shaded(const FourDirections& irradiance, const Number3& normal) {
   return sum;
 }
 
-/// Mean over the probes of a quantity of each, and its standard error.
+/// Mean over the probes of a quantity, and its standard error.
 template <typename Of>
 reference::Estimate meanOf(const std::vector<FourDirections>& probes, const Of& of) {
   const auto count = static_cast<double>(probes.size());

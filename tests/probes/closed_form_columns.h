@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A closed form three ways: by the path tracer, by transfer per direction, and by what four directions reconstruct.
+// Computes a closed form in three ways: by the path tracer, by transfer per direction, and by reconstruction from four
+// directions.
 #pragma once
 
 #include <array>
@@ -8,11 +9,11 @@
 
 namespace welkin::tests {
 
-/// A result beside what it should be. Irradiance over pi.
+/// A result and its expected value. Irradiance over pi.
 struct Compared {
   Number3 found;
   Number3 standard_error;
-  Number3 expected;  ///< with what the column is known to lose
+  Number3 expected;  ///< includes the column's known loss
   Number3 lost;      ///< expected less the exact value: the column's own stated error
 };
 
@@ -22,12 +23,12 @@ struct ClosedFormColumns {
   std::vector<Compared> four_directions;                 ///< asked normals
 };
 
-/// By `paths` of the path tracer for each normal and of the transfer in all, those of 64 independent probes: at least
-/// 64 kLeastRays.
+/// Uses `paths` paths of the path tracer for each normal. The transfer takes as many in all, from 64 independent
+/// probes: at least 64 kLeastRays.
 ClosedFormColumns columnsOf(const ClosedForm& form, std::size_t paths);
 
-/// Whether a result is within three standard errors, what the level is off by and rounding (1e-6 of the largest exact
-/// value: corners are floats); exactly 0 where the form is.
+/// Whether a result is within three standard errors, the level's own error, and rounding (1e-6 of the largest exact
+/// value, as corners are floats). Exactly 0 where the form is 0.
 bool agrees(const ClosedForm& form, const Compared& compared);
 
 }  // namespace welkin::tests

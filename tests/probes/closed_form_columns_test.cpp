@@ -53,7 +53,7 @@ TEST_CASE("SkyPolygon, IsCutAtTheHorizonOfATiltedSurface") {
   for (const Number3& n :
        {Number3(0.6, 0.8, 0), geometry::unit({0.3, 0.5, -0.7}), geometry::unit({-0.8, -0.3, 0.4}), Number3(0, -1, 0)})
     CHECK(irradianceOverPi(openSky(), n) == Approx(0.5 * (1.0 + n.y)).margin(kRounding));
-  // A wall that stands upright leaves what is south; leaning back by g it leaves a lune of pi - g.
+  // An upright wall leaves the southern half; a wall that leans back by g leaves a lune of pi - g.
   for (const double g : {0.4, 1.2})
     CHECK(irradianceOverPi(skyOverWall(g), {0, std::cos(g), std::sin(g)}) ==
           Approx(0.5 * (1.0 + std::cos(g))).epsilon(kRounding));

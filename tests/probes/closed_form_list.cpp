@@ -21,7 +21,7 @@ const AskedNormal kUp{"up", {0, 1, 0}};
 const AskedNormal kEast{"east", {1, 0, 0}};
 const AskedNormal kAslant{"aslant", geometry::unit({0.3, -0.5, -0.7})};
 
-/// Share of the sphere that a normal sees above and below the horizon, cosine-weighted.
+/// Cosine-weighted share of a normal's view above the horizon, and below it.
 double above(const Number3& n) {
   return 0.5 * (1.0 + n.y);
 }
@@ -45,7 +45,7 @@ const char* endOf(double half_m) {
   return half_m < kWide_m ? ", level of 1 m" : "";
 }
 
-/// The level ends after half_m: what is beyond goes on as the plane does.
+/// A plane that ends after half_m; the ground beyond continues it.
 ClosedForm plane(const Number3& albedo, double half_m) {
   ClosedForm form;
   form.name = fmt::format("plane of albedo {:g}, uniform sky", albedo.x) + endOf(half_m);
@@ -57,7 +57,7 @@ ClosedForm plane(const Number3& albedo, double half_m) {
   return form;
 }
 
-/// Normal irradiance pi.
+/// A plane under a sun of normal irradiance pi.
 ClosedForm planeUnderSun(double elevation_deg, SunTransfer sun, double half_m) {
   const double elevation = elevation_deg * det::kPi / 180.0;
   ClosedForm form;
@@ -73,9 +73,9 @@ ClosedForm planeUnderSun(double elevation_deg, SunTransfer sun, double half_m) {
   return form;
 }
 
-constexpr double kEye_m = 1e-3;  ///< of the points below above the ground
+constexpr double kEye_m = 1e-3;  ///< height of the points below above the ground
 
-/// Black walls: what `sky` leaves of radiance 1. `of_level`: the form for level ground.
+/// Black walls under a sky of radiance 1, seen through `sky`. `of_level` is the form for level ground.
 ClosedForm blackWalls(std::string name, geometry::Surfaces surfaces, const SkyPolygon& sky, double of_level,
                       std::vector<std::size_t> shown) {
   ClosedForm form;
@@ -110,7 +110,7 @@ void addBlackWalls(std::vector<ClosedForm>& forms) {
                                skyViewOfWell(2, 4 * ratio, 4), {0, 1}));
 }
 
-/// Radiance (1 + 2 sin el) / 3 over a plane.
+/// A plane under radiance (1 + 2 sin el) / 3.
 ClosedForm overcast(SkyBounce way) {
   ClosedForm form;
   form.name = std::string("plane of albedo 0.2, `cie-overcast`") + (way == SkyBounce::fitted ? ", fitted" : "");
@@ -130,7 +130,7 @@ ClosedForm overcast(SkyBounce way) {
     const double direct = n.y > 0.0 ? 1.0 / 3.0 + 7.0 / 18.0 * n.y : 0.0;
     return Number3(direct) + kPlane * (held_ground * below(n));
   };
-  form.level_bound = 1e-6;  // of the sky's projection
+  form.level_bound = 1e-6;  // error of the sky's projection
   form.asked = {kUp, kEast};
   return form;
 }
@@ -138,7 +138,7 @@ ClosedForm overcast(SkyBounce way) {
 ClosedForm shiningBox(int bounced) {
   const Number3 albedo(0.6, 0.3, 0.9);
   ClosedForm form;
-  form.name = "box of albedo 0.6 that shines with 1";
+  form.name = "box of albedo 0.6 that emits 1";
   addBoxInside(form.surfaces, {-1, 0, -3}, {2, 2.5, 1}, addMaterial(form.surfaces, albedo, false, Number3(1.0)));
   form.sky = uniformSky(1.0);
   form.position = {0.3, 1, -0.4};
@@ -149,7 +149,7 @@ ClosedForm shiningBox(int bounced) {
   return form;
 }
 
-/// Intensity pi R^2.
+/// A lamp of intensity pi R^2 in a sphere.
 ClosedForm lampInSphere(int bounced) {
   constexpr double kRadius_m = 3.0;
   const Number3 albedo(0.6, 0.3, 0.9);
@@ -167,7 +167,7 @@ ClosedForm lampInSphere(int bounced) {
   return form;
 }
 
-/// Where no light comes, a bright sky with a sun above and a lamp behind a wall.
+/// A place without light: a bright sky with a sun above, and a lamp behind a wall.
 ClosedForm dark(std::string name, geometry::Surfaces surfaces, const Number3& position, SunTransfer sun) {
   ClosedForm form;
   form.name = std::move(name) + ", `" + nameOf(sun) + "`";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels whose light has a closed form, for tests: walls, canyons, wells, spheres, sealed rooms. Irradiance over pi of
-// level ground under a uniform sky of radiance 1, walls black, is the sky view factor given beside each.
+// Test levels whose light has a closed form: walls, canyons, wells, spheres, sealed rooms. The comment of each gives
+// its sky view factor: irradiance over pi of level ground under a uniform sky of radiance 1, with black walls.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace welkin::tests {
 
-/// What stands in for infinitely long: it changes no sky view factor below by more than 1e-6.
+/// Length that stands for infinity. It changes no sky view factor below by more than 1e-6.
 inline constexpr double kEndless_m = 4000.0;
 
 /// Level ground and, 10 m north of the origin, a wall to an elevation seen from the origin. (1 + cos g) / 2.
@@ -38,8 +38,8 @@ inline double skyViewOfCanyon(double width_m, double height_m) {
   return std::cos(std::atan(2.0 * height_m / width_m));
 }
 
-/// Level ground within upright walls over a regular polygon about the origin, whose sides are `apothem_m` from it: four
-/// sides are a square courtyard of width 2 apothem_m, many a round well.
+/// Level ground within upright walls over a regular polygon about the origin, with sides at `apothem_m`. Four sides
+/// make a square courtyard of width 2 apothem_m, many a round well.
 inline geometry::Surfaces wellOf(double apothem_m, double height_m, int sides, const Number3& ground,
                                  const Number3& wall) {
   geometry::Surfaces s = groundOf(ground, 2.0 * apothem_m);
@@ -52,13 +52,13 @@ inline geometry::Surfaces wellOf(double apothem_m, double height_m, int sides, c
   for (int i = 0; i < sides; ++i) addQuad(s, corner(i), corner(i + 1) - corner(i), {0, height_m, 0}, material);
   return s;
 }
-/// Of the polygon itself (Lambert 1760): each side adds the angle that it fills times the cosine of its plane.
+/// Sky view factor of the polygon itself (Lambert 1760): each side adds its angle times the cosine of its plane.
 inline double skyViewOfWell(double apothem_m, double height_m, int sides) {
   const double away = std::sqrt(apothem_m * apothem_m + height_m * height_m);
   const double angle = 2.0 * std::atan(apothem_m * std::tan(det::kPi / sides) / away);
   return sides * angle * (apothem_m / away) / det::kTwoPi;
 }
-/// The limit of many sides: cos^2(atan(H / R)).
+/// Sky view factor in the limit of many sides: cos^2(atan(H / R)).
 inline double skyViewOfRoundWell(double radius_m, double height_m) {
   const double c = std::cos(std::atan(height_m / radius_m));
   return c * c;
@@ -115,7 +115,7 @@ inline geometry::Surfaces sphereInside(double radius_m, int levels, const Number
   for (const Corners& t : triangle) s.triangle.push_back({t, material, 0});
   return s;
 }
-/// How far its surface is from the sphere at most, over the radius.
+/// Largest distance of the surface from the sphere, over the radius.
 inline double roughnessOf(const geometry::Surfaces& sphere, double radius_m) {
   double worst = 0.0;
   const auto load = [&](std::uint32_t i) {
@@ -131,8 +131,8 @@ inline double roughnessOf(const geometry::Surfaces& sphere, double radius_m) {
   return worst;
 }
 
-/// Two rooms of 4 x 3 x 4 m side by side along x, one wall without thickness between them at x = 0; the one with x < 0
-/// has no roof where `open` says so. No light passes between them.
+/// Two rooms of 4 x 3 x 4 m side by side along x. Between them at x = 0 is one wall without thickness. The room with x
+/// < 0 has no roof if `open`. No light passes between them.
 inline geometry::Surfaces twoRooms(const Number3& albedo, bool open) {
   geometry::Surfaces s;
   const std::uint32_t material = addMaterial(s, albedo, true);
@@ -146,7 +146,7 @@ inline geometry::Surfaces twoRooms(const Number3& albedo, bool open) {
   return s;
 }
 
-/// A vector turned about the vertical, clockwise from above as azimuths count.
+/// A vector turned about the vertical, clockwise from above like azimuths.
 inline Number3 turned(const Number3& v, double azimuth_rad) {
   const double c = std::cos(azimuth_rad);
   const double s = std::sin(azimuth_rad);

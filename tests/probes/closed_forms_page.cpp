@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms of closed_form_list.h in three columns.
+// Prints the closed forms of closed_form_list.h in three columns.
 //   closed_forms                  prints the tables of docs/closed_forms.md
 //   closed_forms --write PAGE     puts them into the page
-// Exit status 1 where a column is off by more than it says.
+// Exit status 1 when a column is off by more than its stated bound.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t kPaths = 65536;
 
-constexpr double kNothing = 5e-6;  ///< of the digits that are printed
+constexpr double kNothing = 5e-6;  ///< half of the last digit that is printed
 
-/// The first channel: the albedos that the names say.
+/// Text of the first channel, whose albedo is in the form's name.
 std::string measuredText(const Compared& c) {
   return c.standard_error.x < kNothing ? fmt::format("{:.5f}", c.found.x)
                                        : fmt::format("{:.5f} +- {:.5f}", c.found.x, c.standard_error.x);
@@ -29,9 +29,8 @@ std::string lostText(const Compared& c) {
 
 struct Tables {
   std::string forms =
-      "| form | bounces | normal | exact | path tracer | transfer of this direction | its own error | four directions "
-      "| "
-      "their own error |\n|---|---|---|---|---|---|---|---|---|\n";
+      "| form | bounces | normal | exact | path tracer | transfer of this direction | inherent error | four directions "
+      "| inherent error |\n|---|---|---|---|---|---|---|---|---|\n";
   std::string dark = "| level | normals | path tracer | transfer | four directions |\n|---|---|---|---|---|\n";
   std::size_t compared = 0;
   bool agree = true;

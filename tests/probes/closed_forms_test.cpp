@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Share of cosine-distributed rays from the ground that leave the level, and that no surface shows its back to.
+/// Share of cosine-distributed rays from the ground that leave the level; no surface may show them its back.
 double openShare(const geometry::Surfaces& s) {
   const geometry::Tracer tracer(s);
   geometry::Random random(1);
@@ -28,7 +28,7 @@ double openShare(const geometry::Surfaces& s) {
   return static_cast<double>(open) / kRays;
 }
 
-constexpr double kFourStandardErrors = 4.0 * 0.5 / 200.0;  // of a share of 40000 rays, at most
+constexpr double kFourStandardErrors = 4.0 * 0.5 / 200.0;  // for a share of 40000 rays, at most
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Blocks side by side as a level editor leaves them: tops at heights of 1/8 m, all edges shared, all on whole metres.
+/// Blocks side by side, as a level editor leaves them: tops at multiples of 1/8 m, shared edges, all on whole metres.
 geometry::Surfaces blocks(int across) {
   geometry::Surfaces s;
   const auto stone = addMaterial(s, {0.5, 0.5, 0.5});

@@ -26,7 +26,7 @@ TEST_CASE("Directions, SphereIsUniform") {
     square += d * d * (1.0 / kCount);
   }
   for (int c = 0; c < 3; ++c) {
-    CHECK(mean[c] == Approx(0.0).margin(4.0 * 0.577 / std::sqrt(kCount)));          // 4 standard errors of +-1 uniform
+    CHECK(mean[c] == Approx(0.0).margin(4.0 * 0.577 / std::sqrt(kCount)));          // 4 standard errors, uniform in +-1
     CHECK(square[c] == Approx(1.0 / 3.0).margin(4.0 * 0.298 / std::sqrt(kCount)));  // of its square
   }
 }
@@ -45,7 +45,7 @@ TEST_CASE("Directions, CosineAboutAnyNormal") {
       cosine += dot(d, n) / kCount;
       mean += d * (1.0 / kCount);
     }
-    CHECK(cosine == Approx(2.0 / 3.0).margin(4.0 * 0.2357 / std::sqrt(kCount)));  // its deviation is sqrt(1/18)
+    CHECK(cosine == Approx(2.0 / 3.0).margin(4.0 * 0.2357 / std::sqrt(kCount)));  // deviation sqrt(1/18)
     for (int c = 0; c < 3; ++c) CHECK(mean[c] == Approx(n[c] * 2.0 / 3.0).margin(4.0 * 0.5 / std::sqrt(kCount)));
   }
 }

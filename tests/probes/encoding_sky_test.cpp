@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky's transfer in bytes, by hand; and what its rounding does to irradiance, as measured and as bounded.
+// Encoding of the sky's transfer by hand, and the measured and bounded effect of its rounding on irradiance.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Coefficients = std::array<double, 4>;
 
-/// Probes of these transfers at one place.
+/// Probes with these transfers at one place.
 transfer::SectorProbes probesOf(const std::vector<transfer::ProbeTransfer>& transfer) {
   transfer::SectorProbes probes;
   probes.transfer = transfer;
@@ -29,7 +29,7 @@ transfer::SectorProbes reread(const transfer::SectorProbes& probes) {
   return transfer::decodedProbes(transfer::encodeProbes(probes), probes.id);
 }
 
-/// All light of every direction comes from `from`, which is above the horizon.
+/// All light comes from `from`, which is above the horizon.
 transfer::ProbeTransfer pinhole(const Number3& from, double irradiance) {
   const det::ShBasis basis = det::shBasis(from);
   transfer::ProbeTransfer t;
@@ -38,7 +38,7 @@ transfer::ProbeTransfer pinhole(const Number3& from, double irradiance) {
   return t;
 }
 
-/// Skies of radiance 1 here and 0 there, as coefficients: above an elevation, and of a half of the azimuths.
+/// Coefficients of skies of radiance 1 in one part and 0 elsewhere: above an elevation, and in half of the azimuths.
 std::vector<Coefficients> partsOfTheSky() {
   std::vector<Coefficients> skies;
   for (int i = 0; i < 8; ++i) {
@@ -112,7 +112,7 @@ TEST_CASE("EncodingOfSky, EmittedLightLikewise") {
 }
 
 TEST_CASE("EncodingOfSky, EveryProbeHasItsOwnRange") {
-  // Twelve decades in a sector: each probe's error is of its own size, and a dark one stays dark.
+  // The sector spans twelve decades: each probe's error is relative to its own size, and a dark probe stays dark.
   std::vector<transfer::ProbeTransfer> transfer(1);
   for (const double irradiance : {1e-6, 1.0, 1e6})
     transfer.push_back(pinhole(geometry::unit(Number3(0.6, 0.7, -0.2)), irradiance));
@@ -125,7 +125,7 @@ TEST_CASE("EncodingOfSky, EveryProbeHasItsOwnRange") {
     for (std::size_t k = 0; k < 4; ++k)
       CHECK(std::abs(decoded.transfer[i].sky[1][k].y - transfer[i].sky[1][k].y) <= half / (k < 2 ? 255 : 127));
   }
-  // Numbers below half a step of their own probe's largest are lost.
+  // Numbers below half a step of their probe's largest are lost.
   transfer::ProbeTransfer uneven;
   uneven.sky[3][0] = {1.0, 1e-3, 3e-3};
   const auto steps = transfer::encodeProbes(probesOf({uneven})).sky;
@@ -133,17 +133,18 @@ TEST_CASE("EncodingOfSky, EveryProbeHasItsOwnRange") {
 }
 
 TEST_CASE("EncodingOfSky, APinholeKeepsItsPlace") {
-  // What it lets in is largest where it is; no hemisphere is left out.
+  // The light let in is largest there; no hemisphere is left out.
   for (const Number3& from :
        {Number3(0, 1, 0), Number3(1, 0, 0), Number3(-1, 0, 0), Number3(0, 0, 1), Number3(0, 0, -1),
         geometry::unit(Number3(-0.3, 0.1, 0.9)), geometry::unit(Number3(0.5, 0.5, -0.5))}) {
     const transfer::SectorProbes probes = probesOf({pinhole(from, 0.3)});
     const transfer::SectorProbes decoded = reread(probes);
-    // A disc of 1 sr and radiance 1: the sky of the most irradiance through it.
+    // A disc of 1 sr and radiance 1 is the sky of the most irradiance through the pinhole.
     const det::ShBasis basis = det::shBasis(from);
     double got = 0.0;
     for (std::size_t k = 0; k < 4; ++k) got += decoded.transfer[0].sky[2][k].y * basis.v[k];
-    // The squares of two bands sum to 4 / (4 pi); half steps of three numbers of length 1 and of the constant, to one.
+    // The squares of two bands sum to 4 / (4 pi). Half steps of three numbers of length 1 and of the constant sum to
+    // one.
     constexpr double kSteps = 0.3 * det::kShLinear * det::kShLinear / 127;
     CHECK(std::abs(got - 0.3 / det::kPi) <= kSteps);
     for (std::size_t k = 2; k < 4; ++k)
@@ -170,7 +171,7 @@ TEST_CASE("EncodingOfSky, ItsErrorIsThatOfTheNumbers") {
     s.position[0].y += 0.5;
     s.transfer[0].visibility[1] += 0.125;
     s.transfer[0].sky[2][3].z += 0.125;
-    s.transfer[0].sky[3][3].z -= 0.125;  // of another direction: not added
+    s.transfer[0].sky[3][3].z -= 0.125;  // belongs to another direction, so it is not added
   });
   CHECK(error.position_m == 0.5);
   CHECK(error.visibility == 0.125);
@@ -197,8 +198,8 @@ TEST_CASE("EncodingOfSky, ItsErrorBoundsIrradianceUnderAnySky") {
   double worst = 0.0;
   for (const Coefficients& sky : partsOfTheSky()) worst = std::max(worst, worstUnder(sky, probes, decoded));
   CHECK(worst <= bound);
-  CHECK(worst > 0.5 * bound);  // and it is no loose one
-  // Half a step of each number, of a largest coefficient of 0.5 kShLinear.
+  CHECK(worst > 0.5 * bound);  // the bound is not loose
+  // Half a step of each number, with a largest coefficient of 0.5 kShLinear.
   const double half = 0.5 * 0.5 * det::kShLinear * (1.0 + 1.0 / 128);
   CHECK(bound <= half * (std::sqrt(1 / det::kPi) / 255 + std::sqrt(0.75 / det::kPi) * (1.0 / 255 + 1.0 / 127)));
 }

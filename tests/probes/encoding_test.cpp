@@ -21,7 +21,8 @@ Number3 magnitudes(const Number3& v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
-/// Unlike numbers everywhere, probe 1 a thousand times as bright as probe 0; half of those below 0 that may be.
+/// Different numbers everywhere; probe 1 is a thousand times as bright as probe 0. Half of the numbers that may be
+/// negative are.
 transfer::SectorProbes someProbes(std::size_t count, std::size_t modes, bool emissive) {
   transfer::SectorProbes s;
   s.id = {-2, 3};
@@ -94,7 +95,7 @@ TEST_CASE("Encoding, EveryNumberComesBack") {
       CHECK(b.visibility[3] == 0.0);
       for (std::size_t d = 0; d < transfer::kDirections; ++d) {
         CHECK(std::abs(a.visibility[d] - b.visibility[d]) <= 0.5 / 65535 + 1e-15);
-        // A mode's numbers are within a step of the largest of the sector's, a probe's of its own.
+        // The tolerance is a step of the sector's largest number for modes, and of the probe's own for coefficients.
         for (std::size_t m = 0; m < 3; ++m) {
           const double scale = scaleOfProbe(p) / std::pow(10.0, m);
           CHECK(std::abs(probes.sun[p][d][m] - decoded.sun[p][d][m]) <= 1.3 * kHalf / 127 * scale);
@@ -111,7 +112,7 @@ TEST_CASE("Encoding, EveryNumberComesBack") {
         CHECK(std::abs(decoded.modes.value[i][c] - probes.modes.value[i][c]) <= 0.25 * kHalf / 127);
     CHECK(decoded.modes.sun_time_h[7] == Approx(probes.modes.sun_time_h[7]).epsilon(1e-7));
     CHECK(decoded.modes.moon_time_h[1] == Approx(1.0 / 3).epsilon(1e-7));
-    // What was decoded is encoded alike.
+    // Decoded probes encode to the same bytes.
     CHECK(transfer::encodeProbes(decoded).sky == transfer::encodeProbes(probes).sky);
     CHECK(transfer::encodeProbes(decoded).sky_side == transfer::encodeProbes(probes).sky_side);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF: transforms, instances, colours and roles; and no read outside a buffer, whatever the file says.
+// glTF: transforms, instances, colours and roles. No file makes it read outside a buffer.
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -35,7 +35,7 @@ void checkRefused(const std::string& text, base::ExitStatus status, const std::s
   }
 }
 
-/// A square; `change` makes it wrong.
+/// A square; `change` breaks it.
 std::string squareText(const std::function<void(json&)>& change) {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()));
@@ -73,8 +73,8 @@ TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
   CHECK(scene.instances[0].row[2][3] == 13.0F);
   CHECK(scene.instances[0].albedo[1] == 0.2F);
   const level::Instance& child = scene.instances[2];
-  CHECK(child.row[1][3] == Approx(2.0));   // moved along its parent's x, which is twice up
-  CHECK(child.row[1][0] == Approx(2.0));   // and its own x is up as well
+  CHECK(child.row[1][3] == Approx(2.0));   // moved along its parent's x, which is up and twice as long
+  CHECK(child.row[1][0] == Approx(2.0));   // its own x is up as well
   CHECK(child.row[0][1] == Approx(-1.0));  // its y west
   CHECK(scene.bounds.high.y == Approx(4.0));
   CHECK(scene.bounds.low.z == Approx(9.0));
@@ -106,7 +106,7 @@ TEST_CASE("Gltf, RolesComeFromExtrasThenNamesThenTheFile") {
   CHECK(scene.draws[2].role == geometry::Role::water);
   CHECK(scene.water.high.y == -1.0);
   CHECK(scene.bounds.low.y == 0.0);
-  CHECK(scene.instances[0].albedo[0] == 0.5F);  // level.toml's, as there is no material
+  CHECK(scene.instances[0].albedo[0] == 0.5F);  // level.toml's albedo, as there is no material
 }
 
 TEST_CASE("Gltf, ColoursAreFloatsOrNormalisedIntegers") {
@@ -204,7 +204,7 @@ TEST_CASE("Gltf, CutForeignAndMissingFiles") {
   checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
                "a.glb");
   checkRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
-  // Buffers beside the file: missing is the system's refusal, cut is the file's fault.
+  // Buffers beside the file: a missing one is an error of the system, a cut one an error of the file.
   const Folder folder;
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()));

@@ -46,7 +46,7 @@ TEST_CASE("Grid, NearestProbeOfOpenGround") {
     double nearest = 1e9;
     for (const geometry::Probe& p : sector.probe)
       nearest = std::min(nearest, placement::distanceOf(middle, p.position));
-    constexpr double kEqual_m = 1e-6;  // what counts as equally near
+    constexpr double kEqual_m = 1e-6;  // differences below this count as equal
     CHECK(placement::distanceOf(middle, sector.probe[sector.grid[placement::cellIndex(i, j, k)]].position) <=
           nearest + kEqual_m);
   });
@@ -88,7 +88,7 @@ TEST_CASE("Grid, AThinWallIsNeverCrossed") {
 }
 
 TEST_CASE("Grid, GroundAboveTheMiddleOfACellIsServed") {
-  geometry::Surfaces s;  // ground at 3.9: the middles of its cells are below it
+  geometry::Surfaces s;  // ground at 3.9; the middles of its cells are below it
   addQuad(s, {-100, 3.9, -100}, {0, 0, 200}, {200, 0, 0}, addMaterial(s, {0.5, 0.5, 0.5}));
   const geometry::Tracer tracer(s);
   placement::PlacementReport report;
@@ -99,7 +99,7 @@ TEST_CASE("Grid, GroundAboveTheMiddleOfACellIsServed") {
 }
 
 TEST_CASE("Grid, CellsUnderATerrainTakeWhatAllAboutThemSee") {
-  geometry::Surfaces s;  // a step of 14 m: three layers of cells in the ground, of which filtering reaches one
+  geometry::Surfaces s;  // a step of 14 m; filtering reaches one of three cell layers in the ground
   const auto stone = addMaterial(s, {0.5, 0.5, 0.5});
   addQuad(s, {-100, 0, -100}, {0, 0, 200}, {132, 0, 0}, stone);
   addQuad(s, {32, 0, -100}, {0, 0, 200}, {0, 14, 0}, stone);  // looks west

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether docs/level_file.md has the table of probes/level/level_domain.h, or, with --write, puts it there.
+// Checks that docs/level_file.md has the table of probes/level/level_domain.h, or with --write puts it there.
 //   level_domain_page PAGE [--write]
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// level.toml: what it gives, and what is said of what is wrong with it.
+// level.toml: its values, and messages about errors.
 #include "probes/level/level_file.h"
 
 #include <catch2/catch.hpp>
@@ -57,7 +57,7 @@ sky = 1.0
   CHECK(g.role == geometry::Role::vegetation);
   CHECK(g.vegetation_nodes == std::vector<std::string>{"palm*"});
   CHECK(g.albedo == Number3(0.1, 0.2, 0.3));
-  // x first: +y turns to +z, +z to -y; then y: +z turns to +x, +x to -z. Scaled before, moved after.
+  // x comes first: +y turns to +z, +z to -y. Then y: +z turns to +x, +x to -z. Scaling comes before, translation after.
   const auto check = [](const Number3& is, const Number3& must) {
     for (int i = 0; i < 3; ++i) CHECK(is[i] == Approx(must[i]).margin(1e-12));
   };

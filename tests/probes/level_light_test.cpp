@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A baked level's light between its cells.
+// The light of a baked level between its cells.
 #include "probes/sectors/level_light.h"
 
 #include <catch2/catch.hpp>
@@ -13,10 +13,10 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-constexpr double kEncoding = 1e-4;  // of 16 bits, and of the sky's projection
+constexpr double kEncoding = 1e-4;  // error of 16 bits and of the sky's projection
 const Number3 kUp(0, 1, 0);
 
-/// Two probes under a sky of radiance 1, 0.25 and 0.75 of it open, in the cells that `which` says.
+/// Two probes under a sky of radiance 1, open to 0.25 and 0.75 of it, in the cells that `which` selects.
 sectors::SectorFile sectorOf(const geometry::SectorId& id,
                              const std::function<std::uint8_t(int x, int y, int z)>& which) {
   transfer::SectorProbes probes;
@@ -39,7 +39,7 @@ sectors::SectorFile sectorOf(const geometry::SectorId& id,
   return file;
 }
 
-/// Its light on a level surface, as a share of what an open one gets of the same formula.
+/// The light on a level surface, relative to an open surface by the same formula.
 double shareAt(const sectors::LevelLight& light, const Number3& position) {
   const auto found = light.at(position, kUp);
   REQUIRE(found);
@@ -49,7 +49,7 @@ double shareAt(const sectors::LevelLight& light, const Number3& position) {
   return found->sky.y / open;
 }
 
-sectors::LevelLight lightOf(const std::vector<sectors::SectorFile>& sectors) {  // which outlive it
+sectors::LevelLight lightOf(const std::vector<sectors::SectorFile>& sectors) {  // `sectors` must outlive the result
   static const model::Sky sky = uniformSky(1.0);
   return sectors::LevelLight(sectors, sky, 12.0);
 }
@@ -57,7 +57,7 @@ sectors::LevelLight lightOf(const std::vector<sectors::SectorFile>& sectors) {  
 }  // namespace
 
 TEST_CASE("LevelLight, IsLinearBetweenTheMiddlesOfCells") {
-  // Along each axis probe 0 up to the eighth cell, probe 1 from the ninth: middles at 30 and 34 m of the sector.
+  // Along each axis, probe 0 serves up to the eighth cell and probe 1 from the ninth: middles at 30 and 34 m.
   const int axes = 3;
   for (int axis = 0; axis < axes; ++axis) {
     const std::vector<sectors::SectorFile> sectors = {sectorOf({-2, 1}, [&](int x, int y, int z) {
@@ -105,7 +105,7 @@ TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
   CHECK(shareAt(light, {30.9, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
   CHECK(shareAt(light, {31.1, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
   CHECK(shareAt(light, {40.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
-  // The second room has no cell: its own probe serves, or nothing.
+  // The second room has no cell, so its own probe serves, or nothing.
   CHECK(shareAt(light, {57.0, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
   sectors[0].room[1].probe = geometry::kNoProbe;
   const sectors::LevelLight bare = lightOf(sectors);
@@ -113,7 +113,7 @@ TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
 }
 
 TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
-  // The same box has another number on either side of the border.
+  // The same box has another index on either side of the border.
   sectors::SectorFile west = sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; });
   sectors::SectorFile east = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 1 ? 1 : 0); });
   const geometry::Box hall = {{-20, -10, 0}, {3, 60, 64}};
@@ -130,7 +130,7 @@ TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
 }
 
 TEST_CASE("LevelLight, TheSurfaceIsLeftAlongItsNormal") {
-  // From a wall at x = 32 the cell before it counts.
+  // At a wall at x = 32 the cell before it counts.
   const std::vector<sectors::SectorFile> sectors = {
       sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 8 ? 0 : 1); })};
   const sectors::LevelLight light = lightOf(sectors);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels, images and rays of a test that reads geometry files.
+// Levels, images and rays for tests that read geometry files.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -32,7 +32,7 @@ inline std::string targa(int width, int height, const std::vector<unsigned char>
   return bytes;
 }
 
-/// A level of the first of `files`, which all lie in one folder.
+/// A level with the first of `files`, which all lie in one folder.
 inline level::LevelFile levelOf(const Folder& folder, const Files& files) {
   for (const auto& [name, bytes] : files) folder.write(name, bytes);
   level::LevelFile level;
@@ -57,7 +57,7 @@ inline void checkSurfacesRefused(const Files& files, const std::vector<std::stri
   }
 }
 
-/// What a ray straight down at (x, z) meets.
+/// The hit of a ray straight down at (x, z).
 inline std::optional<geometry::Hit> below(const geometry::Tracer& tracer, double x, double z) {
   return tracer.closest({x, 10.0, z}, {0.0, -1.0, 0.0}, 100.0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures of glTF files, seen by rays: where every texel lies, how they repeat, masks, and where images come from.
+// Textures of glTF files, seen by rays: positions of texels, repetition, masks, and sources of images.
 #include <webp/encode.h>
 
 #include "level_text.h"
@@ -10,7 +10,7 @@ namespace welkin::tests {
 namespace {
 using nlohmann::json;
 
-constexpr double kTolerance = 1e-5;  // floats of the hit, times the texels' steps
+constexpr double kTolerance = 1e-5;  // the hit's floats, times the texels' steps
 
 /// 4 x 2 texels, all different, no two channels alike.
 constexpr std::uint8_t kTexels[2][4][3] = {{{250, 10, 40}, {200, 20, 80}, {150, 30, 120}, {100, 40, 160}},
@@ -25,7 +25,7 @@ std::string png() {
   return textOf(image::encodePng(4, 2, std::span<const std::uint8_t>(&kTexels[0][0][0], sizeof(kTexels))));
 }
 
-/// A textured square; `change` is for its JSON.
+/// A textured square; `change` edits its JSON.
 GltfText squareWith(const std::function<void(json&)>& change = nullptr) {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(texturedSquareMesh(), gltf.addMaterial({1, 1, 1})));
@@ -143,7 +143,7 @@ TEST_CASE("LevelTexture, WebpIsPreferredAndKeepsItsColoursUnderAlpha") {
 }
 
 TEST_CASE("LevelTexture, MasksLetRaysThrough") {
-  // 2 x 1 texels: left there, right not; the texels' bilinear mean crosses the cut-off in between.
+  // 2 x 1 texels: the left one is there, the right one is not. Their bilinear mean crosses the cut-off in between.
   const std::string image = targa(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
   GltfText gltf = squareWith([](json& j) {
     j["images"][0]["uri"] = "leaf.tga";

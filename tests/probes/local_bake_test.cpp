@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local transfer in a sector's bake: which sectors get it, which virtual lights they have, and what comes of them.
+// Local transfer in a sector's bake: the sectors that get it, their virtual lights, and its results.
 #include "probes/build/local_bake.h"
 
 #include <catch2/catch.hpp>
@@ -92,14 +92,14 @@ TEST_CASE("LocalBake, VirtualLightsAreTheProbesOfNineSectorsInOrder") {
 }
 
 TEST_CASE("LocalBake, VirtualLightsAreProbesOfTheirSectorsBakes") {
-  // What changes a neighbour's probes lies out of reach of 0_0: a wall of one side, whose back all ground beyond it
+  // The changes to a neighbour's probes lie out of reach of 0_0: a one-sided wall, whose back all ground beyond it
   // sees, and a bush over both.
   geometry::Surfaces s = groundWithWall();
   addQuad(s, {80, -1, -60}, {0, 0, 200}, {0, 30, 0}, addMaterial(s, Number3(0.5)));
   s.object.push_back({"bush", geometry::Role::vegetation});
   const std::size_t first = s.triangle.size();
   addBoxOutside(s, {70, 2, 10}, {100, 9, 20}, addMaterial(s, Number3(0.2)));
-  addBoxOutside(s, {-60, 2, 10}, {-50, 20, 20}, addMaterial(s, Number3(0.2)));  // of the same bush, out of 1_0's reach
+  addBoxOutside(s, {-60, 2, 10}, {-50, 20, 20}, addMaterial(s, Number3(0.2)));  // same bush, out of 1_0's reach
   for (std::size_t i = first; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
   build::BakeSection section = sectionWithin(8.0);
   section.transfer.local_lights.where = build::LocalLights::Where::everywhere;
@@ -137,7 +137,7 @@ TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
   const geometry::Surfaces s = groundWithWall();
   const geometry::Tracer tracer(s);
   build::SectorSettings section = settingsWithin(64.0);
-  section.max_error = 0.01;  // of no effect: the number of rays is fixed
+  section.max_error = 0.01;  // no effect, as the number of rays is fixed
   const geometry::PlacedSector sector = place(s, {0, 0}, section.section.probes);
   const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, section, kGoOn);
   transfer::LocalSettings settings;
@@ -165,8 +165,8 @@ TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
   for (std::size_t i = 0; i < traced.size(); ++i) {
     REQUIRE(decoded.probe[i].size() == traced[i].transfer.size());
     for (std::size_t j = 0; j < decoded.probe[i].size(); ++j) {
-      // Half a step of each of the three channels, of a scale up to 1/128 above the largest number; no coefficient of
-      // a radiance is above sqrt 3 times coefficient 0.
+      // Half a step of each of the three channels, at a scale up to 1/128 above the largest number. No coefficient of a
+      // radiance is above sqrt 3 times coefficient 0.
       const double influence = traced[i].transfer[j].influence();
       CHECK(decoded.probe[i][j].influence() == Approx(influence).epsilon(0.0).margin(2.7 * influence / 127));
     }
@@ -194,7 +194,7 @@ TEST_CASE("LocalBake, RaysAreThoseThatTheBudgetTakes") {
     settings.max_error = budget;
     const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, settings, kGoOn);
     CHECK(baked.sampling.error <= budget);
-    CHECK(baked.sampling.error > 0.2 * budget);  // no more than doubled once too often
+    CHECK(baked.sampling.error > 0.2 * budget);  // not doubled more than once too often
     CHECK(baked.sampling.rays > rays);
     rays = baked.sampling.rays;
   }

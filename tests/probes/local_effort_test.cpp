@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What local transfer says of its own errors, and the paths and rays that it takes.
+// The errors that local transfer states for itself, and the paths and rays that it takes.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -46,10 +46,12 @@ TEST_CASE("LocalEffort, IntervalsAreThoseOfTheSpread") {
       stated += error * error / double{kCount};
       if (std::abs(off) <= transfer::kStudent * error) held += 1.0 / double{kCount};
     }
-    // The variance of 4000 probes is known to 2.2 %, each one's own, of 8 replicates, to 53 %, their mean to 0.8 %:
-    // three standard errors. Eight replicates for seven degrees of freedom would be 14 % off.
+    // The variance of 4000 probes is known to 2.2 %. Each probe's own, from 8 replicates, is known to 53 %, and their
+    // mean to 0.8 %. The tolerance is three standard errors. Dividing by eight replicates instead of seven degrees of
+    // freedom would be 14 % off.
     CHECK(stated == Approx(spread).epsilon(0.07));
-    // Nineteen of twenty hold the truth, a share known to 0.3 %; 1.96 for Student's 2.36 would be 91 %.
+    // Nineteen of twenty intervals contain the truth, a share known to 0.3 %. With 1.96 for Student's 2.36 it would be
+    // 91 %.
     CHECK(held == Approx(0.95).margin(0.02));
   }
 }
@@ -61,7 +63,7 @@ TEST_CASE("LocalEffort, TheErrorIsThatOfTheInfluence") {
   double interval = 0.0;
   double influence = 0.0;
   for (std::size_t l = 0; l < p.transfer.size(); ++l) {
-    for (int c = 0; c < 3; ++c) interval += 2.3646 * p.standard_error[l][c];  // of a printed table
+    for (int c = 0; c < 3; ++c) interval += 2.3646 * p.standard_error[l][c];  // from a printed table
     influence += p.transfer[l].influence();
   }
   REQUIRE(p.transfer.size() == 4);
@@ -80,7 +82,7 @@ TEST_CASE("LocalEffort, TracesUntilTheErrorIsMet") {
     CHECK(p.paths > paths);
     CHECK(p.paths < 1U << 18);
     paths = p.paths;
-    // The same bits as of so many paths at once; half as many would not do.
+    // The bits equal those of as many paths at once; half as many would not be enough.
     const transfer::LocalProbe once =
         transfer::LocalTransferTracer(tracer, {p.paths, 2, 2}, kLights).trace(kProbe, {0, 0}, 0);
     REQUIRE(once.transfer.size() == p.transfer.size());
@@ -92,12 +94,12 @@ TEST_CASE("LocalEffort, TracesUntilTheErrorIsMet") {
       CHECK(transfer::LocalTransferTracer(tracer, {p.paths / 2, 2, 2}, kLights).trace(kProbe, {0, 0}, 0).error >
             budget);
   }
-  // Too few for it: all are spent, and the error says so.
+  // The rays do not suffice: all are spent, and the error says so.
   const transfer::LocalProbe cut =
       transfer::LocalTransferTracer(tracer, within(0.001, 1000), kLights).trace(kProbe, {0, 0}, 0);
   CHECK(cut.paths == 1000);
   CHECK(cut.error > 0.001);
-  // Nothing arrives: no error, and no more than the first round.
+  // Nothing arrives, so there is no error and only the first round.
   const transfer::LocalProbe dark =
       transfer::LocalTransferTracer(tracer, within(0.01, 1U << 18), {{90, 1, 0}}).trace(kProbe, {0, 0}, 0);
   CHECK(dark.transfer.empty());
@@ -106,7 +108,7 @@ TEST_CASE("LocalEffort, TracesUntilTheErrorIsMet") {
 }
 
 TEST_CASE("LocalEffort, TheClosedFormIsWithinTheBudget") {
-  // A light at the centre of a sphere: radiance wall / pi (albedo + albedo^2) from everywhere.
+  // A light at the centre of a sphere gives radiance wall / pi (albedo + albedo^2) from everywhere.
   const geometry::Surfaces sphere = sphereInside(3.0, 4, Number3(0.5));
   const geometry::Tracer tracer(sphere);
   const double roughness = roughnessOf(sphere, 3.0);
@@ -125,7 +127,8 @@ TEST_CASE("LocalEffort, TheClosedFormIsWithinTheBudget") {
 }
 
 TEST_CASE("LocalEffort, EveryRayIsCounted") {
-  // In a sphere every surface point faces every light, and no path ends early: a segment a bounce, then the tests.
+  // In a sphere every surface point faces every light, and no path ends early. Each bounce takes one segment and then
+  // the tests.
   const geometry::Surfaces sphere = sphereInside(3.0, 3, Number3(0.5));
   const geometry::Tracer tracer(sphere);
   const std::vector<Number3> lights = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}, {0.2, 0.1, -1}};
@@ -136,16 +139,16 @@ TEST_CASE("LocalEffort, EveryRayIsCounted") {
   CHECK(raysOf().rays == 1024 * 3 * (1 + 5));
   settings.light_rays = 1;
   CHECK(raysOf().rays == 1024 * 3 * (1 + 1));
-  settings.lights = 5;  // all of them: there is nothing to choose
+  settings.lights = 5;  // all lights, so there is nothing to choose
   CHECK(raysOf().rays == 1024 * 3 * (1 + 1));
-  // The choice: a replicate's paths of its own, with every light tested, and each light from the probe.
+  // The choice takes a replicate's paths with every light tested, and one ray from the probe to each light.
   settings.light_rays = 8;
   settings.lights = 3;
   CHECK(raysOf().transfer.size() == 3);
   CHECK(raysOf().rays == 128 * 3 * (1 + 5) + 5 + 1024 * 3 * (1 + 3));
   settings.rays = 8192;
   CHECK(raysOf().rays == 1024 * 3 * (1 + 5) + 5 + 8192 * 3 * (1 + 3));
-  // Under a budget it is as for 1024 paths, however many are measured with.
+  // Under a budget the choice is as for 1024 paths, however many paths the measurement takes.
   settings.max_error = 0.3;
   for (const double budget : {0.3, 0.003}) {
     settings.max_error = budget;
@@ -156,8 +159,8 @@ TEST_CASE("LocalEffort, EveryRayIsCounted") {
 }
 
 TEST_CASE("LocalEffort, TheChoiceIsOfPathsOfItsOwn") {
-  // The lights of which most arrived by some paths are those that these paths favour: measured with them they would be
-  // too bright.
+  // Paths favour the lights of which most arrived by them. Measured with the same paths, these lights would be too
+  // bright.
   const geometry::Surfaces sphere = sphereInside(3.0, 3, Number3(0.5));
   const geometry::Tracer tracer(sphere);
   std::vector<Number3> lights;

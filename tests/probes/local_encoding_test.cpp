@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local transfer in few bytes.
+// Encoding of local transfer in few bytes.
 #include "probes/transfer/local_encoding.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Traced {
   std::vector<transfer::LocalProbe> probe;
 };
 
-/// Probes with `each` lights of `lights`, of very different influence.
+/// Probes with `each` of `lights` lights, of very different influence.
 Traced someTraced(std::size_t probes, std::size_t lights, std::size_t each) {
   geometry::Random random(17);
   Traced t;
@@ -51,7 +51,7 @@ TEST_CASE("LocalEncoding, EveryNumberComesBack") {
   const transfer::EncodedLocal encoded = transfer::encodeLocal(local);
   const transfer::SectorLocal decoded = transfer::decodedLocal(encoded);
   REQUIRE(decoded.probe.size() == 6);
-  REQUIRE(local.light.size() == 20);  // those that some probe keeps
+  REQUIRE(local.light.size() == 20);  // the lights that some probe keeps
   CHECK(encoded.bytes() == 6 + 20 * 12 + 6 * 20 * 16);
   const transfer::LocalEncodingError error = transfer::encodingError(local, decoded);
   CHECK(error.position_m <= 0.5 * 0x1p-17);  // half a step of a float32 below 128
@@ -114,7 +114,7 @@ TEST_CASE("LocalEncoding, ThinningKeepsTheMostInfluential") {
 
 TEST_CASE("LocalEncoding, NoShareIsAboveAll") {
   transfer::LocalThinning thinning;
-  const Traced t = someTraced(200, 300, 100);  // each probe loses all, summed in two orders
+  const Traced t = someTraced(200, 300, 100);  // each probe loses everything, summed in two orders
   CHECK(transfer::thinnedLocal(t.light, t.probe, 200, thinning).light.empty());
   CHECK(thinning.lost == Approx(1.0));
   CHECK(thinning.lost <= 1.0);

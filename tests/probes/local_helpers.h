@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of local transfer share.
+// Helpers that the tests of local transfer share.
 #pragma once
 
 #include "probes/transfer/local_transfer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lights local transfer tests and keeps, that it is linear and the same for any threads and order, and what it
-// refuses.
+// The lights that local transfer tests and keeps. It is linear, the same for any threads and order, and refuses bad
+// settings.
 #include "probes/transfer/local_lights.h"
 
 #include <tbb/global_control.h>
@@ -38,7 +38,7 @@ TEST_CASE("LocalTransfer, FewTestsOfManyLightsAreUnbiased") {
     CAPTURE(l);
     checkMeasured({a.mean - b.mean, std::hypot(a.standard_error, b.standard_error)}, 0.0);
   }
-  // A bounded number of rays: 512 paths of two vertices with three tests each.
+  // The number of rays is limited: 512 paths of two vertices with three tests each.
   CHECK(few.trace(probe, {0, 0}, 0).rays <= 512 * 2 * 4);
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("LocalLights, InfluenceNeedsSomeOneToSeeTheLight") {
   transfer::traceVertices(tracer, probe, transfer::PathPoints(circle, 5, 1), 0, 16, 1, vertices);
   REQUIRE(vertices.size() == 16);
   std::uint64_t rays = 0;
-  // Sixteen tests for a hundred lights: of most it is only known whether the probe sees them.
+  // Sixteen tests for a hundred lights: for most, only the test from the probe tells anything.
   const auto influence = transfer::influenceOf(tracer, probe, vertices, lights, 1, 0.0, rays);
   CHECK(rays == 16 + 100);
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -95,13 +95,13 @@ TEST_CASE("LocalLights, InfluenceInTheOpenIsThatOfTheVertices") {
   const Number3 probe(0.5, 1, 0.3);
   transfer::traceVertices(tracer, probe, transfer::PathPoints(circle, 5, 2), 0, 64, 2, vertices);
   REQUIRE(vertices.size() == 128);
-  for (std::size_t i = 0; i < vertices.size(); i += 2)  // or the bounces of a path would test the same lights
+  for (std::size_t i = 0; i < vertices.size(); i += 2)  // otherwise the bounces of a path would test the same lights
     CHECK(vertices[i].draw != vertices[i + 1].draw);
   for (const std::size_t draws : {1U, 3U, 8U}) {
     std::uint64_t rays = 0;
     const auto influence = transfer::influenceOf(tracer, probe, vertices, lights, draws, 0.5, rays);
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      double expected = 0.0;  // nothing is in the way, and all tests pass
+      double expected = 0.0;  // nothing is in the way, so all tests pass
       for (const transfer::PathVertex& v : vertices)
         expected += 3.0 * v.reflected.x * transfer::unshadowedIrradiance(v.origin, v.normal, lights[l], 0.5);
       CHECK(influence[l] == Approx(expected));
@@ -113,7 +113,7 @@ TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
   const geometry::Surfaces room = furnishedRoom();
   const geometry::Tracer tracer(room);
   std::vector<Number3> lights;
-  for (int i = 0; i < 120; ++i)  // not in the pillar
+  for (int i = 0; i < 120; ++i)  // outside the pillar
     lights.push_back({-4.8 + 0.4 * (i % 12), 0.2 + 0.35 * (i / 12), 3.7 - 0.057 * i});
   const Number3 probe(-1.5, 1.5, 0.5);
   const transfer::LocalTransferTracer all(tracer, {16384, 2, 16}, lights);
@@ -139,7 +139,7 @@ TEST_CASE("LocalTransfer, TheMostInfluentialLightsAreKept") {
 TEST_CASE("LocalTransfer, IsLinear") {
   const Number3 probe(-1.5, 1.5, 0.5);
   const std::vector<Number3> lights = {{-3, 3, 1}, {3, 1, -2}, {0, 1, 3}};
-  // One bounce is in proportion to the albedo.
+  // One bounce is proportional to the albedo.
   geometry::Surfaces box;
   addBoxInside(box, {-5, 0, -4}, {5, 4, 4}, addMaterial(box, {0.25, 0.5, 1.0}));
   const geometry::Tracer tracer(box);
@@ -150,7 +150,7 @@ TEST_CASE("LocalTransfer, IsLinear") {
       CHECK(k.y == Approx(2.0 * k.x));
       CHECK(k.z == Approx(4.0 * k.x));
     }
-  // Irradiance is in the lights' colours.
+  // Irradiance is linear in the lights' colours.
   const std::vector<Number3> a = {{1, 2, 3}, {0, 0, 0}, {0.5, 0, 4}};
   const std::vector<Number3> b = {{0, 1, 0}, {2, 7, 1}, {0, 0, 0}};
   std::vector<Number3> both;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dynamic lights shared among virtual ones.
+// Sharing of dynamic lights among virtual ones.
 #include "probes/transfer/local_relight.h"
 
 #include <catch2/catch.hpp>
@@ -38,7 +38,7 @@ TEST_CASE("LocalRelight, SharesSumToTheLight") {
   CHECK(sum.x == Approx(3.5));
   CHECK(sum.y == Approx(4.0));
   CHECK(sum.z == Approx(12.0));
-  for (const double from : {0.0, 1e-300, 1e-9}) {  // in the place of a virtual light
+  for (const double from : {0.0, 1e-300, 1e-9}) {  // at the place of a virtual light
     const auto colour =
         transfer::relightLocal(light, std::vector<geometry::PointLight>{{{8 + from, 1, 8}, {1, 2, 3}}}, kOpen).colour;
     CHECK(colour[12].y == Approx(2.0));
@@ -47,7 +47,7 @@ TEST_CASE("LocalRelight, SharesSumToTheLight") {
   const auto middle =
       transfer::relightLocal(light, std::vector<geometry::PointLight>{{{6, 1, 6}, {1, 2, 3}}}, kOpen).colour;
   for (const std::size_t l : {6U, 7U, 11U, 12U}) CHECK(middle[l].y == Approx(0.5));
-  // Nearer ones take more, along the way from one to the next.
+  // Nearer lights take more, along the way from one to the next.
   const auto near =
       transfer::relightLocal(light, std::vector<geometry::PointLight>{{{5, 1, 4}, {1, 1, 1}}}, kOpen).colour;
   CHECK(near[6].x > 2.0 * near[11].x);

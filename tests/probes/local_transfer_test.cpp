@@ -15,7 +15,7 @@ namespace {
 
 const Number3 kWallAlbedo(0.2, 0.5, 0.9);
 
-/// Radiance that is the same from everywhere as its coefficient 0.
+/// Coefficient 0 of a radiance that is the same from everywhere.
 double coefficientOf(double radiance) {
   return radiance * 4.0 * det::kPi * det::kShConstant;
 }
@@ -43,7 +43,7 @@ TEST_CASE("LocalTransfer, ALightInASphereHasItsClosedForm") {
             bound);
     }
   }
-  // Wherever the light is, what comes after the first bounce is the same from everywhere.
+  // Wherever the light is, radiance after the first bounce is the same from everywhere.
   const std::vector<Number3> aside = {{1.1, -0.4, 0.6}, {-2.0, 0.5, 0.1}};
   const transfer::LocalTransferTracer one(tracer, {1024, 1, 4}, aside);
   const transfer::LocalTransferTracer five(tracer, {1024, 5, 4}, aside);
@@ -61,7 +61,8 @@ TEST_CASE("LocalTransfer, ALightInASphereHasItsClosedForm") {
 }
 
 TEST_CASE("LocalTransfer, ALightOverAPlaneSeesItsOwnReflection") {
-  // Radiance rho cos^3 / (pi h^2) at an angle from straight down: integrals pi / 2, and 2 pi / 5 with the cosine.
+  // Radiance is rho cos^3 / (pi h^2) at an angle from straight down. Its integral is pi / 2, and 2 pi / 5 with the
+  // cosine.
   const geometry::Surfaces ground = groundOf(kWallAlbedo, 100.0);
   const geometry::Tracer tracer(ground);
   for (const auto& [height, rays] : {std::pair{0.5, 1024U}, {2.0, 1024U}, {2.0, 5000U}}) {  // whole blocks and a part
@@ -79,7 +80,7 @@ TEST_CASE("LocalTransfer, ALightOverAPlaneSeesItsOwnReflection") {
 }
 
 TEST_CASE("LocalTransfer, NearSurfacesAreLitAsFromTheNearestDistance") {
-  // As above, but radiance rho cos / (pi n^2) nearer than n: within the angle whose cosine is h / n.
+  // As above, but radiance is rho cos / (pi n^2) nearer than n, within the angle whose cosine is h / n.
   const geometry::Surfaces ground = groundOf(kWallAlbedo, 100.0);
   const geometry::Tracer tracer(ground);
   const Number3 at(1, 0.5, -2);
@@ -97,8 +98,8 @@ TEST_CASE("LocalTransfer, NearSurfacesAreLitAsFromTheNearestDistance") {
 }
 
 TEST_CASE("LocalTransfer, TwoBandsAreTheReferences") {
-  // Irradiance of a direction less that of its opposite has band 1 alone, its mean over an icosahedron's twelve
-  // directions band 0 and, at most a hundredth, bands 6 and up.
+  // The difference of irradiance between opposite directions has band 1 alone. The mean over an icosahedron's twelve
+  // directions has band 0 and, at most a hundredth, bands 6 and up.
   const geometry::Surfaces room = furnishedRoom();
   const geometry::Tracer tracer(room);
   const std::vector<Number3> lights = {{-3, 3, 1}, {3, 1, -2}, {0, 1, 3}, {-1, 1, -3.2}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OBJ and MTL: polygons, objects, colours and images; what is missing, and what is wrong where.
+// OBJ and MTL: polygons, objects, colours and images; missing parts, and errors with their place.
 #include "level_text.h"
 #include "sh/deterministic.h"
 #include "sky/image/image.h"
@@ -64,7 +64,7 @@ TEST_CASE("Obj, ObjectsAndMaterialsDivideTheFaces") {
 }
 
 TEST_CASE("Obj, PolygonsOfAnyShapeAreCoveredOnce") {
-  // A comb with three teeth, counter-clockwise from above: no fan covers it. Its first corner is a notch.
+  // A comb with three teeth, counter-clockwise from above. No fan covers it, and its first corner is a notch.
   const geometry::Surfaces s =
       surfacesOf({{"a.obj",
                    "v 1 0 -1\nv 1 0 -3\nv 0 0 -3\nv 0 0 0\nv 5 0 0\nv 5 0 -3\nv 4 0 -3\nv 4 0 -1\n"
@@ -77,7 +77,7 @@ TEST_CASE("Obj, PolygonsOfAnyShapeAreCoveredOnce") {
   CHECK(below(tracer, 2.6, -2.1));
   CHECK_FALSE(below(tracer, 3.6, -2.1));
   CHECK(below(tracer, 3.6, -0.6));
-  // An arrow-head: one diagonal of the two lies outside.
+  // An arrow-head, where one of the two diagonals lies outside.
   const geometry::Surfaces arrow = surfacesOf({{"a.obj", "v 0 0 0\nv 2 0 2\nv 0 0 -2\nv -2 0 2\nf 1 2 3 4\n"}});
   CHECK(area(arrow) == Approx(4.0));
 }
@@ -103,7 +103,7 @@ TEST_CASE("Obj, ImagesLieWithVFromTheBottom") {
       checkNear(albedoOf("map_Kd maps\\a b.png\n", column - 0.5, row - 0.5), linear(column, row), kFloats);
   checkNear(albedoOf("Kd 0.5 1 0.25\nmap_Kd -blendu on maps/a b.png\n", -0.5, 0.5),
             linear(0, 1) * Number3(0.5, 1, 0.25), kFloats);
-  // Twice as often, a quarter up: at the square's u = 0.25, v = 0.25 from the bottom it is (0.5, 0.75).
+  // Repeated twice and moved up by a quarter: the square's u = 0.25, v = 0.25 from the bottom becomes (0.5, 0.75).
   checkNear(albedoOf("map_Kd -s 2 2 1 -o 0 0.25 maps/a b.png\n", -0.5, 0.5), (linear(0, 0) + linear(1, 0)) * 0.5,
             kFloats);
 }

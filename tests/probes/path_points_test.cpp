@@ -12,8 +12,8 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-/// Mean over many replicates, with what three standard errors allow at most: values are within [-1, 1] and the points
-/// of each replicate are better than independent.
+/// Mean over many replicates, with a limit for three standard errors. Values are within [-1, 1], and the points of each
+/// replicate are better than independent.
 constexpr std::uint32_t kPoints = 256;
 constexpr std::uint64_t kReplicateKeys = 200;
 const double kNoise = 3.0 / std::sqrt(double{kPoints} * kReplicateKeys);
@@ -32,7 +32,8 @@ double meanOf(const Value& value) {
 }  // namespace
 
 TEST_CASE("PathPoints, SequenceIsANet") {
-  // Each of the elementary intervals of area 2^-18 holds one of the first 2^18 points, whatever the key; so do blocks.
+  // Each elementary interval of area 2^-18 has one of the first 2^18 points, whatever the key. The same holds for
+  // blocks.
   constexpr int kBits = 18;
   const transfer::Sequence sequence(0x1234);
   for (const std::uint32_t block : {0U, 5U})
@@ -56,7 +57,7 @@ TEST_CASE("PathPoints, SphereIsUniform") {
           const Number3 w = p.onSphere(i);
           return std::abs(dot(w, w) - 1.0);
         })) < 1e-12);
-  // Moments of every axis and of mixed ones.
+  // Moments along every axis and mixed ones.
   for (const Number3& axis :
        {Number3(1, 0, 0), Number3(0, 1, 0), Number3(0, 0, 1), geometry::unit(Number3(1, -2, 3))}) {
     const auto moment = [&](int power) {
@@ -83,7 +84,7 @@ TEST_CASE("PathPoints, BouncesFollowTheCosine") {
     CHECK(mean([&](const Number3& w) { return dot(w, normal) * dot(w, normal); }) == Approx(0.5).margin(kNoise));
     CHECK(std::abs(mean([&](const Number3& w) { return dot(w, across); })) < kNoise);
     CHECK(mean([&](const Number3& w) { return dot(w, across) * dot(w, across); }) == Approx(0.25).margin(kNoise));
-    // Bounces do not know of the first direction, nor of each other.
+    // Bounces are independent of the first direction and of each other.
     CHECK(std::abs(meanOf([&](const transfer::PathPoints& p, std::uint32_t i) {
             return dot(p.aboutNormal(bounce, i, normal), across) * p.onSphere(i).y;
           })) < kNoise);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sectors of small levels, placed for tests.
+// Places sectors of small levels for tests.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline PlacedSector place(const Surfaces& s, const SectorId& id, const Placement
   return placeSector(tracer, id, settings, report != nullptr ? *report : unused);
 }
 
-/// Probes whose height is between the two.
+/// Number of probes whose height is between the two.
 inline std::size_t countBetween(const PlacedSector& sector, double low_y, double high_y) {
   return static_cast<std::size_t>(std::count_if(sector.probe.begin(), sector.probe.end(), [&](const Probe& p) {
     return p.position.y > low_y && p.position.y < high_y;

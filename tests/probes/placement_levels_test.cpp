@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Placement on real levels: runs where WELKIN_DATA names a folder that holds them.
+// Placement on real levels. It runs if WELKIN_DATA names a folder with them.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -31,7 +31,7 @@ geometry::Surfaces readLevel(const std::string& path, double scale) {
   return loader::readSurfaces(level);
 }
 
-/// Share of backs among random directions, beyond what the fixed ones may have missed.
+/// Whether the share of backs among random directions is high, beyond a margin for the fixed directions.
 bool isInside(const geometry::Tracer& tracer, const Number3& p) {
   constexpr int kRays = 1024;
   geometry::Random random(std::llround(p.x * 1e4), std::llround(p.y * 1e4), std::llround(p.z * 1e4));
@@ -52,7 +52,7 @@ double heightAt(const geometry::Tracer& tracer, double x, double z) {
   return hit ? hit->position.y : -1000.0;
 }
 
-/// Lines of a lattice of 1/2 m that meet another surface than the lines to both sides, which agree.
+/// Number of lines, of a lattice of 1/2 m, that meet another surface than the lines on both sides, which agree.
 std::size_t slips(const geometry::Tracer& tracer, double half, double aside_x, double aside_z) {
   constexpr double kBeside_m = 2e-3;
   constexpr double kSame_m = 0.02;
@@ -72,7 +72,7 @@ struct Seen {
   std::size_t covered = 0;
 };
 
-/// Random points of a sector with headroom above: how many see a probe of it within 8 m.
+/// Random points of a sector with headroom above, and how many of them see one of its probes within 8 m.
 Seen seenAtRandom(const geometry::Tracer& tracer, const geometry::PlacedSector& sector) {
   Seen result;
   geometry::Random random(sector.id.x, sector.id.z, 77);

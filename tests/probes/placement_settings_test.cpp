@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Placement by hand, of vegetation and in rooms, which sectors there are, and that threads do not matter.
+// Placement by hand, over vegetation and in rooms; the list of sectors; independence of threads.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -45,8 +45,8 @@ TEST_CASE("Placement, ByHand") {
   const geometry::PlacedSector sector = place(s, {0, 0}, settings, &report);
   REQUIRE(sector.probe.size() > 4);
   CHECK(sector.probe[0].position == Number3(10, 1, 10));
-  CHECK(sector.probe[1].position == Number3(10.5, 1, 10));  // near another, but by hand
-  CHECK(sector.probe[3].position == Number3(30, 1, 30));    // in a box of `remove`, but by hand
+  CHECK(sector.probe[1].position == Number3(10.5, 1, 10));  // kept although near another, as it is by hand
+  CHECK(sector.probe[3].position == Number3(30, 1, 30));    // kept in a box of `remove`, as it is by hand
   REQUIRE(report.moved.size() == 1);
   CHECK(report.moved[0].by_hand);
   CHECK(report.moved[0].from == Number3(20, -0.5, 20));
@@ -93,7 +93,7 @@ TEST_CASE("Placement, AboveTheBoxesOfVegetation") {
   tree({33, 0, 33}, {35, 12, 35});  // no line meets it
   tree({65, 0, 0}, {90, 50, 60});   // the next sector's
   const geometry::PlacedSector sector = place(s, {0, 0});
-  CHECK(countBetween(sector, 0, 1.5) == 64);  // leaves are no ground, and stop no ray
+  CHECK(countBetween(sector, 0, 1.5) == 64);  // leaves are no ground and stop no ray
   CHECK(countBetween(sector, 20.9, 21.1) == 3);
   CHECK(countBetween(sector, 30.9, 31.1) == 1);
   CHECK(countBetween(sector, 12.9, 13.1) == 1);
@@ -184,7 +184,7 @@ TEST_CASE("Placement, ACheckpointEndsIt") {
     calls = 0;
     last = static_cast<int>(share * all);
     CHECK_THROWS_WITH(placement::placeSector(tracer, {0, 0}, settings, report, checkpoint), "enough");
-    CHECK(calls <= last + 64);  // a thread or two had begun
+    CHECK(calls <= last + 64);  // a thread or two may have begun
   }
   calls = 0;
   last = 2;
@@ -206,7 +206,7 @@ TEST_CASE("Placement, SectorsAreThoseThatGetProbes") {
 
 TEST_CASE("Placement, SameBytesForAnyThreadsAndForASectorAlone") {
   const geometry::Surfaces all = village();
-  geometry::Surfaces near = all;  // what comes near the sector only, in another order
+  geometry::Surfaces near = all;  // only the surfaces near the sector, in another order
   std::erase_if(near.triangle, [&](const geometry::Triangle& t) {
     double high = -1e9;
     for (const auto v : t.vertex) high = std::max(high, double{near.position[v][0]});
@@ -249,9 +249,9 @@ TEST_CASE("Placement, RoomsHaveProbesOfTheirOwn") {
 TEST_CASE("Placement, RoomsNameTheirProbes") {
   const geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
   placement::PlacementSettings settings;
-  settings.room = {{{200, -1, 200}, {210, 4, 210}},  // of another sector
-                   {{-30, -1, 8}, {20, 4, 40}},      // of two
-                   {{10, -1, 8}, {30, 4, 40}},       // partly the first one's
+  settings.room = {{{200, -1, 200}, {210, 4, 210}},  // in another sector
+                   {{-30, -1, 8}, {20, 4, 40}},      // in two sectors
+                   {{10, -1, 8}, {30, 4, 40}},       // partly in the first one
                    {{50, 20, 50}, {60, 30, 60}}};    // in the air
   for (const geometry::SectorId id : {geometry::SectorId{0, 0}, geometry::SectorId{-1, 0}}) {
     const geometry::PlacedSector sector = place(s, id, settings);
@@ -263,7 +263,7 @@ TEST_CASE("Placement, RoomsNameTheirProbes") {
       CHECK(std::size_t{sector.in_room[i]} == (of_level == 0 ? 0 : of_level - 1));
     }
     for (std::size_t r = 0; r < sector.room.size(); ++r) CHECK(sector.room[r].box == settings.room[r + 1]);
-    // The nearest of the room's probes to the middle of its part of the sector.
+    // The room's probe that is nearest to the middle of its part of the sector.
     const Number3 middle = id.x == 0 ? Number3(10, 1.5, 24) : Number3(-15, 1.5, 24);
     REQUIRE(sector.room[0].probe != geometry::kNoProbe);
     for (std::size_t i = 0; i < sector.probe.size(); ++i)

@@ -88,7 +88,7 @@ TEST_CASE("Placement, ACrawlSpaceIsNoGroundAndALowRoomGetsItsMiddle") {
 }
 
 TEST_CASE("Placement, GroundUnderWaterIsNone") {
-  // The western half lies 2 m under water, leaves between; a roof over the east, and water on that, change nothing
+  // The western half lies 2 m under water, with leaves between. A roof over the east, and water on it, change nothing
   // there.
   geometry::Surfaces s = groundOf(Number3(0.3), 100.0);
   const auto both = addMaterial(s, Number3(0.5), true);
@@ -109,7 +109,7 @@ TEST_CASE("Placement, GroundUnderWaterIsNone") {
   CHECK(report.uncovered.empty());
   REQUIRE(countBetween(placed, 0.9, 1.1) >= 24);
   for (const geometry::Probe& p : placed.probe)
-    CHECK((p.position.x > 32.0 || p.position.y > 2.0));  // above the leaves' box
+    CHECK((p.position.x > 32.0 || p.position.y > 2.0));  // probes above the leaves' box
 }
 
 TEST_CASE("Placement, NothingInsideBodies") {
@@ -153,7 +153,7 @@ TEST_CASE("Placement, EveryWalkablePointSeesAProbe") {
   CHECK(std::count_if(report.dropped.begin(), report.dropped.end(), [](const placement::DroppedProbe& d) {
           return d.reason == placement::DroppedProbe::Reason::thinned;
         }) == 1);
-  CHECK(report.uncovered.size() == 5);  // one of the lattice, four between its lines
+  CHECK(report.uncovered.size() == 5);  // one on the lattice, four between its lines
 }
 
 TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {

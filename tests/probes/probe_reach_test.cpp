@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A probe sees the level within its own reach: what it holds depends neither on what lies beyond nor on its sector.
+// A probe sees the level within its own reach. Neither the level beyond nor the probe's sector changes it.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kReach_m = 64.0;
 
-/// A sun's whole path and, last, one low in the west alone.
+/// A sun's whole path and, as the last direction, one low in the west.
 transfer::TransferSettings settingsWithin(double reach_m) {
   transfer::TransferSettings settings;
   settings.rays = 512;
@@ -23,12 +23,12 @@ transfer::TransferSettings settingsWithin(double reach_m) {
   return settings;
 }
 
-/// What a bake of a sector reads of a level.
+/// The part of a level that a sector's bake reads.
 geometry::Surfaces readBy(geometry::SectorId sector, const geometry::Surfaces& level) {
   return geometry::withTexels(geometry::surfacesWithin(level, geometry::columnOf(sector, kReach_m)), level);
 }
 
-/// Ground, a house near x = 64 and, out of its sight at x = -60 to -40, a ridge of 60 m that emits.
+/// Ground with a house near x = 64. Out of the house's sight at x = -60 to -40 is a ridge of 60 m that emits.
 geometry::Surfaces ridge() {
   geometry::Surfaces s = groundOf({0.4, 0.5, 0.3}, 400.0);
   addBoxOutside(s, {70, 0, 20}, {75, 6, 33}, addMaterial(s, {0.7, 0.2, 0.1}));
@@ -36,7 +36,7 @@ geometry::Surfaces ridge() {
   return s;
 }
 
-/// Ground in the square of kReach_m about (10, 20) and walls: inside, across and beyond its edges, its corner too.
+/// Ground in the square of kReach_m about (10, 20), with walls inside, across and beyond its edges and its corner.
 geometry::Surfaces walls(bool beyond) {
   geometry::Surfaces s = groundOf({0.4, 0.5, 0.3}, 90.0);
   const auto wall = addMaterial(s, {0.7, 0.2, 0.1}, true);
@@ -86,7 +86,7 @@ TEST_CASE("ProbeReach, OfAWallItSeesWhatLiesInItsSquare") {
   constexpr double kElevation = 0.9;
   const geometry::Surfaces level = wallTo(kElevation, Number3(0.0), Number3(0.0));  // 10 m north of the origin
   const geometry::Tracer tracer(level);
-  // By its own quadrature, in double.
+  // Expected value by a separate quadrature, in double.
   const auto expected = [&](std::size_t b, double reach_m) {
     constexpr int kSteps = 400;
     double open = 0.0;
@@ -105,7 +105,7 @@ TEST_CASE("ProbeReach, OfAWallItSeesWhatLiesInItsSquare") {
       }
     return all > 0.0 ? open / all : 0.0;
   };
-  constexpr double kSampling = 0.01;  // 16384 well spread paths
+  constexpr double kSampling = 0.01;  // error of 16384 well spread paths
   for (const double reach_m : {9.9, 10.1, 25.0, 1000.0}) {
     transfer::TransferSettings settings = settingsWithin(reach_m);
     settings.rays = 16384;
@@ -151,7 +151,7 @@ TEST_CASE("ProbeReach, WhatLeavesDownwardMeetsThePlane") {
       CAPTURE(reach_m, b);
       CHECK(t.visibility[b] == Approx(transfer::transferBasis()[b].y > -1.0 ? 1.0 : 0.0));
       const double below = det::kPi * (1.0 - transfer::transferBasis()[b].y) / 2.0;
-      // Of the share that hits, the next ray always escapes: no noise but of the two halves' weights.
+      // For the share that hits, the next ray always escapes. Only the weights of the two halves add noise.
       CHECK(t.sky[b][0].y / det::kShConstant == Approx(0.6 * below).epsilon(1e-9));
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sector's bake reads of a level says the same whatever lies beyond its reach.
+// The part of a level that a sector's bake reads is the same whatever lies beyond its reach.
 #include "probes/geometry/reach.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ geometry::Surfaces floorLevel() {
   return s;
 }
 
-/// Things in pairs, and equal triangles of other materials and of other trees.
+/// Objects in pairs, and equal triangles of different materials and different trees.
 geometry::Surfaces gardenLevel() {
   geometry::Surfaces s = floorLevel();
   s.texture.push_back({1, 1, {200, 20, 30, 255}, geometry::Texture::Wrap::repeat, geometry::Texture::Wrap::repeat});
@@ -45,7 +45,7 @@ geometry::Surfaces gardenLevel() {
   for (int tree = 0; tree < 4; ++tree) {
     s.object.push_back({"tree " + std::to_string(tree), geometry::Role::vegetation});
     const std::size_t first = s.triangle.size();
-    addQuad(s, {20, 0, 20}, {4, 0, 0}, {0, 5, 0}, plain);  // all of them
+    addQuad(s, {20, 0, 20}, {4, 0, 0}, {0, 5, 0}, plain);  // all trees
     addQuad(s, {20.0 + tree / 2, 0, 20}, {0, 0, 2}, {0, 5, 0}, plain);
     for (std::size_t i = first; i < s.triangle.size(); ++i)
       s.triangle[i].object = static_cast<std::uint32_t>(s.object.size() - 1);
@@ -56,7 +56,7 @@ geometry::Surfaces gardenLevel() {
   return s;
 }
 
-/// 0 to count - 1 in some order.
+/// The numbers 0 to count - 1 in random order.
 std::vector<std::uint32_t> shuffled(std::size_t count, geometry::Random& random) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count, geometry::Random& random)
   return order;
 }
 
-/// The same level as files in another order give it, some of whose materials and textures are there twice.
+/// The same level as files in another order give it. Some of its materials and textures occur twice.
 geometry::Surfaces inAnotherOrder(const geometry::Surfaces& level, std::uint64_t seed) {
   geometry::Random random(seed);
   geometry::Surfaces s;
@@ -116,7 +116,7 @@ TEST_CASE("Reach, EndsAtItsDistance") {
 TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
   const geometry::Surfaces level = floorLevel();
   const base::Hash128 hash = hashOfSector(level, {0, 0}, 16.0);
-  geometry::Surfaces more;  // other things first, so that every index differs
+  geometry::Surfaces more;  // other items first, so that every index differs
   more.texture.push_back({1, 1, {1, 2, 3, 255}, geometry::Texture::Wrap::repeat, geometry::Texture::Wrap::repeat});
   more.object.push_back({"far away", geometry::Role::vegetation});
   addQuad(more, {500, 0, 1}, {0, 0, 60}, {60, 0, 0}, addMaterial(more, Number3(0.1)));

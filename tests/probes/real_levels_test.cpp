@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of games, where WELKIN_DATA names a folder that has them under levels/.
+// Levels of games. It runs if WELKIN_DATA names a folder with them under levels/.
 #include <cstdlib>
 
 #include "level_text.h"
@@ -7,7 +7,7 @@
 namespace welkin::tests {
 namespace {
 
-/// The surfaces of a file of the folder; nothing, with a warning, where there is no such folder.
+/// The surfaces of a file in the folder; nothing, with a warning, if there is no such folder.
 std::optional<geometry::Surfaces> read(const std::string& file, double scale = 1.0) {
   const char* folder = std::getenv("WELKIN_DATA");
   if (folder == nullptr) {
@@ -32,7 +32,7 @@ void checkBounds(const geometry::Surfaces& s, const Number3& low, const Number3&
   checkNear(bounds.high, high, kHalfOfTheLastDigit);
 }
 
-/// Of rays straight down on a lattice over everything, those that first meet a back.
+/// Share of rays straight down, on a lattice over everything, that first meet a back.
 double shareOfBacks(const geometry::Surfaces& s, double half, double step) {
   const geometry::Tracer tracer(s);
   int backs = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference as an estimator: its standard error, its order of sums, its progress.
+// The reference as an estimator: its standard error, order of sums and progress.
 #include <tbb/global_control.h>
 
 #include <atomic>
@@ -48,7 +48,7 @@ TEST_CASE("Reference, ItsStandardErrorIsThatOfIndependentSeeds") {
         stated += e.standard_error[c] * e.standard_error[c];
       }
       const double variance = (squares - sum * sum / kSeeds) / (kSeeds - 1);
-      // The variance of 400 values is known within 7 % (one standard error) where they are normal.
+      // The variance of 400 normal values is known within 7 % (one standard error).
       CHECK(std::sqrt(stated / kSeeds / variance) == Approx(1.0).margin(0.12));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference by local lights.
+// The reference under local lights.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -29,7 +29,7 @@ TEST_CASE("Reference, ALightInASphereHasItsClosedForm") {
     for (const Number3& normal : kNormals)
       checkEstimate(reference::traceReference(tracer, darkness(), middle, {0.7, 1.2, -0.9}, normal, {4096, n, 1}).local,
                     expected, bound(expected));
-    // A point of the wall sees the whole wall alike, wherever the light is.
+    // Every point of the wall sees the whole wall alike, wherever the light is.
     checkEstimate(
         reference::traceReference(tracer, darkness(), aside, wall, geometry::unit(-wall), {16384, n, 1}).local,
         expected, 0.003 * expected.z);
@@ -47,8 +47,8 @@ TEST_CASE("Reference, ALightInASphereHasItsClosedForm") {
 }
 
 TEST_CASE("Reference, ALightOverAPlaneSeesItsOwnReflection") {
-  // The integral of (rho / pi) I h / d^3 and h^2 / d^4 over the plane: 2 rho I / (5 h^2). Beyond 100 m it is 1e-8; rays
-  // leave a larger one by millimetres.
+  // The integral of (rho / pi) I h / d^3 and h^2 / d^4 over the plane is 2 rho I / (5 h^2). The part beyond 100 m is
+  // 1e-8; on a larger plane, rays would start millimetres off.
   const geometry::Surfaces ground = groundOf(kAlbedo, 100.0);
   const geometry::Tracer tracer(ground);
   const reference::LocalLight light[] = {{{0, 2, 0}, {3, 4, 5}}};

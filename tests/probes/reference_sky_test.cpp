@@ -18,7 +18,7 @@ const std::vector<Number3> kTiltedNormals = {
     {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, geometry::unit({0.3, 0.5, -0.7}), geometry::unit({-0.2, -0.6, 0.4})};
 const Number3 kColoured(0.2, 0.5, 0.9);
 
-/// Of a point above ground without walls: rays to the horizon that miss the ground see black below it.
+/// Height of a point above ground without walls. Rays to the horizon that miss the ground see black below it.
 constexpr double kHeight_m = 0.1;
 constexpr double kMissedGround = 2.0 * kHeight_m / kEndless_m;
 
@@ -78,7 +78,7 @@ TEST_CASE("Reference, AMoonLightsLikeASunAndALightBelowTheHorizonDoesNot") {
   const Number3 moon = sky.moon->normalIrradianceAt(12.0);
   const auto e = irradianceAt(groundOf(kColoured), sky, {0, 0.01, 0}, {0, -1, 0});
   checkEstimate(e.sun_bounce, kColoured * moon * std::sin(0.6));
-  // A wall that faces the sun below the horizon, and nothing else there.
+  // Only a wall that faces the sun below the horizon.
   geometry::Surfaces wall;
   addQuad(wall, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, addMaterial(wall, Number3(1.0), true));
   CHECK(irradianceAt(wall, sunOnly(3.0, 0.0, -0.3), {0, 0, -5}, {0, 0, 1}).total.value == Number3(0.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference in closed levels, and what does not change with light and place.
+// The reference in closed levels, and its invariance to light and place.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -44,7 +44,7 @@ TEST_CASE("Reference, WhiteSurfacesUnderAUniformSkyAreAFurnaceOfAnyShape") {
   const geometry::Tracer tracer(level);
   model::Sky sky = uniformSky(1.0);
   sky.ground_albedo = Number3(1.0);
-  constexpr int kAll = 100;  // more than half of the light leaves at every bounce
+  constexpr int kAll = 100;  // the light loses more than half at every bounce
   for (const Number3& normal : kNormals)
     for (const Number3& p : {Number3(0.2, 0.3, -1), Number3(1, 2.1001, -1), Number3(0.49, 0.01, -0.69)})
       checkEstimate(
@@ -64,7 +64,7 @@ TEST_CASE("Reference, AShiningSquareHasLambertsIrradiance") {
 }
 
 TEST_CASE("Reference, APointOfASurfaceDoesNotSeeThatSurface") {
-  // Slanted and far from the origin, where floats are coarse; a triangle whose corners are farther still.
+  // Slanted and far from the origin, where floats are coarse. The corners of a triangle are farther still.
   geometry::Surfaces level;
   addQuad(level, {400, 17, -400}, {300, 210, 400}, {500, 320, -70}, addMaterial(level, Number3(0.9), true));
   const geometry::Surfaces nothing;
@@ -109,7 +109,7 @@ TEST_CASE("Reference, NoLightEntersASealedRoom") {
 }
 
 TEST_CASE("Reference, LightAndEyeMayChangePlaces") {
-  // The light that a point gets from all sides, of a light elsewhere, is that of the light's place from the point.
+  // Reciprocity: light from a source to a point, over all sides, equals light from the point to the source.
   const geometry::Surfaces level = yard();
   const geometry::Tracer tracer(level);
   const Number3 a(-2.1, 0.8, 1.7);

@@ -27,7 +27,7 @@ transfer::ProbeTransfer planeTransfer(const Number3& albedo) {
   return t;
 }
 
-/// Of a grey plane: modes below are grey, too.
+/// Coefficients of a grey plane; the modes below are grey, too.
 transfer::SunCoefficients planeSun(double albedo, const std::vector<Number3>& lights) {
   transfer::SunCoefficients sun;
   const auto basis = transfer::transferBasis();
@@ -66,7 +66,7 @@ TEST_CASE("Relight, PlaneUnderAUniformSky") {
 }
 
 TEST_CASE("Relight, PlaneUnderASunBothWays") {
-  // By 2 bands a ground patch gets 1/4 + sin(e)/2 of the sun; by its own transfer, sin(e).
+  // With 2 bands a ground patch gets 1/4 + sin(e)/2 of the sun; with its own transfer, sin(e).
   const double rho = 0.3;
   const Number3 irradiance(3, 2, 1);
   for (const double elevation : {1e-6, 0.3, 1.0, det::kPi / 2}) {
@@ -93,7 +93,7 @@ TEST_CASE("Relight, PlaneUnderASunBothWays") {
 }
 
 TEST_CASE("Relight, EveryTermCountsOnce") {
-  // Unlike numbers everywhere: a wrong direction, coefficient, channel or light shows.
+  // All numbers differ, so that a wrong direction, coefficient, channel or light shows.
   transfer::ProbeTransfer t;
   transfer::SunCoefficients c_sun;
   geometry::Random random(11);
@@ -153,7 +153,7 @@ TEST_CASE("Relight, ALightBelowTheHorizonGivesNothing") {
 }
 
 TEST_CASE("Relight, FittedSkyIsExactForLinearRadiance") {
-  // Coefficients of a + g . w over the upper hemisphere, by the midpoint rule; and what they are fitted to.
+  // Coefficients of a + g . w over the upper hemisphere, by the midpoint rule, and their fit.
   const double a = 1.5;
   const Number3 g(0.3, 0.8, -0.4);
   std::array<double, 4> sh{};
@@ -170,7 +170,7 @@ TEST_CASE("Relight, FittedSkyIsExactForLinearRadiance") {
   CHECK(fitted[1].y == Approx(g.y / det::kShLinear).epsilon(1e-5));
   CHECK(fitted[2].z == Approx(g.z / det::kShLinear).epsilon(1e-5));
   CHECK(fitted[3].x == Approx(g.x / det::kShLinear).epsilon(1e-5));
-  // Over a plane the fit is exact for every sky: its irradiance is the coefficient of y, the cosine of level ground.
+  // Over a plane the fit is exact for every sky: irradiance is the coefficient of y, the cosine of level ground.
   const std::array<Number3, 4> sky{Number3(1.0), Number3(0.6), Number3(0.2), Number3(-0.3)};
   const transfer::ProbeTransfer plane = planeTransfer(Number3(0.5));
   const auto projected =

@@ -50,7 +50,7 @@ inline void addBoxOutside(geometry::Surfaces& s, const Number3& low, const Numbe
   for (std::size_t i = first; i < s.triangle.size(); ++i) std::swap(s.triangle[i].vertex[1], s.triangle[i].vertex[2]);
 }
 
-/// Level ground of `half` metres to each side of the origin, at y = 0.
+/// Level ground at y = 0, `half` metres to each side of the origin.
 inline geometry::Surfaces groundOf(const Number3& albedo, double half = 1000.0) {
   geometry::Surfaces s;
   addQuad(s, {-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0}, addMaterial(s, albedo));

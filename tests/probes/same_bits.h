@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether traced probes are the same to the last bit.
+// Compares traced probes to the last bit.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of a baked sector, in every build and for any number of threads.
+// The bytes of a baked sector are the same in every build and for any number of threads.
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@
 namespace welkin::tests {
 namespace {
 
-/// A house with a lamp of an emissive wall, on ground that ends within reach.
+/// A house with an emissive wall as its lamp, on ground that ends within reach.
 geometry::Surfaces house() {
   geometry::Surfaces s = groundOf(Number3(0.3, 0.4, 0.2), 90.0);
   const auto wall = addMaterial(s, Number3(0.7, 0.5, 0.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever level is baked, its sectors' files can be read.
+// The files of a baked level's sectors can be read, whatever the level.
 #include <catch2/catch.hpp>
 
 #include "probes/build/level_bake.h"
@@ -46,7 +46,7 @@ TEST_CASE("SectorBake, ProbesWithoutGroundBelowTheLinesCanBeRead") {
     REQUIRE(sectors.size() == 2);
     const sectors::SectorFile& bare = sectors[1];
     REQUIRE(bare.id == geometry::SectorId{2, -1});
-    // The nearest in cells: the one in the corner, and the one opposite.
+    // The nearest probes in cells: the one in the corner, and the one opposite.
     CHECK(bare.top[0] == 0);
     CHECK(bare.top[1 + geometry::kCells * 3] == 0);
     CHECK(bare.top[15 + geometry::kCells * 15] == 1);

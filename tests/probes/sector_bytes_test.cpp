@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The size of a sector's file against what the format promises.
+// The size of a sector's file, compared with the format's promise.
 #include <catch2/catch.hpp>
 
 #include "probes/sectors/sector_file.h"
@@ -7,7 +7,7 @@
 namespace welkin::tests {
 namespace {
 
-/// Probes and modes of a summer's day and a winter moon's night.
+/// A sector with probes and modes for a summer's day and a winter moon's night.
 sectors::SectorFile sectorOf(std::size_t probes, std::size_t modes) {
   constexpr int kSunKnots = 17;
   constexpr int kMoonKnots = 16;
@@ -41,14 +41,14 @@ std::size_t sizeOf(const sectors::SectorFile& sector) {
 }  // namespace
 
 TEST_CASE("SectorBytes, SeventyProbesAreWithin15KB") {
-  // Everything of the file counted, with the ten modes that a bake without a budget makes.
+  // The whole file counts, with the ten modes of a bake without a budget.
   const sectors::SectorFile sector = sectorOf(70, 10);
   CHECK(sector.probes.bytesAProbe() == 104);
   CHECK(sizeOf(sector) <= 15 * 1024);
 }
 
 TEST_CASE("SectorBytes, AProbeTakesItsOwnBytes") {
-  // Ten more probes, sixteen bytes of alignment aside.
+  // Ten more probes; sixteen bytes allow for alignment.
   const std::size_t without = sizeOf(sectorOf(80, 0)) - sizeOf(sectorOf(70, 0));
   CHECK(without >= 10 * 62 - 16);
   CHECK(without <= 10 * 62 + 16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file of a sector: what it gives back, and that nothing wrong in it passes.
+// A sector's file gives everything back, and no error in it passes.
 #include "probes/sectors/sector_file.h"
 
 #include <catch2/catch.hpp>
@@ -50,7 +50,7 @@ sectors::SectorFile someSector() {
   return s;
 }
 
-/// The same with local transfer: two lights, of which the first probe has one and the second has both.
+/// The same with local transfer of two lights. The first probe has one light, the second both.
 sectors::SectorFile someLitSector() {
   sectors::SectorFile s = someSector();
   sectors::BakedLocal& local = s.local.emplace();

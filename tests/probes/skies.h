@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies for levels with closed forms, and how an estimate is compared with one.
+// Skies for levels with closed forms, and a check of estimates against them.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@
 
 namespace welkin::tests {
 
-/// The same radiance everywhere above the horizon; the sun stands still and gives no light.
+/// A sky with the same radiance everywhere above the horizon. The sun stands still and gives no light.
 inline model::Sky uniformSky(double radiance, double sun_azimuth_rad = 0.4, double sun_elevation_rad = 0.7) {
   model::Sky sky;
   sky.luminance = *model::findLuminance("cie-5");
@@ -29,7 +29,7 @@ inline model::Sky sunOnly(double irradiance, double azimuth_rad, double elevatio
   return sky;
 }
 
-/// Clear, brightest about the sun, coloured by azimuth and elevation; with a sun.
+/// A clear sky, brightest about the sun, coloured by azimuth and elevation, with a sun.
 inline model::Sky clearSky(double azimuth_rad, double elevation_rad) {
   model::Sky sky = sunOnly(3.0, azimuth_rad, elevation_rad);
   sky.luminance = *model::findLuminance("far-cry-3");
@@ -48,7 +48,7 @@ inline reference::DistantLight darkness() {
   return {sky, 12.0};
 }
 
-/// sum of albedo^i, i from `first` to `last`.
+/// Sum of albedo^i, i from `first` to `last`.
 inline f64::Number3 bounces(const f64::Number3& albedo, int first, int last) {
   f64::Number3 sum(0.0);
   f64::Number3 power(1.0);
@@ -64,9 +64,9 @@ inline const std::vector<f64::Number3> kNormals = {
     {0, 1, 0}, {0, -1, 0}, geometry::unit({0.3, 0.5, -0.7}), geometry::unit({-0.8, -0.1, 0.4})};
 
 inline constexpr double kStandardErrors = 3.0;
-inline constexpr double kRounding = 1e-12;  ///< relative: of sums of many doubles
+inline constexpr double kRounding = 1e-12;  ///< relative; rounding of sums of many doubles
 
-/// Whether an estimate is what it should be, within its standard errors and what the level itself is off by.
+/// Checks an estimate, within its standard errors and the level's own error.
 inline void checkEstimate(const reference::Estimate& estimate, const f64::Number3& expected, double level_bound = 0.0) {
   for (int c = 0; c < 3; ++c) {
     INFO("channel " << c << ": " << estimate.value[c] << " +- " << estimate.standard_error[c] << ", expected "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the sky that is seen between black walls, as a convex polygon of directions: its irradiance in any
-// direction has a closed form (Lambert, "Photometria", 1760).
+// The sky seen between black walls, as a convex polygon of directions. Its irradiance for any normal has a closed form
+// (Lambert, "Photometria", 1760).
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace welkin::tests {
 
 using f64::Number3;
 
-/// Unit corners; edges are arcs of less than half a circle, and a x b of an edge from a to b points into the polygon.
+/// Unit corners. Edges are arcs of less than half a circle, and for an edge from a to b, a x b points into the polygon.
 using SkyPolygon = std::vector<Number3>;
 
 /// The whole upper hemisphere.
@@ -22,18 +22,18 @@ inline SkyPolygon openSky() {
   return {{1, 0, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 0, 1}};
 }
 
-/// Above a wall in the north that reaches an elevation.
+/// The sky above a wall in the north that reaches an elevation.
 inline SkyPolygon skyOverWall(double elevation_rad) {
   return {{1, 0, 0}, {0, std::sin(elevation_rad), -std::cos(elevation_rad)}, {-1, 0, 0}, {0, 0, 1}};
 }
 
-/// Between walls along z.
+/// The sky between walls along z.
 inline SkyPolygon skyOfCanyon(double width_m, double height_m) {
   const Number3 east = geometry::unit({0.5 * width_m, height_m, 0});
   return {{0, 0, 1}, east, {0, 0, -1}, {-east.x, east.y, 0}};
 }
 
-/// From the middle of a well of closed_forms.h.
+/// The sky from the middle of a well of closed_forms.h.
 inline SkyPolygon skyOfWell(double apothem_m, double height_m, int sides) {
   SkyPolygon sky;
   const double radius = apothem_m / std::cos(det::kPi / sides);
@@ -44,9 +44,9 @@ inline SkyPolygon skyOfWell(double apothem_m, double height_m, int sides) {
   return sky;
 }
 
-/// Irradiance over pi of a surface with this normal by radiance 1 from within the polygon: half the sum, over the edges
-/// of what is above the surface's horizon, of angle times cosine of the edge's plane. Along the horizon itself, from
-/// where the polygon sinks below it to where it rises, the cosine is 1.
+/// Irradiance over pi of a surface with this normal, by radiance 1 within the polygon. Take the part above the
+/// surface's horizon: half the sum, over its edges, of the angle times the cosine of the edge's plane. Along the
+/// horizon itself, from where the polygon sinks below it to where it rises, the cosine is 1.
 inline double irradianceOverPi(const SkyPolygon& sky, const Number3& normal) {
   constexpr double kOnHorizon = 1e-12;
   const auto side = [&](const Number3& w) {
@@ -58,7 +58,7 @@ inline double irradianceOverPi(const SkyPolygon& sky, const Number3& normal) {
     return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
   };
   double sum = 0.0;
-  std::vector<Number3> crossings;  // from the first one that rises, in turn
+  std::vector<Number3> crossings;  // in turn, from the first one that rises
   std::optional<Number3> sinks_first;
   for (std::size_t i = 0; i < sky.size(); ++i) {
     Number3 a = sky[i];

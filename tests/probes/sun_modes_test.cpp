@@ -12,7 +12,7 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-/// A sun that rises at 6 in the east and stands 70 degrees high in the south at noon.
+/// A sun that rises in the east at 6 and stands 70 degrees high in the south at noon.
 Number3 sunAt(double time_h) {
   const double hour = det::kTwoPi * (time_h - 6.0) / 24.0;
   const double tilt = 70.0 * det::kPi / 180.0;
@@ -25,7 +25,7 @@ std::vector<const transfer::ProbeTransfer*> pointersTo(const std::vector<transfe
   return result;
 }
 
-/// Probes across a street with buildings of two heights, of well-known transfers: few of them, many paths.
+/// Probes across a street with buildings of two heights. They are few and have many paths, for accurate transfers.
 std::vector<transfer::ProbeTransfer> streetProbes(const transfer::LightTrack& sun) {
   geometry::Surfaces s = canyonOf(10, 6, {0.3, 0.3, 0.25}, {0.6, 0.5, 0.4});
   addQuad(s, {-5, 6, -4000}, {0, 5, 0}, {0, 0, 4000}, 0);
@@ -86,7 +86,7 @@ TEST_CASE("LightTrack, PlacesAreLinearAndPeriodic") {
 }
 
 TEST_CASE("SunModes, FewModesOfWhatHasFew") {
-  // Transfers that are sums of two coloured functions of time: two modes hold them, one does not.
+  // Transfers are sums of two coloured functions of time, so two modes suffice and one does not.
   const transfer::LightTrack sun = transfer::trackOf(sunAt, 48);
   transfer::LightTrack moon;
   moon.time_h = {1.0, 2.0};
@@ -152,7 +152,7 @@ TEST_CASE("SunModes, EachMakesAStreetBetter") {
   const transfer::SunModesFit fit = transfer::fitSunModes(pointersTo(probes), sun, {}, transfer::kMostSunModes);
   REQUIRE(fit.modes.count() == transfer::kMostSunModes);
   for (std::size_t m = 1; m <= transfer::kMostSunModes; ++m) CHECK(fit.error[m].rms < fit.error[m - 1].rms);
-  // Beside the sun in 2 bands, through the sky's transfer.
+  // For comparison, the sun in 2 bands, through the sky's transfer.
   double square = 0.0;
   std::size_t count = 0;
   for (const transfer::ProbeTransfer& p : probes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles in the world from glTF: where they stand, which way they look, what is dropped, what shines.
+// Triangles in the world from glTF: positions, fronts, dropped triangles, and emission.
 #include <limits>
 
 #include "level_text.h"
@@ -34,7 +34,8 @@ TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
   level.geometry[0].transform = geometry::fromEuler({100, 0, 0}, {0, f64::kPi / 2, 0}, Number3(2.0));
   const geometry::Surfaces s = loader::readSurfaces(level);
   REQUIRE(s.triangle.size() == 2);
-  // The node: x to y three times as long, y to -x. The entry: x to -z, z to x, twice as large, 100 m east.
+  // The node turns x to y, three times as long, and y to -x. The entry turns x to -z and z to x, twice as large, and
+  // moves 100 m east.
   checkNear(vertex(s, 0, 0), {100, 0, 0}, 1e-5);
   checkNear(vertex(s, 0, 1), {100, 6, 0}, 1e-5);
   checkNear(vertex(s, 0, 2), {100, 0, 4}, 1e-5);
@@ -81,7 +82,7 @@ TEST_CASE("SurfacesOf, MirroredSurfacesKeepTheirFront") {
 TEST_CASE("SurfacesOf, TrianglesWithoutAreaOrNumbersAreDroppedAndCounted") {
   GltfText gltf;
   auto mesh = squareMesh();
-  mesh.positions[10] = kNan;  // of the second triangle alone
+  mesh.positions[10] = kNan;  // only in the second triangle
   mesh.indices.insert(mesh.indices.end(), {0, 1, 1, 0, 2, 1});
   const int square = gltf.addMesh(mesh);
   gltf.addNode(square);
@@ -137,7 +138,7 @@ TEST_CASE("SurfacesOf, MaterialsKeepEmissionSidesAndAlpha") {
 TEST_CASE("SurfacesOf, VertexColoursMultiplyTheMaterials") {
   GltfText gltf;
   auto mesh = squareMesh();
-  mesh.colours = {1, 0, 0, 1, 0, 0, 0, 0.5, 1, 0, 0.5, 1};  // along z
+  mesh.colours = {1, 0, 0, 1, 0, 0, 0, 0.5, 1, 0, 0.5, 1};  // colours change along z
   gltf.addNode(gltf.addMesh(mesh, gltf.addMaterial({0.5, 0.5, 0.25})));
   gltf.addNode(gltf.addMesh(mesh), {{"translation", {4, 0, 0}}});
   gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {8, 0, 0}}});
@@ -146,7 +147,7 @@ TEST_CASE("SurfacesOf, VertexColoursMultiplyTheMaterials") {
   const double kFloats = 1e-6;
   checkNear(tracer.albedo(*below(tracer, 0.3, 0.5)), {0.125, 0.1875, 0.1875}, kFloats);
   checkNear(tracer.albedo(*below(tracer, 4.3, 0.5)), {0.25, 0.375, 0.75}, kFloats);
-  checkNear(tracer.albedo(*below(tracer, 8.3, 0.5)), Number3(0.5), kFloats);  // level.toml's
+  checkNear(tracer.albedo(*below(tracer, 8.3, 0.5)), Number3(0.5), kFloats);  // level.toml's albedo
   mesh.colours[3] = 1.5F;
   GltfText bright;
   bright.addNode(bright.addMesh(mesh));

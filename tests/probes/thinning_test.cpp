@@ -14,7 +14,7 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-/// For each walkable point the probes that it sees within reach, from the nearest.
+/// For each walkable point, the probes that it sees within reach, nearest first.
 using Coverage = std::vector<std::vector<placement::SeenProbe>>;
 
 Coverage randomCoverage(std::size_t points, std::size_t probes, std::uint64_t seed) {
@@ -39,7 +39,7 @@ std::vector<std::size_t> thin(const Coverage& coverage, const std::vector<bool>&
   return placement::thin(coverage.size(), look, by_hand, most);
 }
 
-/// Points without a probe, and the sum of the others' distances, when those of `gone` are not there.
+/// Number of points without a probe, and the sum of the others' distances, without the probes in `gone`.
 std::pair<std::size_t, double> costOf(const Coverage& coverage, const std::vector<std::size_t>& gone) {
   std::pair<std::size_t, double> cost{0, 0.0};
   for (const auto& seen : coverage) {
@@ -58,13 +58,13 @@ std::pair<std::size_t, double> costOf(const Coverage& coverage, const std::vecto
 
 TEST_CASE("Thinning, EachStepIsTheLeastLossByBruteForce") {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
-    const std::size_t probes = seed < 4 ? 12 : 60;  // of 60 a point sees about 18, and looks again
+    const std::size_t probes = seed < 4 ? 12 : 60;  // of 60, a point sees about 18, so it looks again
     const Coverage coverage = randomCoverage(40, probes, seed);
     const auto gone = thin(coverage, std::vector<bool>(probes, false), 5);
     REQUIRE(gone.size() == probes - 5);
     std::vector<std::size_t> before;
     for (const std::size_t next : gone) {
-      // What the losses are of: a point that loses its last probe is counted, its distance is not.
+      // The loss counts a point that loses its last probe, but not the distance of that point.
       const auto loss = [&](std::size_t probe) {
         std::vector<std::size_t> after = before;
         after.push_back(probe);
@@ -81,7 +81,7 @@ TEST_CASE("Thinning, EachStepIsTheLeastLossByBruteForce") {
       const auto least = loss(next);
       for (std::size_t i = 0; i < probes; ++i) {
         if (std::find(before.begin(), before.end(), i) != before.end()) continue;
-        constexpr double kSums_m = 1e-9;  // two orders of summing
+        constexpr double kSums_m = 1e-9;  // rounding of two orders of summing
         CHECK(std::tuple(least.first, least.second) <= std::tuple(loss(i).first, loss(i).second + kSums_m));
       }
       before.push_back(next);

@@ -98,7 +98,7 @@ TEST_CASE("Tracer, MaskedTexelsLetRaysThrough") {
 }
 
 TEST_CASE("Tracer, ARayThatLeavesASurfaceDoesNotMeetItAgain") {
-  // Slanted, far from the origin, where floats are coarse: the origin's rounding is 3e-5 m there.
+  // A slanted surface far from the origin, where floats are coarse: the origin's rounding is 3e-5 m there.
   geometry::Surfaces s;
   const auto grey = addMaterial(s, {0.5, 0.5, 0.5}, true);
   addQuad(s, {400, 17, -400}, {3, 1, 40}, {50, 2, -7}, grey);
@@ -119,7 +119,7 @@ TEST_CASE("Tracer, ARayThatLeavesASurfaceDoesNotMeetItAgain") {
 }
 
 TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
-  // Aimed at the edges, within the rounding of floats: an origin on an edge has one wall behind it, or in front.
+  // Rays aim at the edges, within the rounding of floats. An origin on an edge has one wall behind it or in front.
   for (const double azimuth : {0.0, 0.37}) {
     const Number3 moved = azimuth == 0.0 ? Number3(0.0) : Number3(211.3, 17.1, -93.7);
     const auto world = [&](const Number3& p) { return turned(p, azimuth) + moved; };
@@ -142,7 +142,7 @@ TEST_CASE("Tracer, ARayThatLeavesACornerStaysInTheRoom") {
 }
 
 TEST_CASE("Tracer, ARayThatLeavesALargeSurfaceDoesNotMeetItAgain") {
-  // Near the origin, where floats are fine, but not those of the corners, 4 km away: an oblique wall 8 km long.
+  // Floats are fine near the origin, but not at the corners, 4 km away: an oblique wall 8 km long.
   const geometry::Surfaces s = turned(wallTo(0.8, Number3(0.5), Number3(0.5)), 2.1);
   const geometry::Tracer tracer(s);
   geometry::Random random(3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way of a sector's light: traced, fitted, encoded, decoded, relit, shaded; and what four directions lose of
-// it.
+// The whole path of a sector's light: traced, fitted, encoded, decoded, relit, shaded; and the loss of reconstruction
+// from four directions.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -13,13 +13,13 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-/// A sun that rises at 6 in the east and stands in the zenith at noon.
+/// A sun that rises in the east at 6 and stands in the zenith at noon.
 Number3 sunAt(double time_h) {
   const double hour = det::kTwoPi * (time_h - 6.0) / 24.0;
   return {std::cos(hour), std::sin(hour), 0.0};
 }
 
-/// Irradiance of the sky of radiance 1 by four directions, direct and bounced.
+/// Irradiance by the sky of radiance 1 from four directions, direct and bounced.
 double shadedSky(const transfer::TransferTracer& transfer, const Number3& at, const Number3& normal) {
   std::array<double, transfer::kDirections> mean{};
   constexpr std::size_t kProbes = 16;
@@ -79,7 +79,7 @@ TEST_CASE("TransferChain, PlaneFromRaysToShading") {
           const double of_sun = way == transfer::SunTransfer::sh ? 0.25 + sine / 2.0 : sine;
           const double expected =
               det::kPi * ((1 + rho[c]) / 2 + (1 - rho[c]) / 2 * n.y) + rho[c] * 2.0 * of_sun * (1.0 - n.y) / 2.0;
-          // 8 bits of mode and coefficient, of a sun of 2; the arc between knots half an hour apart.
+          // error of 8 bits of mode and coefficient, for a sun of 2, and of the arc between knots half an hour apart
           constexpr double kEncoding = 2.0 * 1.5 / 127;
           constexpr double kArc = 2.0 * 0.0022;
           const double bound = way == transfer::SunTransfer::sh ? 1e-4 : kEncoding + kArc;
@@ -90,8 +90,7 @@ TEST_CASE("TransferChain, PlaneFromRaysToShading") {
 }
 
 TEST_CASE("TransferChain, WhatFourDirectionsLoseOfTheSky") {
-  // Of what is not linear in the normal four directions hold no more than that; this is how much they miss the ground
-  // by.
+  // Four directions lose light that is not linear in the normal. These are their errors for the ground.
   const Number3 black(0.0);
   const Number3 up(0, 1, 0);
   const Number3 at(0, 0.001, 0);
@@ -101,16 +100,15 @@ TEST_CASE("TransferChain, WhatFourDirectionsLoseOfTheSky") {
     const geometry::Tracer tracer(level);
     return shadedSky(transfer::TransferTracer(tracer, settings), at, up) / det::kPi - view;
   };
-  constexpr double kNoise = 0.01;  // of 16 probes, of the shaded irradiance over pi
+  constexpr double kNoise = 0.01;  // noise of 16 probes, in shaded irradiance over pi
   CHECK(excess(wallTo(0.8, black, black), skyViewOfWall(0.8)) == Approx(-0.063).margin(kNoise));
   CHECK(excess(canyonOf(8, 4, black, black), skyViewOfCanyon(8, 4)) == Approx(-0.137).margin(kNoise));
   CHECK(excess(canyonOf(8, 8, black, black), skyViewOfCanyon(8, 8)) == Approx(-0.095).margin(kNoise));
-  // A deep well's light is a vector: no direction but up-facing ones sees it, so down's 0 is too much for a linear
-  // field.
+  // A deep well's light is a vector: only up-facing directions see it, so 0 for down is too much for a linear field.
   const double view = skyViewOfWell(2, 4, 6);
   CHECK(excess(wellOf(2, 4, 6, black, black), view) ==
         Approx((2.0 / (1.0 + std::sqrt(3.0)) - 1.0) * view).margin(kNoise));
-  // The white furnace is held exactly, for every normal.
+  // The white furnace is exact for every normal.
   geometry::Surfaces furnace;
   addBoxInside(furnace, {-2, -1, -3}, {3, 4, 2}, addMaterial(furnace, Number3(0.0), false, Number3(1.0)));
   const geometry::Tracer tracer(furnace);

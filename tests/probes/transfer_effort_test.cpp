@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the transfer says of its own errors, that it is the same for any threads and order, and what it refuses.
+// The errors that the transfer states for itself. It is the same for any threads and order, and refuses bad settings.
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -47,7 +47,8 @@ TEST_CASE("TransferEffort, StandardErrorsAreTheSpread") {
   const transfer::TransferTracer transfer(tracer, settingsWith(256));
   const Number3 at(0, 1, -8);
   constexpr std::size_t kCount = 100;
-  // Of 100 probes, the variance is known to 14 %; that of each probe, from 8 replicates, to 53 %, their mean to 5 %.
+  // The variance of 100 probes is known to 14 %. Each probe's, from 8 replicates, is known to 53 %, and their mean to 5
+  // %.
   constexpr double kRelative = 0.45;
   for (std::size_t b = 0; b < transfer::kDirections; ++b) {
     const auto spread =
@@ -74,7 +75,7 @@ TEST_CASE("TransferEffort, TracesUntilTheErrorIsMet") {
   CHECK(open.effort.paths < narrow.effort.paths);
   CHECK(narrow.effort.paths < settings.rays);
   CHECK(narrow.effort.rays > narrow.effort.paths);
-  // Too few for it: all are spent, and the error says so.
+  // The rays do not suffice: all are spent, and the error says so.
   settings.rays = 256;
   const transfer::TracedProbe cut = transfer::TransferTracer(hard, settings).trace({0, 1, 0}, {0, 0}, 0);
   CHECK(cut.effort.paths == 256);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of the transfer share: means with standard errors over independent probes at one place.
+// Helpers that the tests of the transfer share: means with standard errors over independent probes at one place.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@
 
 namespace welkin::tests {
 
-inline constexpr std::size_t kProbes = 32;  ///< independent ones for a standard error
+inline constexpr std::size_t kProbes = 32;  ///< independent probes for a standard error
 
 inline transfer::TransferSettings settingsOf(int bounces, std::size_t rays = 256) {
   transfer::TransferSettings settings;
@@ -25,7 +25,7 @@ struct Measured {
   double standard_error = 0.0;
 };
 
-/// Of a quantity of `count` probes with their own random numbers at one position.
+/// Measures a quantity of `count` probes with separate random numbers at one position.
 template <typename ProbeTracer, typename Quantity>
 Measured measured(const ProbeTracer& tracer, const Number3& position, std::size_t count, const Quantity& quantity) {
   double sum = 0.0;
@@ -40,7 +40,8 @@ Measured measured(const ProbeTracer& tracer, const Number3& position, std::size_
   return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1.0))};
 }
 
-/// Three standard errors (one in 370 misses; the seeds are fixed) and what rounding and floats of the level allow.
+/// Allows three standard errors (one in 370 misses; the seeds are fixed) plus `bound` for rounding and the level's
+/// floats.
 inline void checkMeasured(const Measured& m, double expected, double bound = 1e-5) {
   CAPTURE(m.mean, m.standard_error, expected);
   CHECK(std::abs(m.mean - expected) <= 3.0 * m.standard_error + bound);
@@ -52,7 +53,7 @@ inline double uniformSky(const transfer::ProbeTransfer& t, std::size_t b) {
   return t.visibility[b] * open + t.sky[b][0].y / det::kShConstant;
 }
 
-/// What four directions give for a normal.
+/// Reconstruction from four directions for a normal.
 inline double reconstructed(const Number3& normal, const std::array<double, transfer::kDirections>& irradiance) {
   const auto weight = transfer::shadingWeights(normal);
   double sum = 0.0;
@@ -60,7 +61,7 @@ inline double reconstructed(const Number3& normal, const std::array<double, tran
   return sum;
 }
 
-/// Of (azimuth, elevation) in radians: away from the point, azimuth clockwise from north.
+/// The direction of (azimuth, elevation) in radians: away from the point, azimuth clockwise from north.
 inline Number3 towards(double azimuth, double elevation) {
   return geometry::unit(
       Number3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of a probe's transfer in any level: walls keep light out, it is linear and reciprocal, it turns with the
-// level, backs are black.
+// Laws of a probe's transfer in any level: walls keep light out, it is linear and reciprocal, it turns with the level,
+// and backs are black.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -54,7 +54,8 @@ TEST_CASE("Transfer, IsLinearInTheLight") {
 }
 
 TEST_CASE("Transfer, ASkyOfSunsIsTheSky") {
-  // The sun's transfer, asked directly, and the sky's, found by paths: the sum over many suns with radiance Y_k.
+  // The sun's transfer is tested directly, the sky's is found by paths. They agree in the sum over many suns with
+  // radiance Y_k.
   geometry::Surfaces level = wallTo(0.8, {0.2, 0.5, 0.8}, {0.9, 0.5, 0.1});
   addBoxOutside(level, {1, 0, -7}, {3, 2.5, -4}, addMaterial(level, {0.7, 0.3, 0.6}));
   const geometry::Tracer tracer(level);
@@ -70,7 +71,7 @@ TEST_CASE("Transfer, ASkyOfSunsIsTheSky") {
     basis.push_back(det::shBasis(settings.light_directions.back()));
   }
   const transfer::TransferTracer transfer(tracer, settings);
-  constexpr double kQuadrature = 2e-3;  // of 1024 directions, of a light of 1 from everywhere
+  constexpr double kQuadrature = 2e-3;  // error of 1024 directions, for a light of 1 from everywhere
   std::vector<transfer::ProbeTransfer> probe;
   for (std::size_t i = 0; i < kProbes; ++i) probe.push_back(transfer.trace({0, 1, -7}, {0, 0}, i).transfer);
   for (std::size_t b = 0; b < transfer::kDirections; ++b)
@@ -93,8 +94,8 @@ TEST_CASE("Transfer, ASkyOfSunsIsTheSky") {
 }
 
 TEST_CASE("Transfer, PatchesMayChangePlaces") {
-  // Two squares of 1 m that send nothing back, one looking down, one along B1, in a yard with a wall between them: what
-  // one gets of the other's light on average is what the other gets of its own.
+  // Two squares of 1 m that reflect nothing stand in a yard with a wall between them. One faces down, one along B1. On
+  // average, each gets as much of the other's light as the other gets of its own.
   const std::array<Number3, transfer::kDirections> basis = transfer::transferBasis();
   struct Patch {
     Number3 middle, a, b;
@@ -126,7 +127,7 @@ TEST_CASE("Transfer, PatchesMayChangePlaces") {
       sum += e;
       squares += e * e;
     }
-    // The spread over the patch counts as noise: more than there is.
+    // The spread over the patch counts as noise, which overstates the noise.
     constexpr double kCount = kSide * kSide;
     const double mean = sum / kCount;
     return Measured{mean, std::sqrt((squares / kCount - mean * mean) / (kCount - 1.0))};
@@ -138,7 +139,8 @@ TEST_CASE("Transfer, PatchesMayChangePlaces") {
 }
 
 TEST_CASE("Transfer, TurnsWithTheLevel") {
-  // A third of a turn takes each direction up to the next one: the level and its lights turned, directions turn too.
+  // A third of a turn takes each upward direction to the next one. So turning the level and its lights turns directions
+  // too.
   const auto level = [](double azimuth) {
     geometry::Surfaces s = wallTo(0.8, {0.2, 0.5, 0.8}, {0.9, 0.5, 0.1});
     return turned(std::move(s), azimuth);
@@ -178,7 +180,7 @@ TEST_CASE("Transfer, TurnsWithTheLevel") {
 }
 
 TEST_CASE("Transfer, BacksAreBlack") {
-  // A floor seen from below, and one that also turns its face down.
+  // A floor seen from below, one-sided and two-sided.
   for (const bool double_sided : {false, true}) {
     geometry::Surfaces s = groundOf(Number3(0.5), 100);
     const auto roof = addMaterial(s, Number3(0.7), double_sided);
@@ -188,7 +190,7 @@ TEST_CASE("Transfer, BacksAreBlack") {
     settings.light_directions = {towards(1, 0.1)};
     const transfer::ProbeTransfer t = transfer::traceTransfer(tracer, {0, 1, 0}, settings, {0, 0}, 0);
     for (std::size_t b = 0; b < 3; ++b) CHECK(t.visibility[b] < 0.25);
-    // Sky light that the ground throws at the roof comes back from a face only: two bounces.
+    // Sky light that the ground reflects to the roof returns from a front only: two bounces.
     transfer::TransferSettings once = settings;
     once.bounces = 1;
     const transfer::ProbeTransfer t1 = transfer::traceTransfer(tracer, {0, 1, 0}, once, {0, 0}, 0);
@@ -197,7 +199,8 @@ TEST_CASE("Transfer, BacksAreBlack") {
 }
 
 TEST_CASE("Transfer, EmissionLeavesTheRestAlone") {
-  // Panels in the air, so that paths leave downward after any bounce; the same paths whether something shines or not.
+  // With panels in the air, paths leave downward after any bounce. The paths are the same whether something shines or
+  // not.
   const auto level = [](double emission) {
     geometry::Surfaces s;
     const auto panel = addMaterial(s, {0.8, 0.6, 0.4}, true, Number3(emission));
@@ -221,7 +224,7 @@ TEST_CASE("Transfer, EmissionLeavesTheRestAlone") {
     for (std::size_t k = 0; k < 4; ++k) CHECK(a.sky[d][k] == b.sky[d][k]);
     CHECK(a.sun[d][0].x > 0.0);
     CHECK(a.sun[d][0] == b.sun[d][0]);
-    // From below the horizon it would shine on the panels.
+    // A light from below the horizon would shine on the panels.
     CHECK(a.sun[d][1] == Number3(0.0));
   }
 }

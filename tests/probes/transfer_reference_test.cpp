@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transfer beside the plain path tracer where no closed form is known.
+// The transfer compared with the plain path tracer where no closed form is known.
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
@@ -12,7 +12,7 @@ namespace welkin::tests {
 using f64::Number3;
 namespace {
 
-/// A yard open to the south and to one side, in colours, with a lamp of an emissive panel and a roof over a corner; it
+/// A coloured yard open to the south and to one side, with an emissive panel as a lamp and a roof over a corner. It
 /// ends after 30 m, where the ground beyond begins.
 geometry::Surfaces yard() {
   geometry::Surfaces s = groundOf({0.5, 0.4, 0.3}, 30);
@@ -41,7 +41,7 @@ std::array<Number3, 4> coefficientsOf(const reference::DistantLight& light) {
   return sh;
 }
 
-/// Root of the mean square error of the sky's bounced light at two probes, by direction and channel, over its root mean
+/// Root mean square error of the sky's bounced light at two probes, by direction and channel, over its root mean
 /// square.
 double bounceError(const geometry::Surfaces& surfaces, const model::Sky& sky, transfer::SkyBounce way) {
   const geometry::Tracer tracer(surfaces);

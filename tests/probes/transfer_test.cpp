@@ -14,7 +14,7 @@ namespace {
 
 const double kUpper = 1.0 / std::sqrt(3.0);
 
-/// Irradiance of a uniform sky of radiance 1 where `seen` says so, by the midpoint rule.
+/// Irradiance by a uniform sky of radiance 1 in the directions that `seen` accepts, by the midpoint rule.
 template <typename Seen>
 double skyIrradiance(const Number3& normal, const Seen& seen) {
   constexpr int kRows = 1000;
@@ -51,7 +51,7 @@ TEST_CASE("Transfer, PlaneUnderUniformSkyAndSun") {
     checkMeasured(measured(transfer, {1, 1, 2}, kProbes,
                            [&](const transfer::TracedProbe& p) { return uniformSky(p.transfer, b); }),
                   det::kPi * ((1.0 + basis[b].y) / 2.0 + rho * below));
-    // By coefficient, none of which is 0 by accident: those of x and z are.
+    // Every coefficient, though those of x and z are 0.
     for (std::size_t k = 0; k < 4; ++k)
       checkMeasured(measured(transfer, {1, 1, 2}, kProbes,
                              [&](const transfer::TracedProbe& p) { return p.transfer.sky[b][k].x; }),
@@ -67,16 +67,16 @@ TEST_CASE("Transfer, PlaneUnderUniformSkyAndSun") {
   const transfer::TracedProbe probe = transfer.trace({1, 1, 2}, {0, 0}, 0);
   for (std::size_t b = 0; b < 3; ++b) CHECK(probe.transfer.visibility[b] == 1.0);
   CHECK(probe.transfer.visibility[3] == 0.0);
-  // Linear in the normal, so four directions hold it for every normal.
+  // The light is linear in the normal, so four directions are exact for every normal.
   std::array<double, transfer::kDirections> irradiance{};
   for (std::size_t b = 0; b < transfer::kDirections; ++b) irradiance[b] = uniformSky(probe.transfer, b);
-  constexpr double kNoise = 2e-2;  // of one probe of 256 paths: measured 6e-3 at most
+  constexpr double kNoise = 2e-2;  // noise of one probe of 256 paths; measured 6e-3 at most
   for (const Number3& n : {Number3(0, 1, 0), Number3(1, 0, 0), Number3(0, -1, 0), geometry::unit(Number3(-1, -0.5, 2))})
     CHECK(reconstructed(n, irradiance) == Approx(det::kPi * ((1.0 + rho) / 2 + (1.0 - rho) / 2 * n.y)).epsilon(kNoise));
 }
 
 TEST_CASE("Transfer, ThePlaneBeyondTheLevelIsThePlane") {
-  // A level of one square metre of the plane: nearly all of its light comes from beyond.
+  // The level is one square metre of the plane, so nearly all light comes from beyond.
   const double rho = 0.4;
   const geometry::Surfaces ground = groundOf(Number3(rho), 0.5);
   const geometry::Tracer tracer(ground);
@@ -94,7 +94,7 @@ TEST_CASE("Transfer, ThePlaneBeyondTheLevelIsThePlane") {
         rho * std::sin(0.7) * below);
     CHECK(transfer.trace({0, 1, 0}, {0, 0}, 0).transfer.sun[b][1] == Number3(0.0));
   }
-  // Light that was not reflected at all is the sky's alone.
+  // Light without a reflection is the sky's alone.
   transfer::TransferSettings none = settings;
   none.bounces = 0;
   const transfer::ProbeTransfer direct = transfer::traceTransfer(tracer, {0, 1, 0}, none, {0, 0}, 0);
@@ -107,7 +107,7 @@ TEST_CASE("Transfer, ThePlaneBeyondTheLevelIsThePlane") {
 
 TEST_CASE("Transfer, SkyVisibilityBetweenBlackWalls") {
   const Number3 black(0.0);
-  const Number3 at(0, 0.001, 0);  // on the ground: what it hides there is below 1e-3
+  const Number3 at(0, 0.001, 0);  // on the ground; the light hidden there is below 1e-3
   constexpr double kHeight = 1e-3;
   struct Case {
     geometry::Surfaces surfaces;
@@ -127,7 +127,7 @@ TEST_CASE("Transfer, SkyVisibilityBetweenBlackWalls") {
           skyIrradiance(normal, level.seen) / (det::kPi * (1 + kUpper) / 2), kHeight);
     }
   }
-  // A well so deep that all of its mouth is in front of every direction up: E is n . V, V vertical.
+  // The well is so deep that its mouth is in front of every direction up: E is n . V, V vertical.
   const geometry::Surfaces well = wellOf(2, 4, 6, black, black);
   const geometry::Tracer tracer(well);
   const transfer::TransferTracer transfer(tracer, settingsOf(1, 1024));
@@ -138,7 +138,7 @@ TEST_CASE("Transfer, SkyVisibilityBetweenBlackWalls") {
 }
 
 TEST_CASE("Transfer, FurnaceIsExact") {
-  // Every direction sees the same, after any number of bounces, and directions are normalised by what they sum to.
+  // Every direction sees the same after any number of bounces, and directions are normalised by their sums.
   geometry::Surfaces s;
   addBoxInside(s, {-3, -2, -1}, {4, 5, 6}, addMaterial(s, Number3(0.6), false, {1, 2, 3}));
   const geometry::Tracer tracer(s);
@@ -154,8 +154,8 @@ TEST_CASE("Transfer, FurnaceIsExact") {
 }
 
 TEST_CASE("Transfer, SunThroughANarrowSlit") {
-  // A roof 3 m above black and white ground, open along z for 2 cm: a bright strip. E(down) = rho Es sin(e) times the
-  // difference of the sines, seen from the probe in section, over 2; the ground lights nothing else that reflects.
+  // A roof 3 m above black and white ground has a slit of 2 cm along z: a bright strip. E(down) is rho Es sin(e) / 2
+  // times the difference of the sines, seen from the probe in section. The ground lights nothing else that reflects.
   const double rho = 0.8;
   constexpr double kEnd = 200.0;  // metres; floats of corners further away blur the slit's edges
   const double half = 0.01;

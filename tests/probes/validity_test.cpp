@@ -73,7 +73,7 @@ TEST_CASE("Validity, MovesOutOfABodyToTheNearestFreePlace") {
   const auto out = placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, anywhere);
   REQUIRE(out);
   CHECK(out->x > 10.25 - 0.01);
-  CHECK(placement::distanceOf(*out, {9.6, 5, 5}) <= 1.0);  // 0.65 is the shortest way
+  CHECK(placement::distanceOf(*out, {9.6, 5, 5}) <= 1.0);  // the shortest way is 0.65
   CHECK_FALSE(placement::freePlaceNear(tracer, {5, 5, 5}, 0.25, anywhere));
   CHECK_FALSE(placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, [](const Number3& p) { return p.x < 10; }));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sealed rooms with walls thinner than a cell: their probes are dark, filtering between cells lights their surfaces,
-// and a [[room]] about them ends that. `-s` shows by how much.
+// Sealed rooms with walls thinner than a cell. Their probes are dark, but filtering between cells lights their
+// surfaces; a [[room]] around them ends that. `-s` prints the amounts.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -31,10 +31,10 @@ geometry::Surfaces levelOf(const Hall& hall) {
 
 struct Leak {
   double mean = 0.0, worst = 0.0;
-  bool any = false;  ///< whether a surface has light at all
+  bool any = false;  ///< whether any surface has light
 };
 
-/// Of a uniform sky, what the hall's inner walls get, over what open ground gets.
+/// Irradiance of the hall's inner walls under a uniform sky, over that of open ground.
 Leak leakOf(const Hall& hall, bool as_room) {
   build::BakeSection section;
   section.transfer.rays = 64;
@@ -50,7 +50,7 @@ Leak leakOf(const Hall& hall, bool as_room) {
   Leak leak;
   constexpr int kPoints = 4000;
   for (int i = 0; i < kPoints; ++i) {
-    const int side = i % 4;  // of the four walls
+    const int side = i % 4;  // one of the four walls
     const double along = random.unit();
     const double up = random.unit();
     const bool is_x = side < 2;
@@ -60,7 +60,7 @@ Leak leakOf(const Hall& hall, bool as_room) {
     const double towards = side % 2 == 0 ? 1.0 : -1.0;
     const Number3 normal(is_x ? towards : 0.0, 0.0, is_x ? 0.0 : towards);
     const auto found = light.at(p, normal);
-    const double share = found ? 2.0 * found->sky.y / det::kPi : 0.0;  // a wall in the open sees half of the sky
+    const double share = found ? 2.0 * found->sky.y / det::kPi : 0.0;  // an open wall sees half of the sky
     leak.mean += share / kPoints;
     leak.worst = std::max(leak.worst, share);
     leak.any = leak.any || (found && !(found->sky == Number3(0.0)));
@@ -78,7 +78,7 @@ TEST_CASE("WallLeak, ARoomEndsWhatFilteringLetsThroughThinWalls") {
   for (const Hall& hall : kHalls) {
     const Leak leak = leakOf(hall, false);
     INFO(hall.name << ": mean " << leak.mean << ", worst " << leak.worst);
-    CHECK(leak.worst > 0.2);  // a known limit, of docs/probes.md
+    CHECK(leak.worst > 0.2);  // a known limit, see docs/probes.md
     const Leak room = leakOf(hall, true);
     CHECK_FALSE(room.any);
   }

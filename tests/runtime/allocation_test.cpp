@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts every allocation of the process over a day of frames: none after opening.
+// Counts every allocation of the process over a day of frames. There must be none after opening.
 #include <welkin/welkin.h>
 
 #include <atomic>
@@ -16,7 +16,7 @@ namespace {
 std::atomic<std::size_t> allocations = 0;
 }
 
-// glibc lets a program put its own in the place of these; operator new uses them.
+// glibc lets a program replace these functions. operator new uses them.
 extern "C" void* malloc(std::size_t bytes) {
   ++allocations;
   return __libc_malloc(bytes);
@@ -59,7 +59,7 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
   const std::size_t before_opening = allocations;
   opened.open();
   const WelkinSky* sky = opened.sky;
-  CHECK(allocations > before_opening);  // the counter counts
+  CHECK(allocations > before_opening);  // The counter works.
 
   WelkinSkySample first{}, second{}, blended{};
   std::size_t failures = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files with a right checksum and wrong content, as a faulty writer or an attacker makes them: refused with
+// Files with a right checksum and wrong content, as from a faulty writer or an attacker: refused with
 // WELKIN_ERROR_CONTENT, or harmless.
 #include <welkin/welkin.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Everything that a game may ask of a sky that opened. Returns whether every number was finite.
+/// Calls everything that a game may ask of an open sky. Returns whether every number was finite.
 bool use(const WelkinSky* sky) {
   double sum = 0.0;
   WelkinSkyInfo info;
@@ -339,7 +339,7 @@ TEST_CASE("Content, RandomDamageUnderARightChecksumNeverCrashes") {
     REQUIRE(result.finite);
     opened += result.result == WELKIN_OK ? 1 : 0;
   }
-  REQUIRE(opened > kFiles / 20);  // the rest would say nothing about sampling
+  REQUIRE(opened > kFiles / 20);  // Fewer would prove nothing about sampling.
   REQUIRE(opened < kFiles);
   for (std::size_t size = 0; size < payload.size(); size += 3)
     REQUIRE(open({payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(size)}).result ==

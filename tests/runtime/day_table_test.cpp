@@ -17,10 +17,10 @@
 namespace welkin::tests {
 namespace {
 
-/// A sample's floats.
+/// Tolerance for a sample's floats.
 constexpr double kFloats = 4.0 * 0x1p-24;
 
-/// Two keys of four rows of three channels, stored in every encoding with random bits, and what they mean.
+/// Two keys of four rows of three channels, stored in every encoding as random bits, and the decoded values.
 struct Numbers {
   DayParts day;
   std::vector<double> value;
@@ -72,7 +72,7 @@ Numbers randomNumbers(std::uint8_t encoding) {
   return numbers;
 }
 
-/// A file of that table, intensity 1, neither sun nor moon giving any light.
+/// A file of that table at intensity 1. Neither sun nor moon gives light.
 Parts partsOf(const DayParts& day) {
   Parts parts;
   parts.intensity = {};
@@ -98,7 +98,8 @@ constexpr std::pair<double, double> kHours[] = {{0.0, 1.0}, {12.0, 0.0}, {3.0, 0
 }  // namespace
 
 TEST_CASE("DayTable, CoefficientsInEveryEncoding") {
-  // 2 bands: c0, that of y, and that of the direction to the sun's azimuth, which is split over x and z.
+  // With 2 bands the rows are c0, the coefficient of y, and that of the direction to the sun's azimuth. The last is
+  // split over x and z.
   for (const std::uint8_t encoding : {0, 1, 2, 3}) {
     const Numbers numbers = randomNumbers(encoding);
     Parts parts = partsOf(numbers.day);
@@ -110,7 +111,7 @@ TEST_CASE("DayTable, CoefficientsInEveryEncoding") {
         const double ground = albedo * numbers.at(share, 3, c) / M_PI;
         const auto near = [](double value) { return Approx(value).margin(kFloats * 4.0).epsilon(0.0); };
         CHECK(double{sample.ground_radiance[c]} == near(ground));
-        // Of a radiance of 1 below the horizon: 2 pi Y00, and -pi Y10(up).
+        // For a radiance of 1 below the horizon: 2 pi Y00 and -pi Y10(up).
         CHECK(double{sample.radiance_sh[0][c]} == near(numbers.at(share, 0, c) + ground * std::sqrt(M_PI)));
         CHECK(double{sample.radiance_sh[1][c]} ==
               near(numbers.at(share, 1, c) - ground * M_PI * std::sqrt(0.75 / M_PI)));
@@ -170,7 +171,7 @@ TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
       for (auto& p : polar) p = {number(random), number(random), number(random), number(random)};
       std::vector<core::Channels> world(bands * bands);
       frame.toWorld(bands, polar, azimuth, world);
-      // About the sun's azimuth the frame's x looks there, its z up, its y where both leave it.
+      // The frame's x points to the sun's azimuth and its z up; y completes it.
       const sh::Matrix3 axes = {det::Number3(towards.x, 0, towards.z), det::Number3(towards.z, 0, -towards.x),
                                 det::Number3(0, 1, 0)};
       const sh::Rotation rotation(static_cast<int>(bands), axes);
@@ -185,7 +186,7 @@ TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
         }
       }
     }
-  // A sun in the zenith has no azimuth: the frame is the world's towards +z, and nothing is NaN.
+  // A sun in the zenith has no azimuth. The frame is then the world's towards +z, and nothing is NaN.
   const core::Azimuth none(f64::Number3(0.0, 1.0, 0.0));
   CHECK((none.cosine == 1.0 && none.sine == 0.0));
 }

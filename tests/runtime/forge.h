@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FlatBuffers of a sky made part by part, so that a test can leave one out or spoil it.
+// FlatBuffers of a sky made part by part, so that a test can omit or break one.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct LightParts {
 
 struct GradientParts {
   std::uint32_t width = 1, height = 2;
-  std::vector<float> rgb = std::vector<float>(6, 0.5F);  // none: left out
-  std::vector<std::uint32_t> rgb9e5;                     // none: left out
+  std::vector<float> rgb = std::vector<float>(6, 0.5F);  // empty: left out
+  std::vector<std::uint32_t> rgb9e5;                     // empty: left out
   bool there = true;
 };
 
@@ -50,7 +50,7 @@ struct DayParts {
   }
 };
 
-/// A valid file of two keys, two bands and two cubemaps; tests break one part of it.
+/// A valid file of two keys, two bands and two cubemaps. Tests break one part of it.
 struct Parts {
   double model[6] = {-1.0, -0.3, 10.0, -3.0, 0.45, 0.0};
   std::uint8_t normalise = 0;
@@ -72,7 +72,7 @@ struct Parts {
 /// The valid file's table in another encoding: 1 float16, 2 fixed16, 3 fixed8.
 DayParts withEncoding(std::uint8_t encoding);
 
-/// A valid table of `count` modes when that is its number of rows, 4.
+/// A table of `count` modes, valid when `count` is its number of rows, 4.
 DayParts withModes(std::uint8_t count);
 
 /// The FlatBuffer, without the container's header.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What renderers make of samples: packings against the irradiance itself, blends, the key light, unchanged results.
+// Lighting from samples for renderers: packings against the irradiance itself, blends, the key light, unchanged
+// results.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -98,8 +99,7 @@ TEST_CASE("KeyLight, HandsOverWithoutAJump") {
     for (int c = 0; c < 3; ++c) s.sun.normal_irradiance[c] = 0.02F * static_cast<float>(2000 - i) / 2000.0F;
     WelkinLight key{};
     REQUIRE(welkin_sample_key_light(&s, &key) == WELKIN_OK);
-    const double x =
-        double{key.normal_irradiance[1]} * double{key.direction[0]};  // a vector: its steps are what is seen
+    const double x = double{key.normal_irradiance[1]} * double{key.direction[0]};  // Steps of this vector are visible.
     if (i > 0) REQUIRE(std::abs(x - last) < 2e-5);
     if (i > 0 && key.direction[0] != side) ++changes;
     side = key.direction[0];

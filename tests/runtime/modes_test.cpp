@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Irradiance from a file's modes, by hand: where the map is read, lower normals, grey, encodings, blends.
+// Irradiance from a file's modes, by hand: positions in the map, lower normals, grey, encodings, blends.
 #include <welkin/welkin.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using f64::Number3;
 
-/// Samples are floats, and sums have up to nine terms: relative to the largest of them.
+/// Samples are floats, and sums have up to nine terms. Relative to the largest of them.
 constexpr double kFloats = 9.0 * 0x1p-24;
 
 struct Opened {
@@ -41,7 +41,7 @@ struct Opened {
   WelkinSky* sky = nullptr;
 };
 
-/// The value that this takes for a half: exact for multiples of 1/64 in [-16, 16].
+/// The half float of a value. Exact for multiples of 1/64 in [-16, 16].
 std::uint16_t halfOf(double value) {
   if (value == 0.0) return 0;
   int exponent = 0;
@@ -50,7 +50,7 @@ std::uint16_t halfOf(double value) {
   return static_cast<std::uint16_t>((value < 0.0 ? 0x8000 : 0) | ((exponent + 14) << 10) | mantissa);
 }
 
-/// Modes of noise, made by whole 64ths, with what a test needs to know them by.
+/// Modes of noise, made of whole 64ths, with the numbers that a test compares.
 struct ModesOf {
   std::size_t count, columns, rows;
   std::vector<double> texel;   ///< row, column, mode
@@ -72,7 +72,7 @@ ModesOf randomModes(std::uint8_t count, std::uint16_t columns, std::uint16_t row
   return modes;
 }
 
-/// A file of the modes, with a moon that gives nothing; its ground is black unless a test gives an albedo.
+/// A file of the modes, with a moon that gives no light. Its ground is black unless a test gives an albedo.
 Parts partsOf(const ModesOf& modes, std::uint8_t bands = 2) {
   std::mt19937 random(22);
   std::uniform_real_distribution<float> number(-0.5F, 0.5F);
@@ -106,7 +106,7 @@ Number3 irradianceOf(const WelkinSky* sky, const WelkinSkySample& sample, const 
   return vectorOf(e);
 }
 
-/// The upper normal at an azimuth from the sun's, to its right, and a y.
+/// The upper normal of component y at an azimuth from the sun's, to its right.
 Number3 normalAt(const WelkinSkySample& sample, double azimuth_rad, double y) {
   const double x = double{sample.mode_azimuth[0]};
   const double z = double{sample.mode_azimuth[1]};
@@ -116,7 +116,7 @@ Number3 normalAt(const WelkinSkySample& sample, double azimuth_rad, double y) {
   return {along * x - aside * z, y, along * z + aside * x};
 }
 
-/// n . V: the first moments of the light that the coefficients hold.
+/// n . V, from the first moments of the light in the coefficients.
 Number3 netOf(const WelkinSkySample& sample, const Number3& n) {
   return (vectorOf(sample.ambient_sh[3]) * n.x + vectorOf(sample.ambient_sh[1]) * n.y +
           vectorOf(sample.ambient_sh[2]) * n.z) *
@@ -131,7 +131,7 @@ void checkNear(const Number3& value, const Number3& expected, double scale) {
 }  // namespace
 
 TEST_CASE("Modes, BilinearBetweenTexelCentres") {
-  // Column i of C is at the azimuth whose cosine is 2 i / (C - 1) - 1, row j of R at y = r (2 - r), r = j / (R - 1).
+  // Column i of C is at the azimuth with the cosine 2 i / (C - 1) - 1. Row j of R is at y = r (2 - r), r = j / (R - 1).
   const ModesOf modes = randomModes(5, 6, 4);
   const Opened file(partsOf(modes));
   const double scale = 20.0 * 6.0 * 5.0;  // normals are floats: their error moves a texel's difference by 6 of 2^-24
@@ -280,8 +280,8 @@ TEST_CASE("Modes, BlendsAndOtherSkiesHaveNone") {
 }
 
 TEST_CASE("Modes, FilterOfEightBits") {
-  // What modes.glsl says of a device whose filter weights have b bits: within 2^-b of the sum of the differences to the
-  // next column and row, and no closer than four fifths of it when they are cut short.
+  // Statement of modes.glsl for a device whose filter weights have b bits: the error is within 2^-b of the sum of the
+  // differences to the next column and row. When the weights are truncated it reaches four fifths of that.
   constexpr double kBits = 256.0;
   std::mt19937 random(23);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening: every cut, every flipped bit and every foreign file is refused with its code; nothing is read outside.
+// Opening refuses every cut, every flipped bit and every foreign file with its code, and reads nothing outside.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
@@ -32,7 +32,7 @@ const std::vector<std::byte>& smallFile() {
   return kBytes;
 }
 
-/// Bytes at exactly their size on the heap, so that the sanitizer sees a read past the end.
+/// Copies the bytes to a heap block of exactly their size, so that the sanitizer sees a read past the end.
 WelkinResult openCopy(const std::vector<std::byte>& bytes) {
   const std::vector<std::byte> copy(bytes);
   alignas(16) static const std::byte kNothing[1] = {};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun and the moon against libnova, on dates and places all over.
+// Compares the sun and the moon with libnova, on dates and places all over.
 //
-// A path freezes the declination and the hour angle's lead over the clock for a day: what it leaves out is how far the
-// light moves against a point that turns with the mean sun. That is the bound, a speed times the hours since the frozen
-// moment, and a small part for the series:
+// A path freezes the declination and the hour angle's lead over the clock for a day. It ignores how far the light moves
+// against a point that turns with the mean sun. The bound is therefore a speed times the hours since the frozen moment,
+// plus a small part for the series:
 //
 // - The sun moves on the ecliptic, by at most 1.0194 degrees a day (perihelion, in January), and a turning mean sun
 //   follows its right ascension at 0.9856. At an equinox 0.395 of declination and 0.075 of right ascension are left, at
@@ -17,8 +17,8 @@
 //   mean sun's 0.9856: 14.5 are left, among them up to 7.3 of declination. At its transit the hour angle is right but
 //   for the sun's own drift since 12 h, 0.126 degrees a day.
 //
-// Seen, of the bound: the sun 0.63 at 12 h (0.0146 degrees), 0.91 at other hours; the moon 0.70 at its transit, 0.99
-// around it.
+// Largest errors seen, relative to the bound: the sun 0.63 at 12 h (0.0146 degrees), 0.91 at other hours; the moon 0.70
+// at its transit, 0.99 around it.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -50,7 +50,7 @@ struct Place {
 /// 200 dates and places: every tenth date from 1600 to 2400, the others from 1900 to 2100; latitudes from pole to pole,
 /// the first two the poles; offsets of the longitude, of the clocks' ends and of quarter hours.
 std::vector<Place> places() {
-  std::mt19937_64 random(2024);  // whose numbers the standard fixes, unlike its distributions'
+  std::mt19937_64 random(2024);  // The standard fixes its numbers, unlike those of distributions.
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
@@ -85,7 +85,7 @@ double julianDayOf(const Place& p, double time_h) {
   return welkin::tests::julianDayOf(p.year, p.day_of_year, time_h - p.utc_offset_h);
 }
 
-/// The worst of errors against their bounds, and where.
+/// The largest ratio of an error to its bound, and where it occurs.
 struct Worst {
   double error_deg = 0.0;
   double share = 0.0;  ///< of the bound
@@ -137,7 +137,7 @@ TEST_CASE("Almanac, SunIsWhereLibnovaHasIt") {
   CHECK(noon.share <= 1.0);
   CHECK(noon.share > 0.3);
   CHECK(day.share <= 1.0);
-  CHECK(day.share > 0.8);  // a bound that nothing reaches says nothing
+  CHECK(day.share > 0.8);  // A bound that no error approaches proves nothing.
 }
 
 TEST_CASE("Almanac, SunsDeclinationAndHourAngleAtTheFrozenMoment") {
@@ -172,7 +172,7 @@ TEST_CASE("Almanac, MoonStaysNearLibnovasAroundItsTransit") {
     }
     const double jd = julianDayOf(p, transit_h);
     const Equatorial moon = novaMoon(jd);
-    // The phase is the elongation in right ascension: what the moon crosses the meridian behind the sun.
+    // The phase is the elongation in right ascension: how far behind the sun the moon crosses the meridian.
     const double elongation_deg = moon.right_ascension_deg - novaSun(jd).right_ascension_deg;
     const double phase = elongation_deg / 360.0 - std::floor(elongation_deg / 360.0);
     char text[512];

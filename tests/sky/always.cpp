@@ -11,7 +11,7 @@
 namespace welkin::tests {
 namespace {
 
-/// Collects the first complaint.
+/// Keeps the first complaint.
 class Check {
  public:
   void finite(const char* what, double value) { inside(what, value, -kLargest, kLargest); }
@@ -80,7 +80,7 @@ Fault faultOfSample(const WelkinSkySample& s) {
       check.finite("a radiance coefficient", double{s.radiance_sh[i][c]});
       check.finite("an ambient coefficient", double{s.ambient_sh[i][c]});
       // |Y_lm| of any direction is at most sqrt((2 l + 1) / 4 pi) = sqrt(2 l + 1) Y_00.
-      const double most = 3.001 * std::abs(double{s.radiance_sh[0][c]}) + 1e-44;  // floats end at 1.4e-45
+      const double most = 3.001 * std::abs(double{s.radiance_sh[0][c]}) + 1e-44;  // The smallest float is 1.4e-45.
       check.inside("a coefficient, in a sky of one sign,", double{s.radiance_sh[i][c]}, -most, most);
     }
   WelkinLight key{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for every sky, instant and direction of the domain: no NaN, no infinity, no negative radiance or
-// irradiance, from the model and from the runtime, and no step in time or direction.
+// Checks of properties that hold for every sky, instant and direction of the domain: no NaN, no infinity, no negative
+// radiance or irradiance, from the model and from the runtime, and no step in time or direction.
 #pragma once
 
 #include <functional>
@@ -14,17 +14,18 @@ namespace welkin::tests {
 
 using det::Number3;
 
-/// What is wrong, in words; empty: nothing.
+/// Description of the fault. Empty if there is none.
 using Fault = std::string;
 
-/// Of the model at an instant, in a unit direction: the shape, the dome over a ground of radiance 1, and the ground.
+/// Checks the model at an instant, in a unit direction: the shape, the dome over a ground of radiance 1, and the
+/// ground.
 Fault faultOfModel(const model::SkyInstant& instant, const Number3& direction);
 
-/// Of all numbers of a sample.
+/// Checks all numbers of a sample.
 Fault faultOfSample(const WelkinSkySample& sample);
 
-/// Of what the runtime makes of a sample in a unit direction: dome, discs, stars, and the irradiance of a surface that
-/// faces it.
+/// Checks the runtime's results for a sample in a unit direction: dome, discs, stars, and the irradiance of a surface
+/// that faces it.
 Fault faultOfDirection(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
 
 /// A colour whose changes are measured: against its own largest component, or against `size` where that is larger.
@@ -33,15 +34,15 @@ struct Shown {
   double size = 0.0;
 };
 
-/// The model's dome. A channel's rounding is that of the brightest before the tint, whatever the tint makes of them:
-/// the size is the brightest channel under the largest tint.
+/// The model's dome. The size is the brightest channel under the largest tint, because the brightest channel before the
+/// tint determines the rounding of all.
 Shown domeOf(const model::SkyInstant& instant, const Number3& direction);
 
-/// The runtime's dome, and irradiance by its SH, whose sum cancels: its size is the mean irradiance.
+/// The runtime's dome and its irradiance from SH. The terms of that sum cancel, so its size is the mean irradiance.
 std::vector<Shown> seen(const welkin::Sky& sky, const WelkinSkySample& sample, const Number3& direction);
 
-/// Zenith, nadir, four on the horizon and one unit above and below it, and those that matter for a sun: towards it,
-/// away from it, and at its azimuth on the horizon.
+/// Zenith, nadir, four directions on the horizon and one unit above and below it. For the sun: towards it, away from
+/// it, and at its azimuth on the horizon.
 std::vector<Number3> specialDirections(const Number3& sun);
 
 /// A change between two places.
@@ -51,9 +52,10 @@ struct Step {
   double high = 0.0;
 };
 
-/// The largest step of colours as functions of one variable that is left when [low, high] is halved until it is
-/// `resolution` wide, always where they change more: the height of a step, and about slope times resolution where there
-/// is none. Relative to the largest size that was met of each, absolute when that is below 1e-30.
+/// The largest remaining step of colours as functions of one variable, when [low, high] is halved down to `resolution`.
+/// Each halving keeps the half where they change more. The result is the height of a step, or about slope times
+/// resolution where there is none. It is relative to the largest size met of each colour, and absolute when that size
+/// is below 1e-30.
 Step largestStep(const std::function<std::vector<Shown>(double)>& function, double low, double high, double resolution);
 
 }  // namespace welkin::tests

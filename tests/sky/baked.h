@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sky that is baked and opened by the runtime, as a game would have it.
+// A sky baked and opened by the runtime, as in a game.
 #pragma once
 
 #include <stdexcept>
@@ -12,7 +12,7 @@
 
 namespace welkin::tests {
 
-/// Throws std::runtime_error with the runtime's message when it does not open what was baked.
+/// Throws std::runtime_error with the runtime's message when the runtime does not open the baked file.
 struct Baked {
   std::vector<std::byte> bytes;
   table::DayTable table;
@@ -28,7 +28,7 @@ struct Baked {
     const Status status = sky.open(bytes.data(), bytes.size());
     if (!status) throw std::runtime_error(std::string("the runtime refuses what was baked: ") + status.message);
   }
-  /// Keys spread evenly.
+  /// The keys are evenly spread.
   Baked(const model::Sky& model, int bands, int keys) : Baked(model, bands, base::evenHours(keys)) {}
 };
 

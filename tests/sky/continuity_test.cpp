@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing steps: through keys, midnight, sunset and the zenith in time; across the zenith, the sun and its antipode in
-// direction. And days of one key, of ten thousand, of two a second apart.
+// Checks that nothing steps: in time through keys, midnight, sunset and the zenith; in direction across the zenith, the
+// sun and its antipode. The days include one key, ten thousand keys, and two keys a second apart.
 #include <limits>
 
 #include "extreme_skies.h"
@@ -26,7 +26,7 @@ Number3 load(const float (&v)[3], double factor = 1.0) {
   return Number3(double{v[0]}, double{v[1]}, double{v[2]}) * factor;
 }
 
-/// What the model and the runtime show at a time, in three directions.
+/// Results of the model and the runtime at a time, in three directions.
 std::vector<Shown> shownAt(const model::Sky& model, const Baked& baked, double time_h) {
   const model::SkyInstant instant(model, time_h);
   WelkinSkySample sample{};
@@ -45,9 +45,9 @@ std::vector<Shown> shownAt(const model::Sky& model, const Baked& baked, double t
 }  // namespace
 
 TEST_CASE("Continuity, NothingStepsInTime") {
-  // A millisecond turns the sun by 7e-8 rad. The steepest change of a named model in its own measure is the gradation
-  // of a sun on the horizon, 4 exp(-2) |a / b| a radian at b = -0.08, and 72 for the indicatrix; both times the ratio
-  // of f at its least, so 1e3 in all; and floats.
+  // A millisecond turns the sun by 7e-8 rad. The steepest change of a named model, in its own measure, is the gradation
+  // of a sun on the horizon: 4 exp(-2) |a / b| per radian at b = -0.08. The indicatrix changes by 72 per radian. Both
+  // are multiplied by the ratio of f at its least, so 1e3 in all, plus the error of floats.
   constexpr double kResolution_h = 1e-3 * kSecond_h;
   constexpr double kStep = 1e-4;
   for (const auto& [name, luminance] : model::namedLuminances())
@@ -64,8 +64,8 @@ TEST_CASE("Continuity, NothingStepsInTime") {
 }
 
 TEST_CASE("Continuity, NothingStepsWhereTheSunCrossesTheZenithBetweenKeys") {
-  // The azimuth turns by half a turn at once, and what a coarse table has left of it there must not. In a nanohour the
-  // sun moves 2.6e-10 rad: that of what fades over 1e-5 rad, on both sides, and floats.
+  // The azimuth turns by half a turn at once, but the dependence on it that a coarse table keeps there must fade. In a
+  // nanohour the sun moves 2.6e-10 rad. A fade over 1e-5 rad gives the bound, on both sides, plus the error of floats.
   constexpr double kNanohour = 1e-9;
   constexpr double kStep = 2.0 * 2.6e-5 + 2e-7;
   const model::Sky model = equator(*model::findLuminance("far-cry-3"), true);
@@ -89,7 +89,7 @@ TEST_CASE("Continuity, NothingStepsWhereTheSunCrossesTheZenithBetweenKeys") {
 }
 
 TEST_CASE("Continuity, AStepIsSeen") {
-  // The checks above see what they look for: an intensity that falls within one unit of the last place of a time.
+  // Confirms that the checks above detect a step: an intensity that falls within one unit of the last place of a time.
   model::Sky model = equator(*model::findLuminance("cie-12"), true);
   model.intensity = {1, {12.0, std::nextafter(12.0, 24.0)}, {1.0, 1.1}};
   const Baked baked(model, 2, std::vector<double>{0.0});
@@ -129,8 +129,8 @@ TEST_CASE("Continuity, NothingStepsInDirection") {
 }
 
 TEST_CASE("Continuity, ColoursFadeToNeutralWithoutAStep") {
-  // Beside a black texel the hue changes as 1 / luminance, down to kGradientDelta: up to 1 / 1e-4 of a texel's
-  // difference, over half of 45 degrees.
+  // Beside a black texel the hue changes as 1 / luminance, down to kGradientDelta. The change is up to 1 / 1e-4 of a
+  // texel's difference, over half of 45 degrees.
   constexpr double kResolution_rad = 1e-10;
   model::Sky model = coloured(*model::findLuminance("cie-5"), true);
   model.sun.path = still(0.4, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error of cubemaps: closed forms, the fast measure against the full one, and that against a plain grid of
+// The error of cubemaps: closed forms, the fast measure against the full one, and the full one against a plain grid of
 // directions and times through the runtime.
 #include "sky/cubemap/cubemap_error.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using format::CubemapFormat;
 
-/// As a bake renders them.
+/// Cubemaps rendered as a bake does.
 struct Rendered {
   std::vector<cubemap::Cubemap> cubemap;
   cubemap::CubemapSet set;
@@ -32,7 +32,7 @@ struct Rendered {
   }
 };
 
-/// The definition, through the runtime: an even grid of azimuths and heights, `instants` a day.
+/// The error by its definition, through the runtime: an even grid of azimuths and heights, `instants` a day.
 cubemap::CubemapError denseCheck(const model::Sky& sky, const Rendered& rendered, int azimuths, int heights,
                                  int instants) {
   bake::SkyFile file;
@@ -171,7 +171,7 @@ TEST_CASE("CubemapError, OfTexelsNotRenderedIsThatOfTheFilesBytes") {
 }
 
 TEST_CASE("CubemapError, FastIsWithinFivePercentOfFull", "[slow]") {
-  constexpr double kFast = 0.05;  // what Effort::fast promises
+  constexpr double kFast = 0.05;  // Bound of Effort::fast.
   double worst = 0.0;
   int size = 16;
   for (const NamedSky& named : someSkies()) {
@@ -202,7 +202,7 @@ TEST_CASE("CubemapError, FullIsADenseGridThroughTheRuntime", "[slow]") {
 }
 
 TEST_CASE("CubemapError, PartsAddUpInSquares") {
-  // Where no part hides another: at the whole's own instant they may be smaller, so the sum bounds it.
+  // Case in which no part hides another. At the whole's own instant the parts may be smaller, so their sum bounds it.
   for (const NamedSky& named : someSkies()) {
     const auto e =
         cubemap::measureCubemaps(named.sky, {32, CubemapFormat::b10g11r11, named.time_h, {}}, cubemap::Effort::fast);

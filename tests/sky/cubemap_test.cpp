@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubemaps: which way every texel looks, what is in it, and EXR files as other programs read them.
+// Cubemaps: the direction of every texel, its content, and EXR files as other programs read them.
 #include "sky/cubemap/cubemap.h"
 
 #include <Imath/half.h>
@@ -110,7 +110,7 @@ TEST_CASE("CubemapTexel, SixColourCubeGivesTheAxes") {
     CHECK(sum[1] / unit == Approx(3.0 - 4.0).epsilon(1e-10));
     CHECK(sum[2] / unit == Approx(5.0 - 6.0).epsilon(1e-10));
     CHECK(sum[4] / unit == Approx(0.0).margin(1e-10));
-    // 3 z^2 - 1 and x^2 - y^2: which pair of faces is brightest.
+    // 3 z^2 - 1 and x^2 - y^2 tell which pair of faces is brightest.
     CHECK(sum[6] > 0.0);
     CHECK(sum[8] < 0.0);
   }
@@ -247,7 +247,7 @@ TEST_CASE("Exr, CubeAgreesWithLatlongThroughExrenvmap") {
 }
 
 TEST_CASE("Dome, ByTheTableIsTheExactOne") {
-  // The table's error, times c over the least indicatrix, 0.05 of this model's; the sun itself and its antipode
+  // The table's error, times c over the least indicatrix, 0.05 for this model. The sun itself and its antipode are
   // included.
   model::Sky sky;
   sky.sun.path.key_time_h = {0.0};

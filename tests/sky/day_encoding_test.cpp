@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stored numbers of the day's table: the errors that sky/day_encoding.h states, from both sides, and what the
-// runtime reads.
+// The stored numbers of the day's table: the errors stated in sky/day_encoding.h, from both sides, and the numbers that
+// the runtime reads.
 #include "sky/table/day_encoding.h"
 
 #include <catch2/catch.hpp>
@@ -17,14 +17,14 @@ namespace {
 constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16,
                                           table::Encoding::fixed8};
 
-/// Scales are floats, rounded up: a bound that is made of them may be passed by so much.
+/// Scales are floats, rounded up, so a bound that contains them may be exceeded by this factor.
 constexpr double kScales = 1.0 + 4.0 * 0x1p-24;
-/// The bounds are reached within a tenth: what is 20 % worse passes them.
+/// Errors reach at least this share of their bound, so an error that is 20 % too large would exceed it.
 constexpr double kTight = 0.9;
-/// The smallest float: no scale is finer.
+/// The smallest float. No scale is finer.
 constexpr double kSmallest = 0x1p-149;
 
-/// Random signs and magnitudes over `decades`; every key and every row has a magnitude of its own over as many.
+/// Random signs and magnitudes over `decades`. Every key and every row has its own magnitude, over as many decades.
 table::DayTable randomTable(int keys, int rows, int channels, double decades) {
   std::mt19937_64 random(71);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -48,7 +48,7 @@ double largestOfKey(const table::DayTable& table, std::size_t i) {
   return largest;
 }
 
-/// Largest of number i's row, over the largest of each key.
+/// Largest number of number i's row, after each key is divided by its largest.
 double largestOfRow(const table::DayTable& table, std::size_t i) {
   double largest = 0.0;
   for (std::size_t j = i % table.numbersOfKey(); j < table.number.size(); j += table.numbersOfKey())
@@ -57,7 +57,7 @@ double largestOfRow(const table::DayTable& table, std::size_t i) {
   return largest;
 }
 
-/// The header's words as a formula.
+/// The bound in the header of day_encoding.h as a formula.
 double boundOf(const table::DayTable& table, std::size_t i, table::Encoding encoding) {
   const double number = std::abs(table.number[i]);
   const double of_key = largestOfKey(table, i);
@@ -98,8 +98,7 @@ TEST_CASE("DayEncoding, ErrorsAreWithinTheirBoundsAndReachThem") {
 }
 
 TEST_CASE("DayEncoding, SmallRowsOfAKeyOfHalfsReachTheFloor") {
-  // Numbers from 2^-30 to 2^-12 of the largest of their key, where halfs are evenly spaced: below 2^-14 the floor
-  // holds.
+  // Numbers from 2^-30 to 2^-12 of the largest of their key. Below 2^-14 halfs are evenly spaced and the floor holds.
   table::DayTable table;
   table.rows = 2000;
   table.channels = 1;
@@ -131,7 +130,7 @@ TEST_CASE("DayEncoding, ZeroStaysZero") {
 }
 
 TEST_CASE("DayEncoding, OneKeyOfFixedPointIsExact") {
-  // Its rows' scales are its own numbers: only their rounding is left.
+  // With one key the rows' scales are its own numbers, so only their rounding is left.
   const table::DayTable table = randomTable(1, 12, 3, 9.0);
   for (const table::Encoding encoding : {table::Encoding::fixed16, table::Encoding::fixed8}) {
     const auto got = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
@@ -156,7 +155,7 @@ TEST_CASE("DayEncoding, DenormalsAreFiniteAndOffByTheSmallestFloat") {
 }
 
 TEST_CASE("DayEncoding, TheRuntimeReadsTheSameNumbers") {
-  // Weights of twelve modes go through a sample untouched.
+  // Weights of twelve modes pass through a sample unchanged.
   for (const table::Encoding encoding : kEncodings)
     for (const int channels : {1, 3}) {
       CAPTURE(nameOf(encoding), channels);

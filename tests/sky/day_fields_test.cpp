@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a day is measured by: hours, normals and divisors.
+// The measure of a day: hours, normals and divisors.
 #include "sky/table/day_fields.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ TEST_CASE("DayFields, AChannelIsDividedByTheLuminanceWhenThatIsMore") {
 }
 
 TEST_CASE("HoursOfInterest, HoldTheSunsRisingSettingAndHeight") {
-  // By hand: it crosses the horizon at 7 h and at 18 + 10 / 3 h; by place, it is highest at its transit.
+  // A hand-drawn sun crosses the horizon at 7 h and at 18 + 10 / 3 h. For a place it is highest at its transit.
   constexpr double kSecond = 1.0 / 3600.0;
   const auto holds = [](const std::vector<double>& hours, double t) {
     return std::any_of(hours.begin(), hours.end(), [&](double h) { return std::abs(h - t) <= kSecond; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole day: what must hold at every sun elevation, time and direction; and the table against the model.
+// The whole day: properties that hold at every sun elevation, time and direction, and the table against the model.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Sun over the whole range: through the zenith at noon, the nadir at midnight.
+/// The sun covers the whole range: the zenith at noon, the nadir at midnight.
 model::Sky equatorSky(const model::LuminanceModel& model, bool to_sun) {
   model::Sky sky;
   sky.luminance = model;
@@ -33,7 +33,7 @@ std::vector<Number3> directions() {
 }
 
 TEST_CASE("Day, RadianceIsFiniteAndNonNegativeForEveryModel") {
-  int looks = 0;  // millions: an assertion each would take most of the time
+  int looks = 0;  // Counted instead of asserted: millions of assertions would take most of the time.
   for (const auto& [name, model] : model::namedLuminances())
     for (const bool to_sun : {true, false}) {
       const model::Sky sky = equatorSky(model, to_sun);
@@ -233,7 +233,7 @@ TEST_CASE("Runtime, IrradianceOfTheTable") {
 }
 
 TEST_CASE("Runtime, AutoKeysFollowTheModel") {
-  // What five minutes between keys cost: of c0, at the worst instant, between the keys.
+  // Cost of five minutes between keys, relative to c0, at the worst instant between keys.
   const model::Sky model = equatorSky(*model::findLuminance("cie-12"), false);
   const Baked baked(model, 3, bake::kAutoKeys);
   double largest = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether docs/sky_file.md has the table of sky/domain.h, or, with --write, puts it there.
+// Whether docs/sky_file.md has the table of sky/bake/sky_domain.h. With --write it puts the table there.
 //   domain_page PAGE [--write]
 #include <string_view>
 

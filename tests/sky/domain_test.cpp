@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every parameter of the domain at its edges and one unit in the last place to either side, as the loader sees it.
+// Tests every parameter of the domain through the loader, at its edges and one unit in the last place to either side.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What the loader says against a parameter's number; none: it takes it.
+/// The loader's refusal of a parameter's number. Nothing if the loader accepts it.
 std::optional<std::string> refusalOf(const Folder& folder, const base::Parameter& p, const std::string& number) {
   const std::string path = folder.write("sky.toml", fileText(p, valueText(p, number)));
   try {
@@ -38,7 +38,7 @@ bool hasRange(const base::Parameter& p) {
   return p.range.low != p.range.high && p.kind != base::Kind::image;
 }
 
-/// Whether a coefficient is refused for what it makes of the sky, not for its own range.
+/// Whether a coefficient is refused for its effect on the sky and not for its own range.
 bool isOfTheSky(const base::Parameter& p, const std::string& refusal) {
   return p.key == "luminance" && refusal.find("makes the luminance") != std::string::npos;
 }

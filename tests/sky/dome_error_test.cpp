@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error of the analytic dome: what the runtime evaluates from a file against the model that was baked.
+// The error of the analytic dome: the runtime's evaluation of a file against the baked model.
 #include "sky/cubemap/dome_error.h"
 
 #include <catch2/catch.hpp>
@@ -27,9 +27,9 @@ std::vector<std::byte> bakedFile(const model::Sky& sky, model::GradientFormat fo
 }  // namespace
 
 TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
-  // docs/conventions.md states this bound, of a direction's largest channel. The sample hands over the sun's direction,
-  // the intensity, the tint and the luminance that it divides by as floats: each is off by up to 6e-8 of itself, and
-  // the direction by as many radians, which exp(d theta), d about -3, multiplies; the result is a float.
+  // docs/conventions.md states this bound, relative to a direction's largest channel. The sample holds the sun's
+  // direction, the intensity, the tint and the normalising luminance as floats. Each is off by up to 6e-8 of itself,
+  // and the direction by as many radians. exp(d theta), with d about -3, multiplies the latter. The result is a float.
   constexpr double kBound = 2.8e-7;
   const cubemap::DomeDirections directions({512, 256, 256});
   double worst = 0.0;
@@ -69,7 +69,7 @@ TEST_CASE("DomeError, TheRuntimesDomeIsTheModelUpToFloat") {
 }
 
 TEST_CASE("DomeError, OfOneColourIsItsRounding") {
-  // 1, 1/2 and a blue between two codes of 2^-8, under an even luminance: what it shows is the colour over its
+  // 1, 1/2 and a blue between two codes of 2^-8, under an even luminance. The dome shows the colour divided by its
   // luminance.
   model::Sky sky;
   sky.luminance = *model::findLuminance("cie-5");
@@ -81,7 +81,7 @@ TEST_CASE("DomeError, OfOneColourIsItsRounding") {
   const auto error = cubemap::measureGradients(sky, model::GradientFormat::rgb9e5, cubemap::Effort::fast);
   const double y = 0.2126 + 0.7152 * 0.5 + 0.0722 * blue;
   const double rounded_y = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
-  // Blue is half of the luminance here, which divides: both are 1 over y.
+  // Blue contributes half of the luminance here, which is the divisor: both are 1 over y.
   CHECK(error.error == Approx(blue / y - 0.25 / rounded_y).epsilon(1e-4));  // the gradient's floats
   CHECK(error.channel == 2);
   CHECK(error.largest.error == Approx(error.error).epsilon(1e-9));

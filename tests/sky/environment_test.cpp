@@ -23,7 +23,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-/// Nine different coefficients a channel: every swap, mirror and turn of faces changes some.
+/// Nine different coefficients per channel, so that every swap, mirror and turn of faces changes some.
 const double kCoefficient[9] = {3.0, 0.5, -0.7, 0.9, 0.2, -0.3, 0.4, -0.6, 0.8};
 
 Number3 radianceAt(const Number3& d) {
@@ -33,7 +33,7 @@ Number3 radianceAt(const Number3& d) {
   return sum;
 }
 
-/// Sampling at the centres of N texels a quarter turn leaves up to 2.1 / N^2 of this function, measured.
+/// Sampling at the centres of N texels a quarter turn costs up to 2.1 / N^2 of this function (measured).
 void requireCoefficients(const cubemap::Environment& environment, int size) {
   for (std::size_t k = 0; k < 9; ++k) {
     const Number3 difference = environment.radiance_sh[k] - Number3(1.0, 2.0, k == 0 ? 3.0 : 1.5) * kCoefficient[k];
@@ -67,7 +67,7 @@ void writeImage(const std::string& path, int width, int height, const std::vecto
   REQUIRE(output->close());
 }
 
-/// Writes what `direction` sees, as floats, black where it is zero, and projects it.
+/// Writes the function seen along `direction` as floats, black where the direction is zero, and projects the picture.
 cubemap::Environment projected(int width, int height, const DirectionOf& direction,
                                std::optional<Imf::Envmap> envmap = std::nullopt, const char* name = "a.exr") {
   std::vector<float> rgb;
@@ -87,8 +87,8 @@ cubemap::Environment projected(int width, int height, const DirectionOf& directi
 
 constexpr int kSize = 48;
 
-/// Direction of a picture of faces: `faces` lists, from the left of the first line, +x = '0' ... -z = '5', '.' for
-/// none.
+/// Direction of a texel in a picture of faces. `faces` lists the lines from the left, +x = '0' ... -z = '5', '.' for no
+/// face.
 Number3 directionOn(const std::vector<std::string>& faces, int column, int row) {
   const char face = faces[static_cast<std::size_t>(row / kSize)][static_cast<std::size_t>(column / kSize)];
   if (face == '.') return Number3(0.0);
@@ -114,7 +114,7 @@ TEST_CASE("ProjectImage, CubemapsWithoutAnAttribute") {
 }
 
 TEST_CASE("ProjectImage, TheVerticalCrossFoldsIntoACube") {
-  // -z hangs below -y, upside down, so that the picture goes on without a seam.
+  // -z hangs below -y, upside down, so that the picture continues without a seam.
   const auto direction = [](int column, int row) {
     if (row >= 3 * kSize && column / kSize == 1)
       return cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, kSize, 2 * kSize - 1 - column,

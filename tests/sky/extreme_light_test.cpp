@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gradients and intensities at the ends of their domain, and skies whose light is known: constant, black, near-delta.
+// Gradients and intensities at the ends of their domain, and skies of known light: constant, black, near-delta.
 #include <limits>
 
 #include "extreme_skies.h"
@@ -48,7 +48,7 @@ TEST_CASE("Extremes, GradientsBlackOfOneTexelAndOverTheWholeRange") {
 }
 
 TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
-  // From a red to a blue whose luminance is lower by a ratio: over elevation, either way, and over azimuth, either way.
+  // From a red to a blue whose luminance is lower by a ratio, in both directions over elevation and over azimuth.
   constexpr double kBruteForce = 1e-4;  // of c0, of the midpoint rule below
   double largest = 0.0;
   for (const double ratio : {1.0, 3.9, 8.0, 15.0, 30.0, 100.0, 1e3, 9.9e3, 1.01e4, 1e5, 1e30})
@@ -87,7 +87,8 @@ TEST_CASE("Extremes, ABakeKeepsItsToleranceBesideDarkTexels") {
 }
 
 TEST_CASE("Extremes, IntensitiesFromDenormalsToPastFloat") {
-  // The last is about the brightest that the loader takes: 2e17 times the zenith on the horizon, of factors of 2e-9.
+  // The last is about the brightest model that the loader accepts: 2e17 times the zenith on the horizon, from factors
+  // of 2e-9.
   const model::LuminanceModel brightest{-1.0, -2e-9, 0.0, -1.0, 2e-9 - 1.0, 0.0};
   for (const model::LuminanceModel& m : {*model::findLuminance("cie-5"), *model::findLuminance("far-cry-3"), brightest})
     for (const bool to_sun : {true, false})
@@ -148,8 +149,8 @@ TEST_CASE("Extremes, AConstantSkyLightsByItsClosedForm") {
 }
 
 TEST_CASE("Extremes, ANearDeltaSkyLightsAsItsLobe") {
-  // The steepest lobe that outshines the rest: E of a surface that faces it is what 5 bands give of a delta's power,
-  // sum over l of A_l (2 l + 1) / 4 pi.
+  // The steepest lobe that outshines the rest. For a surface that faces it, E is the result of 5 bands for a delta of
+  // that power: sum over l of A_l (2 l + 1) / 4 pi.
   model::Sky model;
   model.luminance = {0.0, -1.0, 1e4, -100.0, 0.0, 0.0};
   model.normalise_to_sun = false;
@@ -163,8 +164,8 @@ TEST_CASE("Extremes, ANearDeltaSkyLightsAsItsLobe") {
   double share = 0.0;
   for (int l = 0; l < 5; ++l) share += det::cosineLobe(l) * (2 * l + 1) / (4.0 * M_PI);
   const Number3 sun = model.sun.path.directionAt(1.0);
-  constexpr double kWidth = 2e-3;    // the lobe's width of 1/100 blurs band l by about l (l + 1) / (2 100^2) each
-  constexpr double kUniform = 0.03;  // what 5 bands leave of the uniform hemisphere's irradiance, of it
+  constexpr double kWidth = 2e-3;    // The lobe's width, 1/100, blurs band l by about l (l + 1) / (2 100^2).
+  constexpr double kUniform = 0.03;  // Share of the uniform hemisphere's irradiance outside of 5 bands.
   CHECK(irradianceOf(sample, sun).x == Approx(power * share + uniform).margin(kWidth * power + kUniform * uniform));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies for the extremes, and the check of one instant of them.
+// Skies at the extremes, and a check of one of their instants.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ inline model::LightPath still(double azimuth_rad, double elevation_rad) {
   return path;
 }
 
-/// Of different colours at the sun and opposite, with a ground, a tint, a moon and lights.
+/// Different colours at the sun and opposite, with a ground, a tint, a moon and lights.
 inline model::Sky coloured(const model::LuminanceModel& model, bool to_sun) {
   using base::Curve;
   using model::Gradient;
@@ -40,7 +40,7 @@ inline model::Sky coloured(const model::LuminanceModel& model, bool to_sun) {
   return s;
 }
 
-/// Fails at the first fault; true so that it can be counted.
+/// Fails at the first fault. Returns true so that calls can be counted.
 inline bool holds(const model::Sky& model, const Baked& baked, double time_h) {
   const model::SkyInstant instant(model, time_h);
   WelkinSkySample sample{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model, the bake and the runtime at the ends of their domain: see always.h for what holds there.
+// The model, the bake and the runtime at the ends of their domain. always.h lists the properties.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUnit = std::numeric_limits<double>::denorm_min();
 
-/// Of the rule that keeps 1e-12, and of a bake's: the largest error of a coefficient, of c0.
+/// Largest error of a coefficient, relative to c0, between a bake's rule and the rule that keeps 1e-12.
 double errorOfABake(const model::Sky& model, int bands) {
   const model::SkyInstant instant(model, 0.0);
   const table::DayTable table = table::bakeDayTable(model, bands, {0.0}, [] { return true; });
@@ -52,7 +52,7 @@ TEST_CASE("Extremes, SunAtTheHorizonTheZenithAndTheNadir") {
   REQUIRE(looks == 17 * 2 * 13 * 2);
 }
 
-/// All combinations of ends and middles that the loader would take under a sun.
+/// All combinations of ends and middles that the loader accepts under a sun.
 std::vector<model::LuminanceModel> modelsAtTheEnds(const model::LightPath& sun) {
   std::vector<model::LuminanceModel> models;
   for (const double a : {-1e4, -1.0, 0.0, 1e4})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a gradient's texels lie, how colours blend over azimuth, and what becomes of their luminance.
+// Position of a gradient's texels, the blend of colours over azimuth, and the effect of luminance.
 #include "sky/model/gradient.h"
 
 #include <catch2/catch.hpp>

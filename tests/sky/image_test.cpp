@@ -47,7 +47,7 @@ TEST_CASE("SrgbToLinear, IsTheStandardsCurve") {
   REQUIRE(det::srgbDecode(1.0) == Approx(1.0).epsilon(kDigits));
   REQUIRE(det::srgbDecode(0.5) == Approx(0.21404114048223255).epsilon(kDigits));
   REQUIRE(det::srgbDecode(0.04045) == Approx(0.04045 / 12.92).epsilon(kDigits));
-  // The two pieces meet to the standard's own rounding of its constants.
+  // The two pieces meet within the rounding of the standard's own constants.
   REQUIRE(det::srgbDecode(std::nextafter(0.04045, 1.0)) == Approx(0.04045 / 12.92).epsilon(1e-5));
   for (double x = 0.0; x <= 1.0; x += 1.0 / 255.0) REQUIRE(det::srgbDecode(x) == Approx(decoded(x)).epsilon(kDigits));
 }

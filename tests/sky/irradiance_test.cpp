@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Irradiance of all normals at once against direct integration, normal by normal.
+// Irradiance of all normals at once against direct integration for each normal.
 #include "sky/model/irradiance.h"
 
 #include <tbb/parallel_for.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// A sky with the sun fixed at an elevation, azimuth 40 degrees.
+/// A sky whose sun stands at an elevation, azimuth 40 degrees.
 model::Sky fixedSky(const model::LuminanceModel& model, double elevation_deg) {
   model::Sky sky;
   sky.luminance = model;
@@ -25,7 +25,7 @@ model::Sky fixedSky(const model::LuminanceModel& model, double elevation_deg) {
   return sky;
 }
 
-/// The world's direction of a normal at a row's y and an azimuth from the sun's; the sign says on which side.
+/// World direction of a normal with a row's y, at an azimuth from the sun's. The sign selects the side.
 Number3 normalAt(double y, double alpha) {
   const double across = std::sqrt(std::max(1.0 - y * y, 0.0));
   const double azimuth = 40.0 * kDegree + alpha;
@@ -150,7 +150,7 @@ TEST_CASE("IrradianceField, OvercastSky") {
 
 TEST_CASE("IrradianceField, NearDeltaSkyIsAlmostAClippedCosine") {
   // (1 + c exp(d theta)) / g(0): a lobe over an even sky. Towards the sun the lobe alone gives 2 pi c / (d^2 + 4) /
-  // g(0), elsewhere its share is the cosine of the angle to the sun, but for its width, 2 / 120 rad.
+  // g(0). Elsewhere its share is the cosine of the angle to the sun, except for its width, 2 / 120 rad.
   constexpr double kWidth = 2.0 / 120.0;
   model::Sky sky = fixedSky(*model::findLuminance("cie-5"), 40.0);
   sky.luminance.c = 1e4;
@@ -172,7 +172,7 @@ TEST_CASE("IrradianceField, NearDeltaSkyIsAlmostAClippedCosine") {
 }
 
 TEST_CASE("IrradianceField, TruncationIsKnownForLobesThatAreNotResolved") {
-  // The edge of the lobe's half circle on the horizon is where the series ends worst.
+  // The series truncates worst at the edge of the lobe's half circle on the horizon.
   for (const double d : {-4.0, -16.0, -60.0, -120.0, -1e3})
     for (const double elevation : {3.0, 45.0}) {
       model::Sky sky = fixedSky(*model::findLuminance("cie-12"), elevation);

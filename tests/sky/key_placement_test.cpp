@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of a day's table: the error they were placed for, recomputed by other means, and where they sit.
+// Keys of a day's table: their target error, recomputed by other means, and their positions.
 #include "sky/table/key_placement.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-/// The error is that of the stored floats, too.
+/// The error includes that of the stored floats.
 constexpr double kFloats = 1e-5;
 
 std::vector<double> everyHours(double step_h) {
@@ -23,8 +23,8 @@ std::vector<double> everyHours(double step_h) {
   return hours;
 }
 
-/// An instant's error when its rows lie between those of two others, `share` of the way: by definition, from the values
-/// of the functions.
+/// An instant's error when its rows lie between those of two others, `share` of the way. It follows the definition,
+/// from the values of the functions.
 double errorBetween(const SampledDay& day, const table::Representation& r, std::size_t first, std::size_t second,
                     double share, std::size_t instant) {
   const table::DayInstant& at = day.fields.instant[instant];
@@ -52,7 +52,7 @@ double errorOfStretch(const SampledDay& day, const table::Representation& r, std
   return worst;
 }
 
-/// No ground, no desaturation: errorBetween leaves them out.
+/// A sky without ground or desaturation, which errorBetween leaves out.
 model::Sky plainSky(std::size_t i) {
   model::Sky sky = someSkies()[i].sky;
   REQUIRE(!table::hasGround(sky));
@@ -87,7 +87,7 @@ TEST_CASE("PlaceKeys, EveryInstantIsWithinTheErrorAndNoKeyReachesFurther") {
 }
 
 TEST_CASE("PlaceKeys, ThroughAFileAndByDirectIntegration") {
-  // Every sampled instant, midnight included, at normals of its own; two of the models with a cusp at the sun.
+  // Every sampled instant, midnight included, at normals of its own. Two of the models have a cusp at the sun.
   for (const std::size_t which : {1U, 2U}) {
     const SampledDay day(plainSky(which), everyHours(0.5));
     const table::Representation r = table::coefficientsOf(day.values, 5, true);
@@ -110,7 +110,7 @@ TEST_CASE("PlaceKeys, ThroughAFileAndByDirectIntegration") {
         }
     }
     CAPTURE(which, worst, keys.size());
-    CHECK(worst < kError * 1.02);  // other normals than those that were looked at
+    CHECK(worst < kError * 1.02);  // Other normals than the planner used.
     CHECK(worst > kError / 1.4);
     const table::DayTable table = table::tableAt(day.values, r, keys);
     CHECK(table::errorOf(day.values, r, table, table::Encoding::float32).value <= kError + kFloats);
@@ -162,7 +162,7 @@ TEST_CASE("PartsOf, EachCauseByItsDefinition") {
   double time = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     truncation = std::max(truncation, errorBetween(day, r, i, i, 0.0, i));
-    // Time alone: between two keys, against the instant's own rows.
+    // The time error alone: an instant between two keys against its own rows.
     const table::DayInstant& at = day.fields.instant[i];
     const std::size_t first = i / 6 * 6;
     const double share = static_cast<double>(i - first) / 6.0;

@@ -102,13 +102,13 @@ TEST_CASE("SunPath, EquinoxOnTheEquatorGoesThroughTheZenith") {
 
 TEST_CASE("SunPath, DateLineIsOnePlace") {
   for (const double latitude_deg : {-65.0, -17.0, 0.0, 52.0}) {
-    // One instant, two dates: 12 h on the east's clock is 12 h of the day before on the west's.
+    // One instant, two dates: 12 h on the eastern clock is 12 h of the day before on the western.
     const model::LightPath east = model::sunPathFromPlace(latitude_deg, 180.0, 12.0, 2008, 61);
     const model::LightPath west = model::sunPathFromPlace(latitude_deg, -180.0, -12.0, 2008, 60);
     CHECK(west.declination_rad == Approx(east.declination_rad).margin(kRounding));
     CHECK(west.transit_h == Approx(east.transit_h).margin(kRounding));
     requireSame(east, west);
-    // One date and clock, the same meridian: the transits are a day apart, which is none.
+    // One date and clock time on the same meridian. The transits are a day apart, which is no difference.
     requireSame(east, model::sunPathFromPlace(latitude_deg, -180.0, 12.0, 2008, 61));
   }
 }
@@ -120,7 +120,7 @@ TEST_CASE("SunPath, UtcOffsetShiftsTheClock") {
     const model::LightPath late = model::sunPathFromPlace(30.0, 20.0, 12.0, 2015, day + 1);
     CHECK(late.declination_rad == Approx(early.declination_rad).margin(kRounding));
     CHECK(late.transit_h - early.transit_h == Approx(24.0).margin(kRounding));
-    // On one date the frozen instant moves along: nothing else.
+    // On one date only the frozen instant moves.
     const model::LightPath zero = model::sunPathFromPlace(30.0, 20.0, 0.0, 2015, day);
     for (const double offset_h : {-12.0, -3.5, 5.75, 14.0}) {
       const model::LightPath path = model::sunPathFromPlace(30.0, 20.0, offset_h, 2015, day);
@@ -146,7 +146,7 @@ TEST_CASE("SunPath, DefaultOffsetIsTheLongitudes") {
 
 TEST_CASE("SunPath, DaysAreTheGregorianCalendars") {
   for (int year = -2000; year < 6000; ++year) {
-    // After 365 days comes the next year's first, or in a leap year another day.
+    // Day 366 is the first day of the next year, or in a leap year a day of its own.
     const model::LightPath last = model::sunPathFromPlace(0.0, 0.0, 0.0, year, 366);
     const model::LightPath next = model::sunPathFromPlace(0.0, 0.0, 0.0, year + 1, 1);
     const bool is_same = last.declination_rad == next.declination_rad && last.transit_h == next.transit_h;

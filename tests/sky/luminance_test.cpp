@@ -29,7 +29,7 @@ TEST_CASE("Luminance, PublishedValues") {
 }
 
 TEST_CASE("Luminance, TableOneSums") {
-  // The sum of every column of the standard's table: a wrong digit in any row shows.
+  // The sum of every column of the standard's table shows a wrong digit in any row.
   model::LuminanceModel sum{};
   for (int type = 1; type <= 15; ++type) {
     const model::LuminanceModel& m = *model::findLuminance("cie-" + std::to_string(type));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A day's modes: how many there are, what their weights mean, and what becomes of them as a map.
+// A day's modes: their number, the meaning of their weights, and their quality as a map.
 #include "sky/table/modes.h"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
 constexpr std::size_t kRows = model::IrradianceProjector::kRows;
 
-/// The modes and the runtime are floats and halfs that both sides read: what is left is the rounding of a sample and of
-/// a normal, over the mean irradiance.
+/// The modes and the runtime are floats and halfs that both sides read. Only the rounding of a sample and of a normal
+/// remains, over the mean irradiance.
 constexpr double kRuntime = 4e-6;
 
 table::DayTable tableOf(const SampledDay& day, const table::Representation& r) {
@@ -76,9 +76,9 @@ TEST_CASE("DayModes, AsManyAsTheDayHasGiveItBack") {
 }
 
 TEST_CASE("ModeMap, ErrorOfAParabolaIsASixteenthOfItsBend") {
-  // E = 2 + 4 u^2 + 8 v^2 of column u and row v in [0, 1]: bilinear curves are off by at most an eighth of the second
-  // differences, 8 / columns^2 and 16 / rows^2, between the texels; a sixteenth when that is centred. The grid looks at
-  // texels and near the middles between.
+  // E = 2 + 4 u^2 + 8 v^2 of column u and row v in [0, 1]. Bilinear curves are off between the texels by at most an
+  // eighth of the second differences, 8 / columns^2 and 16 / rows^2. Centring lowers that to a sixteenth. The grid has
+  // normals at texels and near the middles between.
   table::ModeSet set;
   set.mode.emplace_back();
   for (std::size_t r = 0; r < kRows; ++r) {
@@ -136,7 +136,8 @@ TEST_CASE("ModeMap, ReadsAsTheRuntimeReadsIt") {
 }
 
 TEST_CASE("ModeMap, ErrorFallsWithTheSquareOfItsTexels") {
-  // Against direct integration, for normals above and below the horizon. A sky without a cusp: overcast, in colours.
+  // Compares with direct integration, for normals above and below the horizon, for a sky without a cusp: overcast, in
+  // colours.
   const SampledDay day(someSkies()[3].sky, {6.0, 12.0});
   double before = 0.0;
   for (const int rows : {3, 5, 9}) {
@@ -162,7 +163,7 @@ TEST_CASE("ModeMap, ErrorFallsWithTheSquareOfItsTexels") {
 }
 
 TEST_CASE("ModeMap, AllColumnsAreTheSameAtTheZenith") {
-  // To the last bits of a half: else a surface that faces up steps with its azimuth.
+  // Equal to the last bits of a half. Otherwise a surface that faces up would step with its azimuth.
   const SampledDay day(someSkies()[1].sky, {6.0, 9.0, 12.0, 16.5});
   const table::Representation r = modesOf(day, 8, 9, 7);
   const table::ModeTable& map = *r.modes;

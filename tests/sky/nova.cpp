@@ -10,9 +10,10 @@ namespace welkin::tests {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kMoonPrecision = 1e-6;  // of ln_get_lunar_ecl_coords: a thirtieth of the time for 0.0004 degrees
+constexpr double kMoonPrecision =
+    1e-6;  // Precision of ln_get_lunar_ecl_coords: a thirtieth of the time for 0.0004 degrees.
 
-/// libnova 0.16 gives the sun and the moon on the ecliptic of J2000, whatever its headers say: 0.1 degrees off in 1992.
+/// libnova 0.16 gives the sun and the moon on the ecliptic of J2000, in spite of its headers: 0.1 degrees off in 1992.
 ln_equ_posn equatorOfJ2000(double longitude_deg, double latitude_deg) {
   constexpr double kObliquity = 23.4392911 * kDegree;  // Meeus (1998), 22.2
   const double l = longitude_deg * kDegree;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun and the moon by libnova (VSOP87, ELP 2000-82B): what the almanac is compared with.
+// The sun and the moon by libnova (VSOP87, ELP 2000-82B), as the reference for the almanac.
 #pragma once
 
 #include "sky/model/light.h"
@@ -12,22 +12,23 @@ struct Equatorial {
   double declination_deg;
 };
 
-/// Julian day of an hour of UT, any finite number, of a day of the proleptic Gregorian calendar. Day 366 of a year of
-/// 365 days is the next year's first.
+/// Julian day of an hour of UT, any finite number, on a day of the proleptic Gregorian calendar. Day 366 of a year of
+/// 365 days is the first day of the next year.
 double julianDayOf(int year, int day_of_year, double ut_h);
 
-/// The sun with aberration, the moon with light time; geocentric, without nutation, which tilts the equator by at most
-/// 9.2 seconds of arc, and without parallax (of the moon about 1 degree). The moon's series is cut at 0.0005 degrees.
+/// The sun with aberration, the moon with light time. Both are geocentric. Nutation is left out, which tilts the
+/// equator by at most 9.2 seconds of arc, and so is parallax (about 1 degree for the moon). The moon's series is cut at
+/// 0.0005 degrees.
 Equatorial novaSun(double julian_day_ut);
 Equatorial novaMoon(double julian_day_ut);
 
-/// (-180, 180], west of the meridian positive; longitude positive east.
+/// Hour angle in (-180, 180], west of the meridian positive. The longitude is positive east.
 double hourAngleOf_deg(const Equatorial& place, double julian_day_ut, double longitude_deg);
 
-/// Unit direction on the world's axes, by libnova's horizontal coordinates, without refraction.
+/// Unit direction in world axes, from libnova's horizontal coordinates, without refraction.
 det::Number3 novaDirectionOf(const Equatorial& place, double julian_day_ut, double latitude_deg, double longitude_deg);
 
-/// Seconds by which dynamical time is ahead of UT.
+/// Dynamical time minus UT, in seconds.
 double deltaT_s(double julian_day_ut);
 
 /// Ecliptic longitude of mean equatorial coordinates of date, in [0, 360).

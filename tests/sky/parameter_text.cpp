@@ -28,7 +28,7 @@ std::string valueText(const Parameter& p, const std::string& number) {
   }
   if (p.part == "azimuth_deg") return fmt::format("[[3, {}, 10]]", number);
   if (p.part == "elevation_deg") return fmt::format("[[3, 20, {}]]", number);
-  // The others are such that the coefficient may have as many of its values as can be.
+  // The other coefficients are chosen so that this one may have as many of its values as possible.
   if (p.part == "a") return fmt::format("[{}, -10000, 0, -1, 0]", number);
   if (p.part == "b") return fmt::format("[0, {}, 0, -1, 0]", number);
   if (p.part == "c") return fmt::format("[0, -1, {}, -1e-9, 0]", number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sky files that hold one parameter of the domain beside what a sky must have.
+// Sky files that hold one parameter of the domain and the minimum that a sky needs.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace welkin::tests {
 
-/// A number as TOML reads it back to the last bit; whole numbers without a point.
+/// Text of a number that TOML reads back to the last bit. Whole numbers have no point.
 std::string numberText(double value);
 
-/// A value of the parameter's kind in which its number is `number`: alone, in a colour, or in a row of a path.
+/// A value of the parameter's kind that contains `number`: alone, in a colour, or in a row of a path.
 std::string valueText(const base::Parameter& parameter, const std::string& number);
 
-/// A sky file with the parameter, or the key that it is a part of, at `value`: everything else is a default or stands
-/// still. A star map is the file stars.ppm beside it.
+/// A sky file with the parameter, or the key that it is a part of, at `value`. All else is a default or stands still. A
+/// star map is the file stars.ppm beside it.
 std::string fileText(const base::Parameter& parameter, const std::string& value);
 
 }  // namespace welkin::tests

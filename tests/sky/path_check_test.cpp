@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings of paths: the ones that are mistakes, and none of the others.
+// Warnings of paths: given for mistakes, and only for them.
 #include "sky/model/path_check.h"
 
 #include <catch2/catch.hpp>
@@ -74,7 +74,7 @@ TEST_CASE("PathWarnings, SunLeftOnTheHorizonOvernight") {
 
 TEST_CASE("PathWarnings, TheProposedKeyMends") {
   CHECK(idsOf(byHand({{0, 0, -30}, {6, 90, 0}, {12, 180, 60}, {18, 270, 0}})) == kNone);
-  // Azimuths are proposed as they are written, without the north offset.
+  // Warnings propose azimuths as the file writes them, without the north offset.
   const auto warnings = model::pathWarningsOf(byHand({{6, 80, 0}, {12, 180, 60}, {17, 280, 0}}, 33.0), "moon");
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].message.find("the moon lies on the horizon from 17 h to 6 h (13 hours)") == 0);

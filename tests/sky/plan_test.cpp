@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans of the day's table: budgets are met, at fewer bytes for looser ones, and what the file fixes stays.
+// Plans of the day's table meet budgets, take fewer bytes for looser ones, and keep the choices that the file fixes.
 #include "sky/table/plan.h"
 
 #include <tbb/global_control.h>
@@ -28,8 +28,8 @@ table::PlanRequest within(double max_error) {
   return request;
 }
 
-/// The largest error of a plan's table, read by the runtime from a file and compared with direct integration at every
-/// `stride`-th instant that was planned with.
+/// The largest error of a plan's table. The runtime reads it from a file, and it is compared with direct integration at
+/// every `stride`-th planned instant.
 double measured(const SampledDay& day, const table::DayPlan& plan, std::size_t stride) {
   const OpenedTable opened(day.sky, plan.table, plan.encoding);
   const model::SkyProjector direct(day.sky.luminance, 1, 1e-5);
@@ -49,7 +49,7 @@ double measured(const SampledDay& day, const table::DayPlan& plan, std::size_t s
   return worst;
 }
 
-/// Bytes of a plan's table as they are stored, counted.
+/// Counted bytes of a plan's table as it is stored.
 std::size_t storedBytes(const table::DayPlan& plan) {
   std::size_t bytes = table::encodeNumbers(plan.table, plan.encoding).bytes() + 8 * plan.table.key_time_h.size();
   if (plan.table.modes) bytes += 2 * plan.table.modes->texels.size() + 4 * plan.table.modes->polar_sh.size();
@@ -76,7 +76,7 @@ TEST_CASE("PlanDay, BudgetsAreMetAndLooserOnesCostLess") {
       CAPTURE(someSkies()[which].name, budget, plan.representation.name(), plan.bytes, plan.predicted_error);
       CHECK(plan.met);
       CHECK(plan.predicted_error <= budget);
-      CHECK(measured(day, plan, 5) < budget * 1.05);  // other normals than those that were looked at
+      CHECK(measured(day, plan, 5) < budget * 1.05);  // Other normals than the planner used.
       CHECK(plan.bytes == storedBytes(plan));
       CHECK(plan.bytes <= before);
       before = plan.bytes;

@@ -13,7 +13,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-constexpr double kPromise = 1e-5;  // of c0: what the bake promises for every coefficient
+constexpr double kPromise = 1e-5;  // Relative to c0: the bake's bound for every coefficient.
 constexpr double kElevations_deg[] = {90, 85, 60, 30, 10, 5, 1, 0, -1, -6, -18, -90};
 
 model::Sky skyOf(const model::LuminanceModel& model, double sun_elevation_deg, double sun_azimuth_rad = 1.0) {
@@ -88,7 +88,8 @@ TEST_CASE("Projection, EveryModelAndSunElevationAgainstTheReference") {
 }
 
 TEST_CASE("Projection, KeepsEveryToleranceAtEverySunElevation") {
-  // Elevations that no panel was made for. The finest is its own reference; the test above ties it to the other one.
+  // Elevations for which no panel was made. The finest rule is its own reference; the test above ties it to the other
+  // one.
   for (const int bands : {2, 3, 5}) {
     double largest[3] = {};
     for (const auto& [name, model] : model::namedLuminances()) {
@@ -108,7 +109,7 @@ TEST_CASE("Projection, KeepsEveryToleranceAtEverySunElevation") {
         }
       }
     }
-    for (const double share : largest) CHECK(share > 0.02);  // and spends no more than that takes
+    for (const double share : largest) CHECK(share > 0.02);  // and spends no more than needed
   }
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("Projection, ColouredGradientsAgainstBruteForce") {
 }
 
 TEST_CASE("Projection, ColoursThatFadeToBlack") {
-  // Texels far darker than the fade's luminance beside bright ones: the chromaticity bends inside the panels.
+  // Texels far darker than the fade's luminance beside bright ones, so that the chromaticity bends inside the panels.
   model::Sky sky = skyOf(*model::findLuminance("cie-12"), 35.0);
   sky.gradient_sun = model::Gradient{1, 3, {1.0F, 0.4F, 0.2F, 0.0F, 0.0F, 0.0F, 0.2F, 0.3F, 0.9F}};
   sky.gradient_anti = model::Gradient{1, 2, {0.0F, 0.0F, 0.0F, 0.3F, 0.3F, 0.8F}};

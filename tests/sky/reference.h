@@ -15,13 +15,14 @@ struct Reference {
   Number3 horizontal_irradiance;
 };
 
-/// In polar coordinates about the sun, composite Gauss-Legendre graded to the cusps and to the horizon's clip. For
-/// skies of one colour: the gradients' bends are circles about the zenith. Converged to 2e-8 of c0, 1e-6 with the sun
-/// on the horizon, where clip and cusp meet.
+/// Integrates in polar coordinates about the sun by composite Gauss-Legendre, graded to the cusps and to the horizon's
+/// clip. It is for skies of one colour, because the gradients' bends are circles about the zenith. Converged to 2e-8 of
+/// c0, or 1e-6 with the sun on the horizon, where clip and cusp meet.
 Reference referenceAboutSun(const model::SkyInstant& instant, int bands);
 
-/// The midpoint rule over elevation and azimuth in the world's frame, `n` x 4 n nodes; `normal` adds the irradiance of
-/// a surface in `horizontal_irradiance`'s place. For any sky; error falls with the square of n.
+/// Integrates by the midpoint rule over elevation and azimuth in the world's frame, with `n` x 4 n nodes. `normal` puts
+/// the irradiance of a surface in place of `horizontal_irradiance`. It works for any sky; the error falls with the
+/// square of n.
 Reference referenceOverWorld(const model::SkyInstant& instant, int bands, int n,
                              const Number3& normal = {0.0, 1.0, 0.0});
 

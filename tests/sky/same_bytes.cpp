@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bakes and plans two skies and projects pictures with 1, 2 and 8 threads and prints a checksum of every product: the
-// same lines from any compiler, at any optimisation, on any x86-64 processor. With a file as argument, compares them
-// with it.
+// Bakes and plans two skies and projects pictures with 1, 2 and 8 threads, and prints a checksum of every product. The
+// lines are the same from any compiler, at any optimisation, on any x86-64 processor. With a file as argument, it
+// compares them with that file.
 #include <tbb/global_control.h>
 #include <xxhash.h>
 
@@ -31,7 +31,7 @@ constexpr const char* kHeader =
     "# XXH3-128 of what is baked in memory; after a deliberate change of that:\n"
     "#   build/release/tests/sky/same_bytes > tests/golden/same_bytes.txt\n";
 
-/// Lines "NAME CHECKSUM", and apart from them what depends on the version of a library.
+/// Lines "NAME CHECKSUM". Products that depend on the version of a library are kept apart.
 struct Products {
   std::string lines, others;
 };
@@ -77,7 +77,7 @@ std::vector<double> spread(int count) {
   return time_h;
 }
 
-/// Everything that can be set, with colours all over the day.
+/// A sky with every setting in use and colours that change all day.
 bake::SkyFile colourful() {
   bake::SkyFile file;
   Numbers numbers;
@@ -106,7 +106,8 @@ bake::SkyFile colourful() {
   return file;
 }
 
-/// The other branches: a standard type normalised to the zenith, gradients that fade out, a sun drawn by hand.
+/// A sky for the other branches: a standard type normalised to the zenith, gradients that fade out, a sun drawn by
+/// hand.
 bake::SkyFile faded() {
   bake::SkyFile file;
   Numbers numbers;
@@ -114,7 +115,7 @@ bake::SkyFile faded() {
   sky.luminance = *model::findLuminance("cie-12");
   sky.normalise_to_sun = false;
   sky.gradient_sun = gradient(numbers, 3, 6, 1e-4F);
-  sky.gradient_sun.rgb[0] = 1.0F;  // of the whole only this is bright: elsewhere colours are below kGradientDelta
+  sky.gradient_sun.rgb[0] = 1.0F;  // The only bright texel; elsewhere colours are below kGradientDelta.
   sky.gradient_anti = gradient(numbers, 5, 3, 3e-5F);
   model::normalise(sky.gradient_sun, sky.gradient_anti);
   sky.sun.path.key_time_h = {2.0, 9.0, 13.0, 21.0};
@@ -156,7 +157,7 @@ void bake(bake::SkyFile file, const std::string& name, Products& products) {
   add(products.lines, name + ".welkin", bake::encodeSky(file, table, cubemaps));
 }
 
-/// A budget's plan, from a look every hour.
+/// Plans for a budget, from samples every hour.
 void plan(const model::Sky& sky, const std::string& name, Products& products) {
   const table::DayFields fields =
       table::sampleDay(sky, table::hoursOfInterest(sky, 1.0), table::brightestOf(sky), [] { return true; });
@@ -207,7 +208,7 @@ Products make(std::size_t threads) {
   return products;
 }
 
-/// Says which lines differ; false when any does.
+/// Reports the lines that differ. Returns false when any does.
 bool same(const std::string& got, const std::string& want, const char* of) {
   if (got == want) return true;
   std::istringstream a(got), b(want);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A day sampled at a few hours, as tables are planned from it, and the normals and skies that tests look at.
+// A day sampled at a few hours, as tables are planned from it, and the normals and skies of the tests.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ struct SampledDay {
   SampledDay& operator=(const SampledDay&) = delete;
 };
 
-/// The sun stands still at an elevation and azimuth 40 degrees; grey, intensity 1.
+/// A grey sky of intensity 1 whose sun stands still at an elevation, azimuth 40 degrees.
 inline model::Sky stillSky(const model::LuminanceModel& model, double elevation_deg) {
   constexpr double kDegree = M_PI / 180.0;
   model::Sky sky;
@@ -40,14 +40,14 @@ inline model::Sky stillSky(const model::LuminanceModel& model, double elevation_
   return sky;
 }
 
-/// The world's direction of a normal of component y, at an azimuth from that of the instant's sun.
+/// World direction of a normal of component y, at an azimuth from the sun's at the instant.
 inline det::Number3 normalAt(const model::SkyInstant& instant, double y, double alpha) {
   const double across = std::sqrt(std::max(1.0 - y * y, 0.0));
   const double azimuth = std::atan2(instant.sunDirection().x, -instant.sunDirection().z) + alpha;
   return {across * std::sin(azimuth), y, -across * std::cos(azimuth)};
 }
 
-/// A table as the file of a sky, opened by the runtime. Throws std::runtime_error with the runtime's message.
+/// A table in the file of a sky, opened by the runtime. Throws std::runtime_error with the runtime's message.
 struct OpenedTable {
   std::vector<std::byte> bytes;
   welkin::Sky sky;

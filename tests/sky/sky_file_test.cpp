@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sky.toml: every key lands where it should, defaults included. What is refused: tests/cli/sky_errors_test.cpp.
+// Every key of sky.toml has its effect, defaults included. tests/cli/sky_errors_test.cpp covers refusals.
 #include "sky/bake/sky_file.h"
 
 #include <OpenImageIO/imageio.h>

@@ -19,7 +19,7 @@ model::Sky clearDay() {
   model::Sky sky;
   sky.luminance = {-1.0, -0.24, 18.0, -3.2, 0.35, 0.0};
   sky.intensity = {1, {5.0, 7.0, 11.0, 17.0, 19.5}, {0.02, 0.7, 1.9, 0.9, 0.02}};
-  // Irregular columns, as painted ones are: the day bends at every one.
+  // Irregular columns, as in a painted gradient: the day bends at every one.
   const std::vector<double> columns = {0.6, 0.55, 0.62, 0.6,  0.58, 0.7,  0.9,  0.85, 0.97, 0.9, 1.0,  0.95,
                                        1.0, 0.93, 0.98, 0.85, 0.9,  0.88, 0.75, 0.8,  0.6,  0.7, 0.62, 0.66};
   sky.gradient_sun = ramp({{1.0, 0.6, 0.4}, {0.7, 0.6, 0.6}, {0.3, 0.5, 0.9}}, columns);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skies that try what depends on the whole day: a clear day in colours, a cusp that rises and sets, a layer at the
-// horizon, an even cover; none is symmetric.
+// Skies for tests that depend on the whole day: a clear day in colours, a cusp that rises and sets, a layer at the
+// horizon, an even cover. None is symmetric.
 #pragma once
 
 #include <string>

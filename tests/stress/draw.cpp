@@ -20,7 +20,8 @@ using base::Range;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostKeys = 4;
 
-/// Up to kMostKeys whole seconds of a day, ascending, in hours; midnight and its last second more often than by chance.
+/// Up to kMostKeys whole seconds of a day, ascending, in hours. Midnight, noon and the day's last second come more
+/// often than by chance.
 std::vector<double> drawTimes(Random& random) {
   std::set<int> seconds;
   for (int i = random.below(kMostKeys); i >= 0; --i)
@@ -39,7 +40,7 @@ std::string drawKeys(Random& random, Value&& value) {
   return "[" + text + "]";
 }
 
-/// A named model's coefficients moved a little, or any of the domain.
+/// Coefficients of a named model, moved a little, or any of the domain.
 std::string drawCoefficients(Random& random) {
   const auto& named = model::namedLuminances();
   const model::LuminanceModel& m = named[static_cast<std::size_t>(random.below(static_cast<int>(named.size())))].model;
@@ -109,17 +110,17 @@ std::string drawValue(Random& random, const Parameter& p) {
     }
     case Kind::image:
       return "\"stars.ppm\"";
-    default:  // parts, and what only a level file has
+    default:  // parts, and kinds that only a level file has
       break;
   }
   return {};
 }
 
-/// Whether a section of the file has a key beside its path or without one.
+/// Whether the drawn section has this key. A section drawn `by_hand` has a path and no key that excludes one.
 bool isDrawn(Random& random, const Parameter& p, bool by_hand) {
   if (p.kind == Kind::part || (by_hand && p.without_path)) return false;
   if (p.key == "path") return by_hand;
-  if (p.section == "bake" && p.key == "keys") return true;  // "auto" has more keys than a draw has time for
+  if (p.section == "bake" && p.key == "keys") return true;  // "auto" makes more keys than there is time for
   return std::holds_alternative<base::Required>(p.otherwise) || p.key == "latitude_deg" || random.once(2);
 }
 

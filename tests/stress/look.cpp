@@ -21,9 +21,9 @@ using model::SkyInstant;
 using tests::Baked;
 using tests::Fault;
 
-constexpr double kFloat = 1e-6;  ///< what floats leave of a radiance, relative
+constexpr double kFloat = 1e-6;  ///< relative error of a radiance in floats
 
-/// As floats hold it. Not inlined: GCC 12 drops the two conversions then.
+/// `d` rounded to floats. Not inlined, because GCC 12 drops the two conversions then.
 [[gnu::noinline]] Number3 rounded(const Number3& d) {
   return {double{float(d.x)}, double{float(d.y)}, double{float(d.z)}};
 }
@@ -37,7 +37,7 @@ class Look {
     baked_.emplace(file_.sky, file_.bake.bands, keys_);
   }
 
-  /// Everything, until the first fault.
+  /// Checks everything, until the first fault.
   Fault run(const Effort& effort) {
     for (int i = 0; i < effort.instants; ++i)
       if (const Fault fault = instant(drawTime(), effort.directions); !fault.empty()) return fault;
@@ -91,12 +91,12 @@ class Look {
     return {};
   }
 
-  /// The runtime's dome in floats against the model's.
+  /// Compares the runtime's dome, in floats, with the model's.
   Fault domeError(const SkyInstant& instant, const WelkinSkySample& sample, const Number3& d) {
     if (d.y < 0.0) return {};
     const Number3 wanted = instant.dome(d, Number3(0.0));
     const double allowed = kFloat + kFloatDirection * sensitivityAt(instant, d);
-    if (allowed > 0.1) return {};  // steeper than what a float direction can tell
+    if (allowed > 0.1) return {};  // too steep for a direction in floats
     const float f[3] = {float(d.x), float(d.y), float(d.z)};
     float got[3];
     welkin_dome_radiance(baked_->sky.get(), &sample, f, got);
@@ -117,7 +117,7 @@ class Look {
     return note(searchTime(file_.sky, baked_->sky, middle - random_.magnitude(1e-7, 0.1), middle + 0.03, direction));
   }
 
-  /// Through the sun's vertical plane, or any other.
+  /// Searches the sun's vertical plane, or any other.
   Fault stepInDirection() {
     const double time_h = drawTime();
     const Number3 sun = SkyInstant(file_.sky, time_h).sunDirection();
@@ -189,7 +189,8 @@ Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, co
     file = bake::readSkyFile(path);
   } catch (const base::Error& e) {
     outcome.refused = true;
-    // Numbers are drawn inside their ranges, so only what coefficients make of the sky, or black light, is refused.
+    // Numbers are drawn inside their ranges. The loader may still refuse coefficients that make no sky, black light, or
+    // cubemaps that are too large.
     const std::string why = e.what();
     const bool expected =
         why.find("makes the luminance") != std::string::npos || why.find("must not be black") != std::string::npos ||

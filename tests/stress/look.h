@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One drawn sky: read, baked, opened and looked at.
+// One drawn sky: read, baked, opened and checked.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace welkin::stress {
 
-/// What was seen of a sky. An evaluation is one direction at one instant: the model's shape and dome, the runtime's
+/// Results of one sky. An evaluation is one direction at one instant: the model's shape and dome, and the runtime's
 /// dome, irradiance, discs and stars.
 struct Outcome {
   std::string fault;      ///< empty: none
-  std::string gradients;  ///< those drawn in place of the sky file's, in words
+  std::string gradients;  ///< text of the gradients drawn instead of the sky file's
   std::uint64_t evaluations = 0;
-  bool refused = false;     ///< by the loader: the coefficients drawn make no sky
-  double bake_error = 0.0;  ///< of a key, of c0, where it was measured
-  double dome_error = 0.0;  ///< of the runtime's dome against the model's, in units of what is allowed
+  bool refused = false;     ///< by the loader
+  double bake_error = 0.0;  ///< largest error of a key over c0; 0 if none was measured
+  double dome_error = 0.0;  ///< of the runtime's dome against the model's, over its bound
   bool step_measured = false;
 };
 
-/// How much is looked at.
+/// How much is checked.
 struct Effort {
   int instants = 10;
   int directions = 100;
 };
 
-/// The sky of a seed and an index. `folder` is for its files.
+/// Checks the sky of a seed and an index. `folder` holds its files.
 Outcome lookAt(std::uint64_t seed, std::uint64_t index, const Effort& effort, const tests::Folder& folder);
 
-/// The text of its sky file.
+/// The text of the sky file of a seed and an index.
 std::string skyFileOf(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace welkin::stress

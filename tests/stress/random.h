@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counter-based random numbers: the n-th number of a seed and an index is a hash of the three, so that any draw can be
-// repeated without those before it.
+// Counter-based random numbers. The n-th number of a seed and an index is a hash of the three, so any draw can be
+// repeated without the draws before it.
 #pragma once
 
 #include <cmath>
@@ -17,10 +17,10 @@ class Random {
   /// Uniform in [0, 1), 53 bits.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// Uniform in 0 .. count - 1; the bias of count / 2^64 is nothing.
+  /// Uniform in 0 .. count - 1; the bias of count / 2^64 is negligible.
   int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
   bool once(int of) { return below(of) == 0; }
-  /// Uniform in its logarithm; 0 < low < high.
+  /// Log-uniform in [low, high); 0 < low < high.
   double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 using det::Number3;
 using model::LuminanceModel;
 
-/// |f'| / f: a |b| exp(b / y) / y^2, which is largest, 4 exp(-2) |a / b|, at y = |b| / 2.
+/// |f'| / f. |f'| is |a b| exp(b / y) / y^2 and has its maximum, 4 exp(-2) |a / b|, at y = |b| / 2.
 double ofGradation(const LuminanceModel& m, double y) {
   const double steepest = std::abs(m.a) * 4.0 * std::exp(-2.0) / -m.b;
   const double here = y > 2.0 * -m.b ? std::abs(m.a) * (-m.b / y) * std::exp(m.b / y) / y : steepest;
@@ -22,7 +22,7 @@ double ofIndicatrix(const LuminanceModel& m, double angle_rad) {
   return (std::abs(m.c * m.d) * std::exp(m.d * angle_rad) + std::abs(m.e)) / det::indicatrix(m, angle_rad);
 }
 
-/// Change of a chromaticity for one of a texel's components: (c + y) / y^2 for c up to y / 0.0722.
+/// Change of a chromaticity with one component of a texel: (c + y) / y^2, for c up to y / 0.0722.
 double ofColour(const model::SkyInstant& instant, const Number3& direction) {
   double low = instant.sunColumn().row[0].x;
   double high = low;

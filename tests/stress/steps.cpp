@@ -19,7 +19,8 @@ using tests::Shown;
 using tests::Step;
 
 constexpr double kSlack = 1e-5;  // rounding of float results
-/// Part of what the lights give the ground that counts as its radiance at least: it starts from 0 as they rise.
+/// The ground's radiance starts from 0 when the lights rise. Its scale is at least this share of their normal
+/// irradiance times the albedo.
 constexpr double kShare = 0.01;
 
 double largestOf(const Number3& v) {
@@ -33,8 +34,8 @@ Shown groundOf(const model::Sky& model, const WelkinSkySample& sample) {
   return {{double{g[0]}, double{g[1]}, double{g[2]}}, kShare * largestOf(model.ground_albedo) * lights};
 }
 
-/// The model's dome, the runtime's and its irradiance. A tint of 0 may hide the channel whose rounding the runtime's
-/// dome has; the model, which has the same, knows how bright it is.
+/// The model's dome, the runtime's dome and its irradiance. A tint of 0 may hide the channel that gives the runtime's
+/// dome its rounding. The model has the same channel and gives its brightness.
 std::vector<Shown> shownTowards(const SkyInstant& instant, const welkin::Sky& baked, const WelkinSkySample& sample,
                                 const Number3& direction) {
   const Shown dome = tests::domeOf(instant, direction);
@@ -48,21 +49,22 @@ double moveOf(const model::LightPath& path, const Step& step) {
   return det::angleBetween(path.directionAt(step.low), path.directionAt(step.high));
 }
 
-/// What the artist's curves change by over a step, relative: that much a sky may change too.
+/// Relative change of the artist's curves over a step. A sky may change as much.
 double changeOfCurves(const model::Sky& s, const Step& step) {
   const auto change = [](const Number3& a, const Number3& b) {
     return largestOf(a - b) / std::max({largestOf(a), largestOf(b), 1e-300});
   };
-  // An albedo may leave of a light the channel alone that changes most.
+  // An albedo may leave only the channel of a light that changes most.
   double lights = change(s.sun.normalIrradianceAt(step.low), s.sun.normalIrradianceAt(step.high));
   if (s.moon) lights += change(s.moon->normalIrradianceAt(step.low), s.moon->normalIrradianceAt(step.high));
   const double sum = lights / kShare + change(Number3(s.intensity.at(step.low)), Number3(s.intensity.at(step.high))) +
                      change(s.polarising_tint.colourAt(step.low), s.polarising_tint.colourAt(step.high)) +
                      20.0 * std::abs(s.ambient_saturation.at(step.low) - s.ambient_saturation.at(step.high));
-  return sum + 4.0 * 3600.0 * (step.high - step.low);  // table keys, too, may be a second apart
+  return sum + 4.0 * 3600.0 * (step.high - step.low);  // keys of the table may be a second apart, too
 }
 
-/// Curves themselves change by no more than their largest key in the second that keys are apart, or by one denormal.
+/// Keys are at least a second apart, so in a second a curve changes by no more than its largest key, or by one
+/// denormal.
 tests::Fault steepCurve(const model::Sky& s, const Step& step) {
   for (const base::Curve* curve : {&s.intensity, &s.ambient_saturation, &s.sun.illuminance}) {
     const double largest = *std::max_element(curve->value.begin(), curve->value.end());
@@ -88,7 +90,7 @@ Searched judge(const Step& step, double allowed, const std::string& unit) {
 Searched searchTime(const model::Sky& model, const welkin::Sky& baked, double from_h, double to_h,
                     const Number3& direction) {
   constexpr double kResolution_h = 1e-9;
-  constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / model::kGradientDelta;  // of chromaticities, an hour
+  constexpr double kColumns = 8.0 / 24.0 * 14.0 * 15.0 / model::kGradientDelta;  // change of chromaticities an hour
   const Number3 directions[] = {{0, 1, 0}, {0.6, 0.0, -0.8}, direction};
   const auto shown = [&](double time_h) {
     const SkyInstant instant(model, time_h);
@@ -110,8 +112,8 @@ Searched searchTime(const model::Sky& model, const welkin::Sky& baked, double fr
   double slope = 0.0;
   for (const Number3& d : directions) slope = std::max({slope, sensitivityAt(before, d), sensitivityAt(after, d)});
   const double sun = moveOf(model.sun.path, step);
-  // A table is in the frame of the sun's azimuth: what it has left of that between keys turns as the azimuth does, by
-  // the sun's move over its distance from the pole, and fades within kPoleFade of it.
+  // A table is in the frame of the sun's azimuth. Its error between keys turns with the azimuth, by the sun's move over
+  // the sun's distance from the pole, and fades within kPoleFade of the pole.
   const double from_pole =
       std::min(det::horizontalLength(before.sunDirection()), det::horizontalLength(after.sunDirection()));
   const double turn = 2.0 * sun / std::max(from_pole, core::kPoleFade);

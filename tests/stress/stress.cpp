@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws skies from the whole domain, bakes and opens them, and checks what must always hold (tests/sky/always.h), until
-// it is told to stop or finds a fault, which it prints with the command that repeats it.
+// Draws skies from the whole domain, bakes and opens them, and checks the invariants of tests/sky/always.h. It stops at
+// a limit or at a fault, which it prints with the command that repeats it.
 //   stress [--count N] [--seconds S] [--seed K] [--instants N] [--index I]
-//   --count     evaluations after which to stop, 1,000,000 unless told; --seconds: a time after which to stop
-//   --instants  of a sky, at each of which 100 directions are evaluated, 10 unless told
-//   --index     the sky of this index alone, with its text
+//   --count     stops after this many evaluations, 1,000,000 by default; --seconds: stops after this time
+//   --instants  instants of a sky, 10 by default; 100 directions are evaluated at each
+//   --index     checks the sky of this index alone and prints its text
 #include <fmt/format.h>
 
 #include <chrono>
@@ -54,7 +54,7 @@ std::optional<Options> read(int count, char** arguments) {
   return options;
 }
 
-/// What all skies showed.
+/// Totals and largest errors of all skies.
 struct Sum {
   std::uint64_t skies = 0, refused = 0, evaluations = 0, steps = 0;
   double bake_error = 0.0, dome_error = 0.0;

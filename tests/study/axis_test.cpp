@@ -11,7 +11,7 @@
 namespace welkin::study {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of positions in [0, 1]: a few logarithms and divisions
+constexpr double kRounding = 1e-12;  // positions are in [0, 1]: a few logarithms and divisions
 
 struct Tick {
   std::string label;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Costs of shaders: small ones counted by hand, loops against their unrolled form, and what orders Welkin's own.
+// Costs of shaders: small ones counted by hand, loops against their unrolled form, and the order of Welkin's own.
 #include "study/shader_cost.h"
 
 #include <algorithm>

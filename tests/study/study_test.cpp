@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study of a small sky: what must hold of its numbers whatever the sky, and the folder that it writes.
+// A study of a small sky: the laws that its numbers keep for any sky, and the folder that it writes.
 #include "study/study.h"
 
 #include <catch2/catch.hpp>

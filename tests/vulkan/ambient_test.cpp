@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ambient light that a shader sees against the runtime's, in a compute shader and on the spheres of a picture.
+// The ambient light in a shader against the runtime's, in a compute shader and on the spheres of a picture.
 #include <catch2/catch.hpp>
 #include <cstdint>
 
@@ -15,11 +15,11 @@ namespace {
 
 using f64::Number3;
 
-/// Sum of at most 25 products in float, each with an error below 4 units in the last place of the largest: 25 x 4 x
-/// 2^-24, relative to the mean irradiance, which is no smaller than the largest term here.
+/// Sum of at most 25 products in float. Each has an error below 4 units in the last place of the largest: 25 x 4 x
+/// 2^-24. The bound is relative to the mean irradiance, which is no smaller than the largest term here.
 constexpr double kSumTolerance = 6e-6;
 
-/// Points of a golden-angle spiral: evenly spread, and none symmetric to another.
+/// Points of a golden-angle spiral: evenly spread, with no two symmetric.
 std::vector<Number3> spiral(std::size_t count) {
   std::vector<Number3> points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ std::array<float, 3> irradianceOf(const WelkinSkySample& sample, Number3 n) {
   return e;
 }
 
-/// The mean irradiance by the closed form: pi c0 Y00.
+/// The mean irradiance in closed form: pi c0 Y00.
 double flatIrradiance(const WelkinSkySample& sample, int channel) {
   return 0.5 * std::sqrt(f64::kPi) * double{sample.ambient_sh[0][channel]};
 }

@@ -10,8 +10,8 @@
 
 namespace welkin::tests {
 
-/// Set 0, bindings 0 (input) and 1 (output) are the buffers; set 1 is `sky` where there is one. One invocation for each
-/// `per_invocation` output floats, in groups of 64.
+/// Set 0, bindings 0 (input) and 1 (output), are the buffers. Set 1 is `sky`, if there is one. There is one invocation
+/// for each `per_invocation` output floats, in groups of 64.
 std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint32_t> spirv,
                               std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
                               VkDescriptorSetLayout sky_layout, VkDescriptorSet sky);

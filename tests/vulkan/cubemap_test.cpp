@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubemaps of every format on the device: each mip, filtered within faces and across edges and corners, against the
-// file's own texels filtered in double.
+// Cubemaps of every format on the device. Each mip, filtered within faces and across edges and corners, is compared
+// with the file's own texels filtered in double.
 #include <cmath>
 #include <random>
 
@@ -36,7 +36,7 @@ Mip firstMip(const WelkinCubemap& cube) {
   return mip;
 }
 
-/// Means of squares of four; the size is even.
+/// Means of squares of four texels. The size is even.
 Mip nextMip(const Mip& mip) {
   const int half = mip.size / 2;
   Mip next{half, {}};
@@ -57,7 +57,7 @@ Number3 filtered(const Mip& mip, const Number3& direction) {
   return sum;
 }
 
-/// Spread over the sphere, and more of them close to the edges and corners of the cube.
+/// Directions spread over the sphere, with more of them close to the edges and corners of the cube.
 std::vector<Number3> directions() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -72,7 +72,7 @@ std::vector<Number3> directions() {
   return list;
 }
 
-/// What a texel of a mip may be off by, of the largest component of the texels around: it is rounded once to a packed
+/// Error bound of a mip's texel, relative to the largest component of the texels around. It is rounded once to a packed
 /// format; a blit rounds every mip to a half float.
 double roundingOf(CubemapFormat format, int mip) {
   if (mip == 0) return 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dome behind a scene: depth test and multisampling, as a game's own pass has them.
+// The dome behind a scene, with depth test and multisampling as in a game's own pass.
 #include <catch2/catch.hpp>
 
 #include "render/runtime_sky.h"
@@ -52,7 +52,7 @@ class Attachment {
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
-  /// A full barrier, which is enough here: a transition between everything before and everything after.
+  /// A full barrier is enough here: a transition between everything before and everything after.
   void transition(VkCommandBuffer commands, VkImageLayout from, VkImageLayout to) const {
     VkImageMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
@@ -82,7 +82,8 @@ class Attachment {
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
 };
 
-/// Alpha of the middle pixel after the dome was drawn at `depth` with 4 samples over depth 0.5: 1 where it was drawn.
+/// Alpha of the middle pixel after drawing the dome at `depth` with 4 samples over depth 0.5. It is 1 where the dome
+/// was drawn.
 float drawnAlpha(render::VulkanDevice& device, const Sky& sky, VkCompareOp compare, float depth) {
   constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
   WelkinVulkanCreateInfo info = render::createInfo(device, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a device, and what is said when there is none.
+// The choice of a device, and the message when there is none.
 #include <catch2/catch.hpp>
 
 #include "render/vulkan_device.h"
@@ -18,7 +18,7 @@ TEST_CASE("VulkanDevice, WithoutDriverIsAFileError", "[no-driver][.]") {
 }
 
 TEST_CASE("VulkanDevice, ValidationSeesAMissingBarrier", "[synchronisation]") {
-  // Two transfers that write the same bytes with nothing between: only synchronisation validation can tell.
+  // Two transfers write the same bytes with nothing in between. Only synchronisation validation can detect that.
   render::VulkanDevice device(true);
   const VkDevice vk = device.device();
   VkBufferCreateInfo info{};

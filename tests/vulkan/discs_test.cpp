@@ -24,8 +24,8 @@ render::Camera towards(const float direction[3], double fov_rad) {
 TEST_CASE("VulkanDiscs, GiveTheirLightsNormalIrradiance", "[vulkan]") {
   constexpr uint32_t kSize = 200;
   constexpr double kFov = 0.4;
-  // The edge is softened over the angle between pixels, here kFov / kSize = 2 % of the radius, evenly to both sides:
-  // the area of a disc grows by a third of its square.
+  // The edge is softened over the angle between pixels, here kFov / kSize = 2 % of the radius, evenly to both sides.
+  // The area of a disc grows by a third of its square.
   constexpr double kEdgeTolerance = 2e-3;
   const auto bytes = testSkyFile({.disc_radius_rad = kDiscRadius});
   const Sky sky = openTestSky(bytes);
@@ -82,7 +82,7 @@ TEST_CASE("VulkanDiscs, EqualTheRuntimePerPixel", "[vulkan]") {
   const Sky sky = openTestSky(bytes);
   render::VulkanDevice device(true);
   render::Views views(device, sky, WELKIN_VULKAN_ANALYTIC);
-  // The edge is a ramp over a pixel: an error of the angle counts by its share of that.
+  // The edge is a ramp over a pixel, so an error of the angle counts by its share of a pixel.
   const double tolerance = shaderTolerance(device) * (1.0 + kDiscRadius * kSize / kFov);
   for (const double time_h : {8.0, 11.0, 20.0, 23.0})
     for (const bool moon : {false, true}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The life of welkin_vulkan.h's object: what it refuses, what it holds, and that frames in flight do not touch each
-// other.
+// The life of welkin_vulkan.h's object: its refusals, its contents, and the separation of frames in flight.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <new>
@@ -13,11 +12,11 @@ namespace {
 std::size_t allocations = 0;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // they replace these themselves
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // The sanitizers replace these themselves.
 constexpr bool kCountsAllocations = false;
 #else
 constexpr bool kCountsAllocations = true;
-// Counts what this program allocates, the library included.
+// Counts this program's allocations, the library's included.
 void* operator new(std::size_t bytes) {
   ++allocations;
   if (void* p = std::malloc(bytes == 0 ? 1 : bytes)) return p;

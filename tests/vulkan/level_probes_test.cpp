@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes in the level picture against the CPU: a ray of the test's own finds the sphere's normal at every pixel, whose
+// Probes in the level picture against the CPU. The test's own ray finds the sphere's normal at every pixel. Its
 // radiance is the sum of the four irradiances by probes::shadingWeights, over pi.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -25,9 +25,9 @@ using render::FloatImage;
 using render::ProbeSphere;
 using transfer::kDirections;
 
-/// Where the CPU's ray and the device's meet the sphere differs by rounding: of the ray, 2e-7, times the distance over
-/// the radius, 10, times the slope of the normal, below 5 inside of kInside. The four irradiances differ by as much as
-/// their sum.
+/// The points where the CPU's ray and the device's meet the sphere differ by rounding. That is 2e-7 of the ray, times
+/// the distance over the radius, 10, times the slope of the normal, below 5 inside of kInside. The four irradiances
+/// differ by as much as their sum.
 constexpr double kTolerance = 2e-5;
 constexpr double kInside = 0.98;  ///< of the radius; pixels farther out are left alone
 
@@ -35,7 +35,7 @@ constexpr uint32_t kSize = 96;
 const Camera kNorth{0.0, 0.0, 0.5};
 const Number3 kEye(0.2, 2.0, 3.0);
 
-/// A wall of 2 x 2 m in the plane z = -3, before what is north of it.
+/// A wall of 2 x 2 m in the plane z = -3, in front of everything north of it.
 level::Scene wall() {
   const Folder folder;
   GltfText gltf;
@@ -65,7 +65,7 @@ struct Stage {
   std::unique_ptr<render::LevelView> view;
 };
 
-/// Every direction and channel of its own.
+/// A probe with a different irradiance in every direction and channel.
 ProbeSphere uneven(const Number3& position) {
   return {{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},
           {{1.0F, 0.2F, 0.7F}, {0.3F, 0.9F, 0.5F}, {0.6F, 0.4F, 0.1F}, {0.15F, 0.25F, 0.35F}}};
@@ -93,7 +93,7 @@ Number3 rayAt(const Camera& camera, uint32_t x, uint32_t y) {
   return ray / std::sqrt(dot(ray, ray));
 }
 
-/// Of the ray from the sphere's centre: how near it passes, over the radius, and the normal where it meets the sphere.
+/// How near a ray passes the sphere's centre, over the radius, and the normal where it meets the sphere.
 struct Meeting {
   double nearness;
   std::optional<Number3> normal;
@@ -152,7 +152,7 @@ TEST_CASE("LevelProbes, NothingIsBelowZero", "[vulkan]") {
   ProbeSphere probe = uneven({0.2, 2.0, 0.0});
   for (auto& channel : probe.irradiance[1]) channel = 0.0F;
   for (auto& channel : probe.irradiance[3]) channel = 0.0F;
-  for (auto& channel : probe.irradiance[2]) channel = -0.5F;  // bounced light by four coefficients may be
+  for (auto& channel : probe.irradiance[2]) channel = -0.5F;  // Bounced light from four coefficients may be negative.
   const FloatImage image = stage.draw({probe});
   std::size_t black = 0;
   for (uint32_t i = 0; i < kSize * kSize; ++i) {
@@ -176,9 +176,9 @@ TEST_CASE("LevelProbes, WallsAndNearerSpheresHideThem", "[vulkan]") {
     for (float& channel : direction) channel = 9.0F;
   const FloatImage alone = stage.draw({near});
   CHECK(alone.rgba != without.rgba);
-  CHECK(stage.draw({near, far}).rgba == alone.rgba);  // the farther one is the smaller in the picture
+  CHECK(stage.draw({near, far}).rgba == alone.rgba);  // The farther one looks smaller.
   CHECK(stage.draw({far, near}).rgba == alone.rgba);
-  // Most of it in the wall, whose south face is at z = -2.9: what is out shows.
+  // Most of the sphere is inside the wall, whose south face is at z = -2.9. The part outside shows.
   const ProbeSphere sunk = uneven({0.0, 2.0, -3.1});
   const FloatImage shown = stage.draw({sunk});
   std::size_t seen = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of the level picture share: a level with its sky, device and view, and the CPU's side of a pixel.
+// Shared parts of the level picture's tests: a level with its sky, device and view, and a pixel as the CPU computes it.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -22,8 +22,8 @@ using render::Camera;
 using render::FloatImage;
 using render::LevelOptions;
 
-/// Albedo and normal are kept as half floats, which a device may truncate: each loses up to 2^-10 = 9.8e-4 of itself.
-/// Positions, from a 32-bit depth, and the series of the sky are off by far less.
+/// Albedo and normal are stored as half floats, which a device may truncate: each loses up to 2^-10 = 9.8e-4 of itself.
+/// Positions, from a 32-bit depth, and the sky's series are off by far less.
 inline constexpr double kSurfaceTolerance = 1.2e-3;
 
 inline Scene sceneOf(const GltfText& gltf) {
@@ -37,7 +37,7 @@ inline std::vector<double> listOf(const Number3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Whether the ray meets the box from `low` to `high`: slabs.
+/// Whether the ray meets the box from `low` to `high`, by slabs.
 inline bool meets(const Number3& from, const Number3& direction, const Number3& low, const Number3& high) {
   double enter = 0.0;
   double leave = 1e30;
@@ -99,7 +99,7 @@ inline void compare(Worst& worst, const FloatImage& image, const Pixel& p, const
 
 inline constexpr render::LevelOptions kPlain{.waves = false, .mist_per_m = 0.0, .shadow_size = 2048};
 
-/// A sky, a device, a scene and its view, in the order in which they must be made.
+/// A sky, a device, a scene and its view, in the order of their construction.
 struct Stage {
   explicit Stage(Scene made, const render::LevelOptions& options = kPlain, const TestSkyOptions& sky_options = {})
       : bytes(testSkyFile(sky_options)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The level picture against the CPU: every pixel's surface is found by a ray of the test's own, and its radiance is
-// albedo / pi (irradiance of the sky + irradiance of the light where its ray is free).
+// The level picture against the CPU. The test's own ray finds every pixel's surface. Its radiance is albedo / pi
+// (irradiance of the sky + irradiance of the light where its ray is free).
 #include <optional>
 
 #include "level_stage.h"
@@ -24,7 +24,8 @@ Scene groundAndBox() {
 const Camera kDown{0.4, -f64::kHalfPi, 0.9};
 const Number3 kAbove{1.0, 30.0, -2.0};
 
-/// Where a ray from above meets the ground; false near the ground's edge and over the box, by `margin` metres.
+/// Finds where a ray from above meets the ground. Returns false within `margin` metres of the ground's edge or over the
+/// box.
 bool groundAt(const Number3& ray, double margin, Number3& p) {
   p = kAbove + ray * (kAbove.y / -ray.y);
   const Number3 m(margin);
@@ -32,7 +33,7 @@ bool groundAt(const Number3& ray, double margin, Number3& p) {
   return std::abs(p.x) < 20.0 - margin && std::abs(p.z) < 20.0 - margin;
 }
 
-/// Whether the light's ray from `p` meets the box; nothing within `margin` metres of the shadow's edge.
+/// Whether the light's ray from `p` meets the box. Nothing within `margin` metres of the shadow's edge.
 std::optional<bool> shadowAt(const Number3& p, const Number3& light, double margin) {
   const Number3 low(-1.0, 0.0, -1.5);
   const Number3 high(1.0, kBoxHeight, 1.5);
@@ -46,7 +47,7 @@ std::optional<bool> shadowAt(const Number3& p, const Number3& light, double marg
 }  // namespace
 
 TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
-  // The map spans about 57 m in 2048 texels of 28 mm; the filter reaches two texels, the offset along the normal as
+  // The map spans about 57 m in 2048 texels of 28 mm. The filter reaches two texels, and the offset along the normal as
   // far.
   constexpr double kShadowEdge_m = 0.2;
   struct Light {
@@ -97,14 +98,14 @@ TEST_CASE("LevelView, GroundHasTheRadianceOfSkyAndLight", "[vulkan]") {
 }
 
 TEST_CASE("LevelView, NormalsFollowRotationMirrorAndUnevenScale", "[vulkan]") {
-  // A square turned about x and z and stretched; its mirrored twin must not be culled.
+  // A square turned about x and z and stretched. Its mirrored twin must not be culled.
   for (const double mirror : {1.0, -1.0}) {
     GltfText gltf;
     const double s = std::sin(0.3);
     const double c = std::cos(0.3);
     gltf.addNode(gltf.addMesh(squareMesh(), gltf.addMaterial({0.5, 0.5, 0.5})),
                  {{"rotation", {s, 0, 0, c}}, {"scale", {30 * mirror, 1, 9}}});
-    // The scale of a child is in its parent's axes: the normal then needs the cofactor matrix.
+    // The scale of a child is in its parent's axes, so the normal needs the cofactor matrix.
     gltf.json["nodes"].push_back({{"scale", {1, 0.5, 1}}, {"children", {0}}});
     gltf.json["scenes"][0]["nodes"] = {1};
     Stage stage(sceneOf(gltf));

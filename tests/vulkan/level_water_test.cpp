@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sea of the level picture against the CPU: what a calm one mirrors, and that waves depend on the hour.
+// The sea of the level picture against the CPU: the mirror image in a calm sea, and the dependence of waves on the
+// hour.
 #include "level_stage.h"
 #include "render/shaders/level_formulas.h"
 
@@ -10,7 +11,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()),
                {{"scale", {100, 1, 100}}, {"translation", {0, kSea, 0}}, {"extras", {{"role", "water"}}}});
-  // A box that floats in the air, so that what is seen through the water is water alone.
+  // A box that floats in the air, so that only water is seen through the water.
   const Number3 low(-2.0, kSea + 0.5, -12.0);
   const Number3 high(2.0, kSea + 3.5, -10.0);
   const Number3 albedo(0.8, 0.1, 0.4);
@@ -21,14 +22,14 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
     stage.view->setTime(15.5);
     const WelkinSkySample& sample = stage.view->sample();
     const Number3 sun = vectorOf(sample.sun.direction);
-    REQUIRE(sun.x < -0.3);  // in the west: no glitter to the north, and no shadow of the box there
+    REQUIRE(sun.x < -0.3);  // In the west: no glitter to the north, and no shadow of the box there.
     const Camera camera{0.0, -0.25, 1.0};
     const Number3 position(0.0, kSea + 4.0, 3.0);
     const FloatImage image = stage.view->draw(160, 120, camera, position);
     const Number3 irradiance =
         skyIrradiance(stage.sky, sample, {0.0, 1.0, 0.0}) + vectorOf(sample.sun.normal_irradiance) * sun.y;
     const Number3 body = f64::kWaterAlbedo / f64::kPi * irradiance;
-    // The box's south face as the sun leaves it.
+    // The sun's irradiance of the box's south face.
     const double on_face = std::max(sun.z, 0.0);
     const Number3 face =
         albedo / f64::kPi *
@@ -42,7 +43,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
       const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
       if (meets(at, sun, low - Number3(0.3), high + Number3(0.3))) return;  // near its shadow
       const bool near = meets(at, mirrored, low - Number3(0.3), high + Number3(0.3));
-      // Through the middle of its south face: the picture in the water is sampled at half the picture's size.
+      // The ray meets the middle of the box's south face, because the reflection has half the picture's resolution.
       const Number3 on = at + mirrored * ((high.z - at.z) / mirrored.z);
       const bool within = std::abs(on.x) < 1.6 && on.y > low.y + 0.4 && on.y < high.y - 0.4;
       if (within)
@@ -61,8 +62,8 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
 }
 
 TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
-  // With the view level, the sea's pixel mirrors the sky's pixel above it: what changes in one between the formulas and
-  // the cubemaps of noise changes in the other by the share that is mirrored.
+  // With a level view the sea's pixel mirrors the sky's pixel above it. The difference between the formulas and the
+  // cubemaps of noise then changes the sea's pixel by the mirrored share.
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()), {{"scale", {100, 1, 100}}, {"extras", {{"role", "water"}}}});
   const Camera camera{0.3, 0.0, 1.0};
@@ -94,7 +95,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
   });
   INFO("worst " << worst.error << " at " << worst.where);
   CHECK(worst.count > 3000);
-  CHECK(largest > 0.1);  // the two differ
+  CHECK(largest > 0.1);  // The two pictures differ.
   CHECK(worst.error < kSurfaceTolerance);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The include for the key light, the reflected sky in its mips, the dither; and how far the baked cubemaps are from the
-// analytic dome.
+// The include for the key light, the reflected sky in its mips, and the dither. Also the difference between the baked
+// cubemaps and the analytic dome.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace {
 
 using f64::Number3;
 
-/// Mean of a face's texels: what its last mip holds.
+/// Mean of a face's texels, the value of its last mip.
 Number3 faceMean(const WelkinCubemap& cube, std::size_t face) {
   Number3 sum(0.0);
   const std::size_t texels = std::size_t{cube.size} * cube.size;
@@ -90,9 +90,9 @@ TEST_CASE("Dither, EvenAndBalanced") {
 }
 
 TEST_CASE("VulkanDome, CubemapsAgreeWithTheFormulas", "[vulkan]") {
-  // docs/runtime.md states these: cubemaps of 128 texels at a baked hour, a degree and a half from the horizon's step
-  // and six degrees from the sun, of the pixel's largest channel. Bilinear filtering flattens the sun's cusp inside
-  // that.
+  // Bound stated in docs/runtime.md, relative to the pixel's largest channel. It holds for cubemaps of 128 texels at a
+  // baked hour, a degree and a half from the horizon's step and six degrees from the sun. Nearer the sun bilinear
+  // filtering flattens its cusp.
   constexpr double kBound = 0.008;
   constexpr uint32_t kSize = 192;
   bake::SkyFile file;

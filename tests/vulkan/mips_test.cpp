@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mips made on the processor: means by area, for edges that are no powers of two too.
+// Mips made on the processor: means by area, also for edges that are not powers of two.
 #include "vulkan/mips.h"
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ std::vector<unsigned char> ramps(CubemapFormat format, uint32_t edge) {
 }  // namespace
 
 TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
-  constexpr double kRounding = 0x1p-7;  // of RGB9E5 beside a component up to twice as large, of halfs less
+  constexpr double kRounding = 0x1p-7;  // Rounding of RGB9E5 beside a component up to twice as large; halfs round less.
   for (const CubemapFormat format : {CubemapFormat::rgba16f, CubemapFormat::rgb9e5})
     for (const uint32_t edge : {2U, 3U, 5U, 6U, 7U, 8U, 13U}) {
       const auto texels = ramps(format, edge);
@@ -42,12 +42,12 @@ TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
           float rgb[3];
           format::decodeTexel(format, mips.data() + at * bytes, rgb);
           CAPTURE(format::nameOf(format), edge, e, i, rgb[0], rgb[1], rgb[2]);
-          // The mean of every mip is the ramp's; of the first one a texel lies between those that it covers.
+          // The mean of every mip is the ramp's. A texel of the first mip lies between those that it covers.
           if (e == 1)
             for (int c = 0; c < 2; ++c) CHECK(double{rgb[c]} == Approx(0.5 * (edge + 1.0)).epsilon(2.0 * kRounding));
           CHECK(double{rgb[2]} == Approx(1.0 + std::floor(static_cast<double>(i) / (e * e))).epsilon(2.0 * kRounding));
           const double width = double(edge) / e;
-          const auto meanOf = [&](std::size_t k) {  // of 1 + floor(x) over [k width, (k + 1) width]
+          const auto meanOf = [&](std::size_t k) {  // Mean of 1 + floor(x) over [k width, (k + 1) width].
             double sum = 0.0;
             for (uint32_t j = 0; j < edge; ++j)
               sum += (1.0 + j) * std::max(0.0, std::min(j + 1.0, (static_cast<double>(k) + 1.0) * width) -

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of a file's modes that a shader sees against welkin_sky_irradiance, in a compute shader and on the spheres
-// of a picture; and what the shader shows without modes.
+// The light of a file's modes in a shader against welkin_sky_irradiance, in a compute shader and on the spheres of a
+// picture. Also the shader's result without modes.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -21,20 +21,20 @@ namespace {
 using f64::Number3;
 using Vector = std::array<float, 3>;
 
-/// Relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24, and the
-/// map, whose neighbours differ by as much as the modes are large, has 8 columns and 5 rows between its outer centres:
-/// 13 x 3 units; the sum of 16 products 16 more.
+/// Relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24.
+/// Neighbours in the map differ by as much as the modes are large. The map has 8 columns and 5 rows between its outer
+/// centres: 13 x 3 units. The sum of 16 products adds 16 units.
 constexpr double kSoftware = 56.0 / 16777216.0;
 
-/// What Vulkan promises of a filter beside: its weights are rounded to subTexelPrecisionBits bits, along both axes.
+/// Adds Vulkan's bound for a filter: its weights are rounded to subTexelPrecisionBits bits, along both axes.
 double tolerance(const render::VulkanDevice& device) {
   const auto& properties = device.properties();
   if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) return kSoftware;
   return kSoftware + std::ldexp(2.0, -static_cast<int>(properties.limits.subTexelPrecisionBits));
 }
 
-/// A golden-angle spiral, the poles, the four corners of the horizon and normals just to either side of it and of the
-/// poles. 1e-30 is as close as can be: a denormal y may count as 0.
+/// A golden-angle spiral, the poles, the four corners of the horizon, and normals just to either side of it and of the
+/// poles. 1e-30 is the smallest offset, because a denormal y may count as 0.
 std::vector<Vector> normals() {
   constexpr std::size_t kSpiral = 642;
   std::vector<Vector> all;
@@ -80,7 +80,7 @@ struct Comparison {
   float least = std::numeric_limits<float>::max();  ///< irradiance: clamping would hide errors
 };
 
-/// The shader's light at three hours against the runtime's.
+/// Compares the shader's light at three hours with the runtime's.
 Comparison compare(render::VulkanDevice& device, const Sky& sky, std::span<const uint32_t> shader) {
   const std::vector<Vector> directions = normals();
   const SkyObject object(device, sky, createInfo(device, 1));
@@ -245,7 +245,7 @@ TEST_CASE("VulkanModes, SpheresShowWhatTheRuntimeSays", "[vulkan]") {
         difference = std::max(difference, std::abs(double{e[c]} / double{of_coefficients[c]} - 1.0));
       }
     }
-  CHECK(difference > 0.1);  // and it is not the coefficients' light
+  CHECK(difference > 0.1);  // It is not the light of the coefficients.
   CHECK(device.messageCount() == 0);
 }
 

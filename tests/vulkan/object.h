@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A WelkinVulkanSky of a test device that is ready to draw, destroyed at the end of its scope.
+// A test device's WelkinVulkanSky that is ready to draw, destroyed at the end of its scope.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ inline WelkinVulkanView fisheye(WelkinVulkanSource source) {
   return view;
 }
 
-/// Uploads at once.
+/// Uploads the sky on construction.
 class SkyObject {
  public:
   SkyObject(render::VulkanDevice& device, const Sky& sky, const WelkinVulkanCreateInfo& info) {

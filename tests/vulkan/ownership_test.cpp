@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory and images of the caller's: the same pictures, nothing allocated by the library, everything given back.
+// Memory and images owned by the caller: the pictures are the same, the library allocates nothing, and everything is
+// given back.
 #include <vector>
 
 #include "object.h"
@@ -8,7 +9,7 @@
 namespace welkin::tests {
 namespace {
 
-/// Hands out one VkDeviceMemory for each allocation, at an offset of one alignment, and counts.
+/// Hands out one VkDeviceMemory for each allocation, at an offset of one alignment, and counts them.
 struct Arena {
   render::VulkanDevice& device;
   int live = 0;

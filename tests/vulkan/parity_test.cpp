@@ -38,7 +38,7 @@ inline std::vector<Number> parityReference(const float* arguments) {
 namespace welkin::tests {
 namespace {
 
-/// Random arguments, and first those at the edges: zenith, nadir, horizon and either side of it, sun in the zenith,
+/// Random arguments. The first ones are edge cases: zenith, nadir, horizon and either side of it, sun in the zenith,
 /// black.
 std::vector<float> parityArguments(std::size_t count) {
   std::mt19937 random(11);
@@ -61,9 +61,10 @@ std::vector<float> parityArguments(std::size_t count) {
   return arguments;
 }
 
-/// Of each call, relative to the larger of 1 and the value. Software: 16 units in the last place, 2^-24 each; where an
-/// angle comes from atan, Mesa's 4e-6 rad, twice that for angleBetween, times |d| = 3 for the indicatrix. A GPU:
-/// Vulkan's 4096 units of atan, through 30 theta exp(-3 theta), at most 3.7 times 4.9e-4.
+/// Tolerance of a call, relative to the larger of 1 and the value. On the software rasteriser it is 16 units in the
+/// last place, 2^-24 each. Where an angle comes from atan it is Mesa's 4e-6 rad, twice that for angleBetween, times |d|
+/// = 3 for the indicatrix. On a GPU it is Vulkan's 4096 units of atan, through 30 theta exp(-3 theta): at most 3.7
+/// times 4.9e-4.
 double tolerance(const render::VulkanDevice& device, std::size_t call) {
   if (device.properties().deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU) return 2e-3;
   const bool indicatrix_of_angle = call == 3 || call == 4 || call == 9 || call == 10;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The star map: where its stars stand, how they turn, and the dome's shader against the runtime.
+// The star map: positions of its stars, their rotation, and the dome's shader against the runtime.
 #include <cmath>
 
 #include "object.h"
@@ -82,7 +82,8 @@ TEST_CASE("VulkanStars, EqualTheRuntimePerPixel", "[vulkan]") {
   render::VulkanDevice device(true);
   const SkyObject object(device, sky, createInfo(device, 1));
   render::Offscreen target(device, kSize, kSize);
-  // The filter's weights have 8 bits on a GPU, and lavapipe decodes sRGB within half a code: of the map's white.
+  // Relative to the map's white: the filter's weights have 8 bits on a GPU, and lavapipe decodes sRGB within half a
+  // code.
   const double tolerance = device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 4e-3 : 1e-2;
   for (const double time_h : {0.5, 7.0, 21.3}) {
     WelkinSkySample sample{};

@@ -24,7 +24,7 @@ Offset<format::Gradient> gradient(FlatBufferBuilder& builder, std::mt19937& rand
   std::uniform_real_distribution<float> uniform(0.05F, 1.0F);
   std::vector<float> rgb(std::size_t{3} * width * height);
   for (float& v : rgb) v = uniform(random);
-  for (int i = 0; i < 3; ++i) rgb[static_cast<std::size_t>(3 + i)] = 0.0F;  // a black texel: neutral there
+  for (int i = 0; i < 3; ++i) rgb[static_cast<std::size_t>(3 + i)] = 0.0F;  // a black texel, which is neutral
   return format::CreateGradientDirect(builder, width, height, &rgb);
 }
 
@@ -45,7 +45,7 @@ Offset<format::Light> moon(FlatBufferBuilder& builder, double disc_radius_rad) {
   return format::CreateLight(builder, path, illuminance, colour, disc_radius_rad);
 }
 
-/// Noise between 1/8 and 2, different in every texel: a wrong face, turn or mirror shows.
+/// Noise between 1/8 and 2, different in every texel, so that a wrong face, turn or mirror shows.
 Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random, double time_h,
                                 format::CubemapFormat texel_format) {
   std::uniform_int_distribution<uint16_t> steps(0, 4096);  // 1024 an octave
@@ -63,7 +63,7 @@ Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random
   return format::CreateCubemapDirect(builder, time_h, &bytes);
 }
 
-/// The first mode is between 2 and 4, the others between 1/8 and 1 and of either sign: noise without any symmetry.
+/// The first mode is between 2 and 4. The others are between 1/8 and 1, of either sign: noise without any symmetry.
 Offset<format::Modes> modes(FlatBufferBuilder& builder, std::mt19937& random, uint8_t count) {
   std::uniform_int_distribution<uint16_t> strong(0x4000, 0x4400), weak(0x3000, 0x3c00), sign(0, 1);
   std::vector<uint16_t> texels(std::size_t{count} * kModeColumns * kModeRows);
@@ -75,7 +75,7 @@ Offset<format::Modes> modes(FlatBufferBuilder& builder, std::mt19937& random, ui
   return format::CreateModesDirect(builder, count, kModeColumns, kModeRows, &texels, &polar_sh);
 }
 
-/// Three keys: 15 coefficients and the horizontal irradiance, or the weights of modes.
+/// Three keys of 15 coefficients and the horizontal irradiance, or of the weights of modes.
 Offset<format::Day> day(FlatBufferBuilder& builder, std::mt19937& random, uint8_t mode_count) {
   const std::vector<double> key_time_h{1.0, 9.0, 16.0};
   const uint8_t rows = mode_count > 0 ? mode_count : 16;
@@ -97,7 +97,7 @@ Offset<format::Day> day(FlatBufferBuilder& builder, std::mt19937& random, uint8_
 }  // namespace
 
 std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
-  std::mt19937 random(7);  // its sequence is fixed by the C++ standard
+  std::mt19937 random(7);  // The C++ standard fixes its sequence.
   FlatBufferBuilder builder;
   const format::Luminance luminance(-1.0, -0.08, 24.0, -3.0, 0.3, 0.0, options.normalise_to_sun ? 1 : 0);
   const format::Rgb ground_albedo(0.2F, 0.3F, 0.1F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small sky whose every part differs from every other: asymmetric gradients, a tint, a moon, ground, cubemaps of
+// A small sky in which every part differs from every other: asymmetric gradients, a tint, a moon, ground, cubemaps of
 // noise.
 #pragma once
 
@@ -22,14 +22,14 @@ struct TestSkyOptions {
 /// Edge of its cubemaps.
 inline constexpr uint32_t kCubemapSize = 8;
 
-/// Of its modes' map.
+/// Size of the modes' map.
 inline constexpr uint16_t kModeColumns = 9;
 inline constexpr uint16_t kModeRows = 6;
 
-/// Bytes of a .welkin file.
+/// Returns the bytes of a .welkin file.
 std::vector<std::byte> testSkyFile(const TestSkyOptions& options);
 
-/// The same, opened. `bytes` must outlive the sky.
+/// Returns that file opened. `bytes` must outlive the sky.
 Sky openTestSky(const std::vector<std::byte>& bytes);
 
 }  // namespace welkin::tests

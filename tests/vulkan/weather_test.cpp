@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two skies at once: their domes over each other, their blended light, and two thousand frames of it.
+// Two skies at once: both domes blended, their blended light, and two thousand frames of it.
 #include <cmath>
 
 #include "object.h"
@@ -43,7 +43,7 @@ TEST_CASE("VulkanWeather, OpacityMixesTheDomes", "[vulkan]") {
     CHECK(double{both.rgba[i]} == Approx(expected).epsilon(kTolerance).margin(1e-9));
     difference = std::max(difference, std::abs(double{only_a.rgba[i]} - double{only_b.rgba[i]}));
   }
-  CHECK(difference > 0.1);  // the two skies do differ
+  CHECK(difference > 0.1);  // The two skies differ.
   view.opacity = 1.5F;
   device.execute(
       [&](VkCommandBuffer c) { CHECK(welkin_vulkan_draw_dome(a.get(), c, 0, &view) == WELKIN_ERROR_ARGUMENT); });

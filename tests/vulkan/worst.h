@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest error of a comparison and where it is, and the tolerance that a device is held to.
+// The largest error of a comparison and its place, and the tolerance for a device.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,12 @@
 
 namespace welkin::tests {
 
-/// Relative tolerance of the dome. Its largest error is that of atan, through the angle to the sun (twice an atan) and
-/// exp(d theta), d = -3, and through the gradient's row (times rows / (pi / 2), at most 4 of a texel difference of
-/// about 1). Vulkan ("Precision and Operation of SPIR-V Instructions") allows atan 4096 units in the last place, 4.9e-4
-/// of the angle, and cos 2^-11: 1e-3 + 2e-3. Mesa's atan, a polynomial, is off by up to 4e-6 rad: 2.4e-5 + 1e-5, and
-/// the software rasteriser is held to that, so that a slip in a formula cannot hide behind the specification.
+/// Relative tolerance of the dome. Its largest error is that of atan, which enters twice. One way is the angle to the
+/// sun (twice an atan) and exp(d theta), d = -3. The other is the gradient's row: times rows / (pi / 2), at most 4, of
+/// a texel difference of about 1. Vulkan ("Precision and Operation of SPIR-V Instructions") allows atan 4096 units in
+/// the last place, 4.9e-4 of the angle, and cos 2^-11: 1e-3 + 2e-3. Mesa's atan, a polynomial, is off by up to 4e-6
+/// rad: 2.4e-5 + 1e-5. The software rasteriser is held to that, so that a slip in a formula cannot hide behind the
+/// specification.
 inline double shaderTolerance(const render::VulkanDevice& device) {
   return device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 4e-5 : 4e-3;
 }
@@ -24,7 +25,7 @@ struct Worst {
   std::string where;
   std::size_t count = 0;
 
-  /// Relative to `scale`; NaN counts as infinite.
+  /// Adds a difference relative to `scale`. NaN counts as infinite.
   template <typename Where>
   void compare(double value, double expected, double scale, Where&& describe) {
     ++count;

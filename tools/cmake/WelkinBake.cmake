@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Baking as a step of a game's build; part of the package's component `bake`, and of the source tree.
+# Baking as a step of a game's build. The package's component `bake` and the source tree both have it.
 
 # welkin_add_bake(TARGET name <SKY sky.toml | LEVEL level.toml> OUTPUT dir [OPTIONS option...])
-# A target of the default build that runs `welkin bake FILE -o OUTPUT OPTIONS`. FILE is relative to the calling source
-# folder, OUTPUT to its binary folder. Its property WELKIN_SKY is the path of the baked sky, WELKIN_LEVEL that of a
-# level's index, which changes with any of its files: what depends on one of them runs after the bake. Rebakes when the
-# file, one that it names or the tool has a new date; with Ninja, what depends on a baked file runs again only if its
-# bytes changed.
+# Adds a target of the default build that runs `welkin bake FILE -o OUTPUT OPTIONS`. FILE is relative to the calling
+# source folder, OUTPUT to its binary folder. The target's property WELKIN_SKY is the path of the baked sky. WELKIN_LEVEL
+# is the path of a level's index, which changes with any of the level's files. Commands that depend on either path run
+# after the bake. The target bakes again when the file, a file that it names or the tool has a new date. With Ninja,
+# commands that depend on a baked file run again only if its bytes changed.
 function(welkin_add_bake)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;SKY;LEVEL;OUTPUT" "OPTIONS")
   set(usage "welkin_add_bake(TARGET name <SKY sky.toml | LEVEL level.toml> OUTPUT dir [OPTIONS option...])")
@@ -50,7 +50,7 @@ function(welkin_add_bake)
   if(NOT options MATCHES "--progress")
     list(APPEND options --progress none)
   endif()
-  # The tool leaves files alone that would not change. Ninja knows; others compare dates.
+  # The tool does not write files that would not change. Ninja handles that; other generators compare dates.
   set(touch "")
   if(NOT CMAKE_GENERATOR MATCHES "Ninja")
     set(touch COMMAND ${CMAKE_COMMAND} -E touch ${output})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts where: three components, each usable alone (vulkan needs runtime); nothing in it names
-# the folder that it was built in or installed to.
+# Rules of `cmake --install` for three components. Each is usable alone, but vulkan needs runtime. No installed file
+# names the folder of the build or of the installation.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(WELKIN_INSTALL_SHADERDIR ${CMAKE_INSTALL_DATADIR}/welkin/shaders)
@@ -14,7 +14,7 @@ set_target_properties(welkin_vulkan PROPERTIES EXPORT_NAME vulkan)
 set(components runtime vulkan)
 if(TARGET welkin)
   set_target_properties(welkin PROPERTIES EXPORT_NAME bake
-    INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # wherever the installation is moved to
+    INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # stays right when the installation moves
   install(TARGETS welkin_image LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
   install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
@@ -30,7 +30,7 @@ install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "welkin_vulkan*" EXCLUDE)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT vulkan
   FILES_MATCHING PATTERN "welkin_vulkan*.h*")
-# Of shared/ only the GLSL: its *.h are for compiling it as C++.
+# shared/ gives its GLSL alone: its *.h serve to compile that as C++.
 install(DIRECTORY shaders/welkin DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime
   FILES_MATCHING PATTERN "*.glsl" PATTERN "*.h")
 install(DIRECTORY shaders/shared DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime

@@ -12,7 +12,8 @@ struct Camera {
   double fov_rad = 1.0;    ///< vertical, in (0, pi)
 };
 
-/// Column-major matrix from device coordinates (x right, y down, any depth) to a world direction, for WelkinVulkanView.
+/// Returns a column-major matrix for WelkinVulkanView, from device coordinates (x right, y down, any depth) to a world
+/// direction.
 std::array<float, 16> inverseViewProjection(const Camera& camera, double aspect);
 
 }  // namespace welkin::render

@@ -5,7 +5,7 @@
 namespace welkin::render {
 namespace {
 
-/// A shader module for as long as its pipeline is being made.
+/// A shader module that lives while its pipeline is being made.
 class Module {
  public:
   Module(VkDevice device, std::span<const uint32_t> words) : device_(device) {

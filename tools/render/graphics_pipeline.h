@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A graphics pipeline for dynamic rendering, from what differs between one and another.
+// Creates a graphics pipeline for dynamic rendering from the settings in which pipelines differ.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace welkin::render {
 
-/// Viewport and scissor are dynamic. One sample, no blending, triangles; no vertex inputs unless they are given.
+/// Viewport and scissor are dynamic. One sample, no blending, triangles. No vertex inputs unless they are given.
 struct PipelineDescription {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   std::span<const uint32_t> vertex{};
   std::span<const uint32_t> fragment{};                             ///< empty: depth alone
-  std::span<const VkVertexInputAttributeDescription> attributes{};  ///< of binding 0
+  std::span<const VkVertexInputAttributeDescription> attributes{};  ///< attributes of binding 0
   uint32_t vertex_bytes = 0;
   bool per_instance = false;  ///< attributes advance with the instance, not with the vertex
   std::vector<VkFormat> colours{};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A two-dimensional image with its memory and view, which knows how it was last used, so that a barrier follows from
-// the next use alone.
+// A two-dimensional image with its memory and view. It knows its last use, so the next use alone determines the
+// barrier.
 #pragma once
 
 #include "render/vulkan_device.h"
 
 namespace welkin::render {
 
-/// What a pass does with an image: the stages and accesses that touch it, and the layout they need.
+/// How a pass uses an image: the stages and accesses that touch it, and the layout they need.
 struct ImageUse {
   VkPipelineStageFlags2 stages;
   VkAccessFlags2 access;
@@ -18,14 +18,14 @@ inline constexpr VkPipelineStageFlags2 kDepthTests =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
 
 inline constexpr ImageUse kUnused{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED};
-/// Read as well: an attachment that is loaded or tested against.
+/// Includes reading, for an attachment that is loaded or tested against.
 inline constexpr ImageUse kDrawnColour{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                                        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
                                        VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
 inline constexpr ImageUse kDrawnDepth{
     kDepthTests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
     VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
-/// Tested against and sampled in one pass.
+/// For depth that is tested against and sampled in one pass.
 inline constexpr ImageUse kTestedDepth{
     kDepthTests | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
@@ -51,7 +51,7 @@ class Image {
   VkFormat format() const { return format_; }
   VkExtent2D extent() const { return extent_; }
 
-  /// Records the barrier between the last use and the next. With `discard` what the image holds is lost.
+  /// Records the barrier between the last use and the next. `discard` drops the image's content.
   void use(VkCommandBuffer commands, const ImageUse& next, bool discard = false);
 
  private:
@@ -68,7 +68,7 @@ class Image {
   ImageUse last_ = kUnused;
 };
 
-/// An attachment that is cleared to 0 or loaded, then kept.
+/// An attachment that is cleared to 0 or loaded, and then stored.
 VkRenderingAttachmentInfo attachmentOf(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load);
 
 }  // namespace welkin::render

@@ -28,13 +28,14 @@ void setVector(render::shaders::LevelVector& to, const Number3& v, double w) {
   to[3] = static_cast<float>(w);
 }
 
-/// Row `row` of a column-major matrix: the dot product with `v`, plus `offset`.
+/// Sets row `row` of a column-major matrix to the dot product with `v` plus `offset`.
 void setRow(render::shaders::LevelMatrix& matrix, int row, const Number3& v, double offset) {
   for (int i = 0; i < 3; ++i) matrix[4 * i + row] = static_cast<float>(v[i]);
   matrix[12 + row] = static_cast<float>(offset);
 }
 
-/// World to device coordinates by the axes of the ray matrix: column c of it is the direction that device axis c adds.
+/// Sets the matrix from world to device coordinates. Its axes come from the ray matrix: column c there is the direction
+/// that device axis c adds.
 void setViewProjection(render::shaders::LevelConstants& constants, const Number3& position) {
   const auto axis = [&](int column) {
     const float* c = constants.rays + 4 * column;
@@ -49,7 +50,7 @@ void setViewProjection(render::shaders::LevelConstants& constants, const Number3
   setRow(constants.view_projection, 3, forward, -dot(forward, position));
 }
 
-/// An orthographic map that holds the whole level, as seen from the light. Returns the edge of a texel in metres.
+/// Sets an orthographic map that holds the whole level, as seen from the light. Returns the edge of a texel in metres.
 double setShadow(render::shaders::LevelConstants& constants, const level::Bounds& bounds, const Number3& towards,
                  uint32_t size) {
   const Number3 side = std::abs(towards.y) > 0.9 ? Number3(1.0, 0.0, 0.0) : Number3(0.0, 1.0, 0.0);
@@ -64,7 +65,7 @@ double setShadow(render::shaders::LevelConstants& constants, const level::Bounds
       low[a] = std::min(low[a], along);
       high[a] = std::max(high[a], along);
     }
-  const double margin = 4.0 / size;  // of the map, for the filter
+  const double margin = 4.0 / size;  // Margin of the map for the filter.
   const double edge = std::max({high[0] - low[0], high[1] - low[1], 1e-3}) / (1.0 - 2.0 * margin);
   for (int a = 0; a < 2; ++a) {
     const double centre = 0.5 * (low[a] + high[a]);
@@ -121,7 +122,7 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
     const auto waves = wavesAt(sample.time_h);
     std::memcpy(constants.waves, waves.data(), sizeof(constants.waves));
   } else {
-    for (render::shaders::LevelVector& wave : constants.waves) wave[0] = 1.0F;  // no slope, but a direction
+    for (render::shaders::LevelVector& wave : constants.waves) wave[0] = 1.0F;  // Zero slope, but a valid direction.
   }
   return constants;
 }

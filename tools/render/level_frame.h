@@ -10,26 +10,26 @@
 
 namespace welkin::render {
 
-/// How a level is drawn.
+/// Options for drawing a level.
 struct LevelOptions {
   bool flat_light = false;      ///< ambient light of one colour instead of the spherical harmonics
   bool tint = true;             ///< the dome's polarising tint
   bool waves = true;            ///< else the sea is a mirror
-  bool cubemaps = false;        ///< the dome and the sky in the sea from the baked cubemaps, tint and all
+  bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
   uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels
 };
 
-/// The sun; the moon where the sun gives nothing; nothing below the horizon.
+/// Returns the sun, or the moon when the sun gives no light. Null when neither shines from above the horizon.
 const WelkinLight* lightOf(const WelkinSkySample& sample);
 
-/// Constants of a view of `width` x `height` pixels. With `mirrored` the camera is below the sea, which is the mirror,
-/// and what is under the sea is left out.
+/// Constants of a view of `width` x `height` pixels. With `mirrored` the camera is reflected in the sea's surface and
+/// nothing below the sea is drawn.
 render::shaders::LevelConstants levelConstants(const level::Scene& scene, const WelkinSkySample& sample,
                                                const Camera& camera, const f64::Number3& position, uint32_t width,
                                                uint32_t height, const LevelOptions& options, bool mirrored);
 
-/// A camera that sees the whole level from the south-east, a little above.
+/// A camera south-east of the level and a little above, which sees all of it.
 struct PlacedCamera {
   Camera camera;
   f64::Number3 position;

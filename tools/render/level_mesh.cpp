@@ -9,7 +9,7 @@
 namespace welkin::render {
 namespace {
 
-/// Never empty: a level may hold nothing but the sea.
+/// Creates a buffer that is never empty, since a level may hold nothing but the sea.
 template <typename T>
 VkDeviceSize bytesOf(const std::vector<T>& list) {
   return std::max<std::size_t>(list.size(), 1) * sizeof(T);
@@ -48,7 +48,7 @@ void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const
   for (const level::Draw& draw : scene_.draws) {
     if (draw.role == geometry::Role::water) continue;
     if (cull) {
-      // Device coordinates are y-down, so that glTF's counter-clockwise front stays counter-clockwise on the screen.
+      // Device coordinates are y-down, so glTF's counter-clockwise front stays counter-clockwise on the screen.
       vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
       vkCmdSetFrontFace(commands,
                         draw.mirrored != mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);

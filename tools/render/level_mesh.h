@@ -12,13 +12,13 @@ namespace welkin::render {
 
 class LevelMesh {
  public:
-  /// `scene` outlives the object.
+  /// `scene` must outlive the object.
   LevelMesh(const VulkanDevice& device, const level::Scene& scene);
 
   VkBuffer instances() const { return instances_.handle(); }
 
   /// Records every draw but the water's. With `cull`, which needs dynamic culling, the backs of single-sided surfaces
-  /// are left out; `mirrored`: the view is a mirror image.
+  /// are left out. `mirrored` means that the view is a mirror image.
   void record(VkCommandBuffer commands, bool cull, bool mirrored) const;
 
   static std::span<const VkVertexInputAttributeDescription> attributes();

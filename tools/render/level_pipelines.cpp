@@ -103,7 +103,7 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                              .depth_compare = VK_COMPARE_OP_GREATER,
                                              .depth_write = true,
                                              .dynamic_culling = true});
-  // The full-screen triangle has depth 0: less than any surface's.
+  // The full-screen triangle has depth 0, less than any surface.
   light = createGraphicsPipeline(device_,
                                  {.layout = layout_,
                                   .vertex = kFullscreenVert,

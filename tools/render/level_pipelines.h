@@ -12,7 +12,8 @@ class LevelPipelines {
   static constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
   static constexpr VkFormat kSurfaceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< albedo, normal
 
-  /// `sky` is the layout of set 0; `light_of_modes`: ambient light from the modes of the sky's irradiance.
+  /// `sky` is the layout of set 0. With `light_of_modes` the ambient light comes from the modes of the sky's
+  /// irradiance.
   LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes);
   ~LevelPipelines() { destroy(); }
   LevelPipelines(const LevelPipelines&) = delete;
@@ -27,7 +28,7 @@ class LevelPipelines {
   VkPipeline surface = VK_NULL_HANDLE;  ///< albedo and normal
   VkPipeline light = VK_NULL_HANDLE;    ///< radiance where there is a surface
   VkPipeline probes = VK_NULL_HANDLE;   ///< radiance and depth of the spheres of probes
-  VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea where nothing is before it
+  VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea, where nothing is in front of it
 
  private:
   void createLayouts(VkDescriptorSetLayout sky);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using geometry::SectorId;
 using sectors::SectorFile;
 
-/// The sector that a file of this name holds; nothing for a file that a bake does not make.
+/// Returns the sector in a file of this name. Nothing for a name that a bake does not use.
 std::optional<SectorId> sectorOf(const std::string& name) {
   const std::string head = "sector_";
   const std::string tail = ".welkin";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The probes of a baked level, relit for a time, as the level picture draws them.
+// The probes of a baked level, relit for a time of day, for the level picture.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace welkin::render {
 class LevelProbes {
  public:
   /// Reads the level's sky and [scale], and every sector_X_Z.welkin in DIR/sectors, in the order of the sectors. Throws
-  /// Error: `file` where the folder or a file cannot be read, or where there is no sector; `content` for a sector that
-  /// is damaged or another than its name says.
+  /// Error(file) when the folder or a file cannot be read, or there is no sector. Throws Error(content) when a sector
+  /// is damaged or does not match its name.
   LevelProbes(const std::filesystem::path& level, const std::filesystem::path& folder);
 
-  /// At a finite time in hours: sky, bounced sun and moon, and emission, with the level's [scale].
+  /// The probes at a finite time in hours, lit by sky, bounced sun and moon, and emission, with the level's [scale].
   std::vector<ProbeSphere> at(double time_h) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace welkin::render {
 
-/// The images and the constants of one view; the set points at them.
+/// The images and constants of one view. The descriptor set points at them.
 struct LevelView::Target {
   Target(const VulkanDevice& device, VkExtent2D extent, VkDescriptorSet descriptor_set,
          const render::shaders::LevelConstants& c)
@@ -30,7 +30,7 @@ struct LevelView::Target {
 
 namespace {
 
-/// Collects the writes of a descriptor set and makes them.
+/// Collects the writes of a descriptor set and applies them.
 class SetWriter {
  public:
   explicit SetWriter(VkDescriptorSet set) : set_(set) {}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a level under a baked sky: shadow map, surfaces, light, dome, probes, sea; radiance in scene units.
+// Draws pictures of a level under a baked sky: shadow map, surfaces, light, dome, probes, sea. Radiance is in scene
+// units.
 #pragma once
 
 #include <memory>
@@ -17,33 +18,33 @@ namespace welkin::render {
 
 class LevelView {
  public:
-  /// `device`, `sky` and `scene` outlive the object.
+  /// `device`, `sky` and `scene` must outlive the object.
   LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options);
   ~LevelView();
   LevelView(const LevelView&) = delete;
   LevelView& operator=(const LevelView&) = delete;
 
-  /// Sets the hour of the pictures that follow; throws Error(usage) when it is not finite.
+  /// Sets the hour of the following pictures. Throws Error(usage) when it is not finite.
   void setTime(double time_h) { sky_.setTime(time_h, options_.tint); }
   const WelkinSkySample& sample() const { return sky_.sample(); }
 
-  /// The probes of the pictures that follow, in place of those before; spheres of WELKIN_PROBE_RADIUS and albedo 1,
-  /// each of the irradiance of its probe alone. They neither cast shadows nor receive them.
+  /// Sets the probes of the following pictures and replaces earlier ones. They are spheres of radius
+  /// WELKIN_PROBE_RADIUS and albedo 1, each lit by its own probe alone. They neither cast nor receive shadows.
   void setProbes(std::span<const ProbeSphere> probes);
 
-  /// One sample a pixel; the sky behind and the discs are in it.
+  /// Draws with one sample a pixel. The sky behind the level and the discs are included.
   FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
 
  private:
   struct Target;
-  /// Records the level without the sea; with `dome` the sky is drawn where there is no surface.
+  /// Records the level without the sea. With `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
   /// Draws the probes over a scene.
   void recordProbes(VkCommandBuffer commands, Target& target, Image& radiance);
   void recordShadow(VkCommandBuffer commands, const Target& target);
   void recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection);
-  /// Begins to draw into `radiance` over a scene, by whose depth it tests and which it writes as `depth_use` says.
+  /// Begins to draw into `radiance` over a scene. Its depth is tested, and written as `depth_use` says.
   void beginOver(VkCommandBuffer commands, Target& target, const ImageUse& depth_use, Image& radiance,
                  VkAttachmentLoadOp load, VkPipeline pipeline);
   void bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const;
@@ -54,10 +55,10 @@ class LevelView {
   RuntimeSky sky_;
   LevelMesh mesh_;
   LevelPipelines pipelines_;
-  std::unique_ptr<Buffer> probes_;  ///< none without probes
+  std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
-  VkDescriptorSet sets_[2] = {};  ///< of the picture and of its mirror image
+  VkDescriptorSet sets_[2] = {};  ///< sets of the picture and of its mirror image
 };
 
 }  // namespace welkin::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An RGBA 32-bit float image to draw into, and its way back to the host.
+// An RGBA 32-bit float image to draw into and read back on the host.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Offscreen {
  public:
   static constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-  /// `more` is added to the image's usage. Throws Error(usage) when the device has no image of that size.
+  /// `more` is added to the image's usage. Throws Error(usage) when the device does not support an image of that size.
   Offscreen(VulkanDevice& device, uint32_t width, uint32_t height, VkImageUsageFlags more = 0);
 
   Image& image() { return image_; }
@@ -32,7 +32,7 @@ class Offscreen {
   /// Clears to 0, calls `draw` inside dynamic rendering with viewport and scissor set, waits and reads back.
   FloatImage render(const std::function<void(VkCommandBuffer)>& draw);
 
-  /// Calls `record`, which leaves the image drawn, waits and reads back.
+  /// Calls `record`, which must leave the image drawn, then waits and reads back.
   FloatImage read(const std::function<void(VkCommandBuffer)>& record);
 
  private:

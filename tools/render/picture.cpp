@@ -16,13 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint32_t kMostAcross = 4;  // single pictures a row; columns of several stay beside each other
+constexpr uint32_t kMostAcross = 4;  // Single pictures in a row. Columns of several pictures stay side by side.
 constexpr uint32_t kMargin = 8;
 constexpr uint32_t kLabelHeight = 24;
 constexpr int kLabelSize = 18;
 constexpr uint8_t kGround = 24;
 
-/// A sans-serif font of the system: the first of the folders `fonts` of XDG_DATA_DIRS; empty when there is none.
+/// Finds a sans-serif font of the system, in the first folder `fonts` of XDG_DATA_DIRS that has one. Empty when there
+/// is none.
 std::string findFont() {
   const char* variable = std::getenv("XDG_DATA_DIRS");
   std::string folders = variable != nullptr && *variable != '\0' ? variable : "/usr/local/share:/usr/share";

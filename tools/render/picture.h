@@ -9,20 +9,20 @@
 
 namespace welkin::render {
 
-/// A column of a contact sheet: pictures from the top, all columns alike, under a label.
+/// A column of a contact sheet: a label and pictures from the top. All columns have the same shape.
 struct SheetColumn {
   std::string label;
   std::vector<Picture> pictures;
 };
 
-/// Lays the columns side by side on a dark ground; columns of one picture wrap after four. Labels are left out when the
+/// Lays the columns side by side on a dark ground. Columns of one picture wrap after four. Labels are left out when the
 /// system has no font.
 Picture contactSheet(const std::vector<SheetColumn>& columns);
 
-/// "06:30" of an hour in [0, 24), to the nearest minute.
+/// The text of an hour in [0, 24), such as "06:30", to the nearest minute.
 std::string clockLabel(double time_h);
 
-/// Writes a PNG that is there whole or not at all. Throws Error(file).
+/// Writes a PNG file whole or not at all. Throws Error(file).
 void writePng(const Picture& picture, const std::string& path);
 
 }  // namespace welkin::render

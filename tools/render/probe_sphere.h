@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A probe as the level picture draws it: what the instances of its sphere hold.
+// A probe in the level picture: the instance data of its sphere.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ struct ProbeSphere {
   float position[3];       ///< metres
   float irradiance[4][3];  ///< by direction of the transfer basis, pi included, scene units
 
-  static constexpr uint32_t kVertices = 36;  ///< of the cube that level_probes.vert makes about it
+  static constexpr uint32_t kVertices = 36;  ///< vertices of the cube around it, made by level_probes.vert
   static const std::array<VkVertexInputAttributeDescription, 5> kAttributes;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The runtime's Vulkan object of a sky, created and uploaded, with its sample at an hour.
+// The runtime's Vulkan object of a sky, created and uploaded, and its sample at an hour.
 #pragma once
 
 #include <welkin/welkin_vulkan.h>
@@ -11,7 +11,7 @@
 
 namespace welkin::render {
 
-/// Throws Error(internal) when a runtime call that cannot fail has failed.
+/// Throws Error(internal) when a runtime call fails that cannot fail.
 void require(WelkinResult result, const char* call);
 
 /// For a sky drawn into Offscreen's format, without a depth attachment.
@@ -19,13 +19,13 @@ WelkinVulkanCreateInfo createInfo(const VulkanDevice& device, uint32_t frames_in
 
 class RuntimeSky {
  public:
-  /// For a dome drawn into Offscreen's format, without a depth attachment unless `depth_format` is given. `sky` and
-  /// `device` outlive the object.
+  /// Draws a dome into Offscreen's format, without a depth attachment unless `depth_format` is given. `sky` and
+  /// `device` must outlive the object.
   RuntimeSky(VulkanDevice& device, const Sky& sky, VkFormat depth_format = VK_FORMAT_UNDEFINED,
              VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS);
 
-  /// Sets the hour; throws Error(usage) when it is not finite. Without `tint` the polarising tint is left out of the
-  /// dome that is drawn from the formulas; it stays in the cubemaps, where it was baked.
+  /// Sets the hour. Throws Error(usage) when it is not finite. `tint` = false removes the polarising tint from the dome
+  /// drawn from the formulas. Cubemaps keep it, because it was baked into them.
   void setTime(double time_h, bool tint = true);
 
   const WelkinSkySample& sample() const { return sample_; }

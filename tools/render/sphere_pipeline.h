@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pipeline of the sphere picture: what a game's own pass does with the sky's descriptor set.
+// The pipeline of the sphere picture. It uses the sky's descriptor set as a game's own pass would.
 #pragma once
 
 #include "render/shaders/spheres_push.h"
@@ -9,7 +9,7 @@ namespace welkin::render {
 
 class SpherePipeline {
  public:
-  /// `light_of_modes`: ambient light from the modes of the sky's irradiance.
+  /// With `light_of_modes` the ambient light comes from the modes of the sky's irradiance.
   SpherePipeline(const VulkanDevice& device, VkDescriptorSetLayout sky, VkFormat colour_format, bool light_of_modes);
   ~SpherePipeline();
   SpherePipeline(const SpherePipeline&) = delete;

@@ -11,8 +11,8 @@ namespace welkin::render {
 namespace {
 
 constexpr double kMiddleGrey = 0.18;
-constexpr double kAdaptation = 0.8;     // share of the stops between a picture and the day that exposure makes up for
-constexpr double kDarkestNight = 1e-4;  // of the day; below it exposure stays
+constexpr double kAdaptation = 0.8;     // Share of the stops between a picture and the day that exposure compensates.
+constexpr double kDarkestNight = 1e-4;  // Fraction of the day's luminance; below it the exposure stays.
 
 }  // namespace
 

@@ -21,17 +21,19 @@ struct Picture {
 /// Digital Images", SIGGRAPH 2002, eq. 1); 0 when all are black.
 double logAverageLuminance(std::span<const FloatImage> images);
 
-/// Factor that takes `luminance`, a picture's log-average, to middle grey, 0.18, when it is that of the day's brightest
-/// instant, `day_luminance`. A darker picture is brightened by only four fifths of the stops it lacks, and by no more
-/// than it would be at 1e-4 of the day: night stays darker than day. Both 0: 1.
+/// Factor that maps `luminance`, a picture's log-average, towards middle grey, 0.18. `day_luminance` is the log-average
+/// of the day's brightest instant, which maps to 0.18 exactly. A darker picture is brightened by only four fifths of
+/// the stops it lacks, so night stays darker than day. Below 1e-4 of the day the factor stays the same. When both are 0
+/// it is 1.
 double automaticExposure(double luminance, double day_luminance);
 
 /// The filmic curve by Narkowicz, "ACES Filmic Tone Mapping Curve" (2016): a rational fit, for a channel x >= 0.
 double filmic(double x);
 
-/// Exposes, maps, encodes and rounds with an 8 x 8 ordered dither of half a step (Bayer 1973), so that skies do not
-/// band. Pure black stays black. Every pixel is the mean of `samples` x `samples` of the image, taken after the filmic
-/// curve, so that edges against the sun are as soft as others; its sides are multiples of `samples`.
+/// Exposes, maps, encodes and rounds, with an 8 x 8 ordered dither of half a step (Bayer 1973) against banding of
+/// skies. Pure black stays black. Every pixel is the mean of `samples` x `samples` pixels of the image, whose sides are
+/// multiples of `samples`. The mean is taken after the filmic curve, so that edges against the sun are as soft as
+/// others.
 Picture tonemap(const FloatImage& image, double exposure, uint32_t samples = 1);
 
 }  // namespace welkin::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a baked sky at an hour, drawn by the runtime's own passes; radiance in scene units.
+// Pictures of a baked sky at an hour, drawn by the runtime's own passes. Radiance is in scene units.
 #pragma once
 
 #include "render/camera.h"
@@ -9,7 +9,7 @@
 
 namespace welkin::render {
 
-/// Ambient light of the spheres; the values are those of spheres_push.h.
+/// Ambient light of the spheres, with the values of spheres_push.h.
 enum class SkyLight : uint32_t {
   flat = WELKIN_LIGHT_FLAT,  ///< one colour: the mean over all normals
   sh = WELKIN_LIGHT_SH,
@@ -18,17 +18,17 @@ enum class SkyLight : uint32_t {
 
 class Views {
  public:
-  /// Creates the runtime's Vulkan objects and uploads the sky. `sky` and `device` outlive the object.
+  /// Creates the runtime's Vulkan objects and uploads the sky. `sky` and `device` must outlive the object.
   Views(VulkanDevice& device, const Sky& sky, WelkinVulkanSource source);
 
-  /// Sets the hour of the pictures that follow; throws Error(usage) when it is not finite.
+  /// Sets the hour of the following pictures. Throws Error(usage) when it is not finite.
   void setTime(double time_h, bool tint = true) { runtime_.setTime(time_h, tint); }
   const WelkinSkySample& sample() const { return runtime_.sample(); }
 
-  /// The upper hemisphere as welkinFisheyeDirection of view.glsl maps it.
+  /// Draws the upper hemisphere, mapped by welkinFisheyeDirection of view.glsl.
   FloatImage dome(uint32_t width, uint32_t height, bool discs);
   FloatImage perspective(uint32_t width, uint32_t height, const Camera& camera, bool discs);
-  /// A row of spheres before the sky; see spheres.frag.
+  /// Draws a row of spheres in front of the sky; see spheres.frag.
   FloatImage spheres(uint32_t width, uint32_t height, const Camera& camera, SkyLight light);
 
   const WelkinVulkanSky* runtime() const { return runtime_.get(); }
@@ -42,7 +42,7 @@ class Views {
   SpherePipeline spheres_;
 };
 
-/// A camera that looks towards the sun, or towards the moon when it is up after nautical twilight; horizontal.
+/// A horizontal camera that looks towards the sun, or towards the moon when it is up after nautical twilight.
 Camera towardsLight(const WelkinSkySample& sample);
 
 }  // namespace welkin::render

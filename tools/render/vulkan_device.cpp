@@ -33,7 +33,7 @@ bool hasValidationLayer() {
   });
 }
 
-/// The first queue family that can draw; none: the number of families.
+/// The first queue family that can draw. The number of families if there is none.
 uint32_t graphicsFamily(VkPhysicalDevice device, uint32_t& count) {
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
@@ -44,7 +44,7 @@ uint32_t graphicsFamily(VkPhysicalDevice device, uint32_t& count) {
   return static_cast<uint32_t>(found - families.begin());
 }
 
-/// Why a device cannot be used; empty when it can.
+/// The reason why a device cannot be used. Empty when it can.
 std::string refusal(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties) {
   if (properties.apiVersion < VK_API_VERSION_1_3)
     return "has Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
@@ -66,7 +66,7 @@ std::string refusal(VkPhysicalDevice device, const VkPhysicalDeviceProperties& p
   return {};
 }
 
-/// Lower is better.
+/// Rank of a device type. Lower is better.
 int rankOf(VkPhysicalDeviceType type) {
   switch (type) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A headless Vulkan 1.3 device: a real GPU where there is one, else a software rasteriser (lavapipe).
+// A headless Vulkan 1.3 device: a real GPU if there is one, otherwise a software rasteriser (lavapipe).
 #pragma once
 
 #include <volk.h>
@@ -10,14 +10,16 @@
 
 namespace welkin::render {
 
-/// Throws Error(file) naming the call when `result` is not success.
+/// Throws Error(file), naming the call, when `result` is not success.
 void require(VkResult result, const char* call);
 
-/// Instance, device, one graphics queue and one command pool. Uses volk's global function pointers: one at a time.
+/// Instance, device, one graphics queue and one command pool. It uses volk's global function pointers, so only one may
+/// exist at a time.
 class VulkanDevice {
  public:
-  /// `validate`: with Khronos' validation layer, core and synchronisation checks; its messages go to stderr and are
-  /// counted. Throws Error(file) when there is no loader, driver, layer or device; it says why each was refused.
+  /// `validate` enables Khronos' validation layer with core and synchronisation checks. Its messages go to stderr and
+  /// are counted. Throws Error(file) when there is no loader, driver, layer or device; the message says why each was
+  /// refused.
   explicit VulkanDevice(bool validate);
   ~VulkanDevice();
   VulkanDevice(const VulkanDevice&) = delete;
@@ -28,10 +30,10 @@ class VulkanDevice {
   VkDevice device() const { return device_; }
   const VkPhysicalDeviceProperties& properties() const { return properties_; }
 
-  /// Validation messages of severity warning or error until now; 0 without validation.
+  /// Number of validation messages so far of severity warning or error. 0 without validation.
   unsigned messageCount() const { return message_count_; }
 
-  /// Index of a memory type of `allowed` that has all of `needed`.
+  /// Index of a memory type in `allowed` that has all of `needed`.
   uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags needed) const;
 
   /// Records, submits and waits.

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Bakes a level on a Slurm cluster: an array of jobs, one a shard, and the merge after the last of them.
 #   tools/slurm/bake_level.sh LEVEL.toml DIR SHARDS [OPTION...]     OPTIONs of welkin bake; prints the merge's job id
-# LEVEL.toml and DIR are on a file system that all nodes see; WELKIN names the program (default: welkin), SBATCH_OPTIONS
-# what sbatch gets besides (partition, time, CPUs). The same command again bakes only what is missing.
+# LEVEL.toml and DIR are on a file system that all nodes see. WELKIN names the program (default: welkin). SBATCH_OPTIONS
+# holds further options of sbatch (partition, time, CPUs). The same command, run again, bakes only missing sectors.
 set -eu
 if [ $# -lt 3 ]; then
   echo "bake_level.sh LEVEL.toml DIR SHARDS [OPTION...]" >&2

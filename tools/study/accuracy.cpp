@@ -94,7 +94,7 @@ std::string islandTable(const Study& study) {
   return table.markdown(3);
 }
 
-/// How often a bake of the example takes modes, and what a pixel costs.
+/// How often a bake of the example takes modes, and the cost of a pixel.
 std::string modesAdvice(const Study& study) {
   std::size_t modes = 0;
   for (const BudgetRow& row : study.tables.budgets)

@@ -14,8 +14,8 @@ struct ModelRow {
   bool grey = false;
   double bands[3] = {};         ///< error at exact keys of 2, 3, 5 bands
   double fitted_bands[3] = {};  ///< the same, fitted
-  double modes[4] = {};         ///< of 4, 5, 6, 8 modes, fitted, in the largest map
-  std::size_t bytes[4] = {};    ///< of the least table for kBudgets; 0: cannot be met
+  double modes[4] = {};         ///< error with 4, 5, 6, 8 modes, fitted, in the largest map
+  std::size_t bytes[4] = {};    ///< the least table's for kBudgets; 0: cannot be met
   std::size_t keys[4] = {};
 };
 

@@ -24,7 +24,7 @@ struct Range {
 
 struct Axis {
   std::string title;
-  Quantity quantity = Quantity::number;  ///< of an axis of decades; a linear one shows plain numbers
+  Quantity quantity = Quantity::number;  ///< for an axis of decades; a linear one shows plain numbers
   Scale scale = Scale::linear;
   std::optional<Range> range = std::nullopt;  ///< shown at least; the data can widen it
 };

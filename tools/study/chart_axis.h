@@ -18,7 +18,7 @@ class AxisScale {
   /// The coordinate at which a value is drawn: the value itself, but zeros of decades lie on the lower edge.
   double coordinate(double value) const { return decades_ && value == 0.0 ? zero_ : value; }
 
-  /// Share of the axis below a value; of what the axis shows in [0, 1].
+  /// Share of the axis below a value; in [0, 1] for a value that the axis shows.
   double position(double value) const;
 
   double low() const { return low_; }
@@ -35,10 +35,10 @@ class AxisScale {
   void addTick(double value, const std::string& label);
 
   bool decades_;
-  double low_ = 0.0;  // of everything that is shown
+  double low_ = 0.0;  // the ends of everything that is shown
   double high_ = 0.0;
   double zero_ = 0.0;
-  std::string ticks_;  // of gnuplot: 'label' value [0 major, 1 minor], ...
+  std::string ticks_;  // in gnuplot's words: 'label' value [0 major, 1 minor], ...
   std::size_t label_length_ = 6;
 };
 

@@ -23,7 +23,7 @@ const Candidate* find(const std::vector<Candidate>& candidates, const std::strin
   return at == candidates.end() ? nullptr : &*at;
 }
 
-/// Of `count` modes the candidate with the least error, or null.
+/// The candidate of `count` modes with the least error, or null.
 const Candidate* bestModes(const std::vector<Candidate>& candidates, std::size_t count) {
   const Candidate* best = nullptr;
   for (const Candidate& candidate : candidates)

@@ -68,7 +68,7 @@ std::vector<Number3> linearRows(const PeriodicDay& periodic, std::size_t first, 
   return rows;
 }
 
-/// With the slopes of the instants next to the ends, inside.
+/// The cubic with the slopes of the instants next to the ends, inside.
 bool hermiteReaches(const PeriodicDay& periodic, std::size_t first, std::size_t last, double error) {
   const double interval = periodic.timeAt(last) - periodic.timeAt(first);
   const double start = periodic.timeAt(first + 1) - periodic.timeAt(first);

@@ -7,7 +7,7 @@
 
 namespace welkin::study {
 
-/// What a script writes to standard output: a picture, when it sets a terminal and plots. Runs `gnuplot -d` from PATH
+/// The output of a script: a picture, when it sets a terminal and plots. Runs `gnuplot -d` from PATH
 /// without a shell and without the user's settings; none when there is no gnuplot. Throws Error(file) with the first
 /// line that gnuplot says when it fails, or when the disk for temporary files is full.
 std::optional<std::string> runGnuplot(const std::string& script);

@@ -27,7 +27,7 @@ double CubemapSizeRow::error() const {
 
 CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& options) {
   CubemapStudy study;
-  // By the light of the day: a low sun has its halo cut by the horizon.
+  // Weighed by the light of the day: the horizon cuts a low sun's halo.
   const std::vector<double> hours = {0.0, 5.0, 5.5, 6.0, 7.0, 9.0, 12.0, 15.0, 17.0, 18.0, 18.5, 19.0};
   for (int size = 16; size <= (options.quick ? 64 : 256); size *= 2)
     for (const CubemapFormat format : kFormats) {

@@ -12,9 +12,9 @@ namespace welkin::study {
 struct CubemapSizeRow {
   int size = 0;
   format::CubemapFormat format = format::CubemapFormat::rgba16f;
-  double bytes = 0.0;  ///< of one
+  double bytes = 0.0;  ///< a cubemap
   double resolution = 0.0, encoding = 0.0;
-  double error() const;  ///< of both: the root of the sum of their squares, at the worst time
+  double error() const;  ///< the root of the sum of both squares, at the worst time
 };
 
 /// The fewest times between which a blend of the model itself stays within an error.
@@ -23,7 +23,7 @@ struct CubemapTimesRow {
   std::size_t times = 0;
 };
 
-/// The plan of sky::planCubemaps for a budget.
+/// The plan of cubemap::planCubemaps for a budget.
 struct CubemapBudgetRow {
   double max_error = 0.0;
   cubemap::CubemapPlan plan;

@@ -11,7 +11,7 @@ namespace welkin::study {
 struct KeyCounts {
   std::string representation;
   double max_error = 0.0;
-  std::size_t placed = 0;    ///< sky::placeKeys, linear
+  std::size_t placed = 0;    ///< table::placeKeys, linear
   std::size_t hermite = 0;   ///< the most favourable cubic: cubic_time.h
   double catmull_rom = 0.0;  ///< error of Catmull-Rom at the placed keys
 };

@@ -10,7 +10,7 @@ namespace welkin::study {
 /// SkyProjector under a tolerance, five bands.
 struct QuadratureRow {
   double tolerance = 0.0;
-  double evaluations = 0.0;  ///< of the radiance, a key, on average
+  double evaluations = 0.0;  ///< evaluations of the radiance a key, on average
   double error = 0.0;        ///< largest difference of a coefficient from those under 1e-12, over c0
   double key_s = 0.0;        ///< on one thread
 };

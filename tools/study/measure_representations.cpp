@@ -8,7 +8,7 @@
 namespace welkin::study {
 namespace {
 
-constexpr std::size_t kKeysOfSpeed = 96;  // a search over so many keys, about what bakes have
+constexpr std::size_t kKeysOfSpeed = 96;  // a search over so many keys, about as many as bakes have
 
 const char* nameOf(Fit fit) {
   switch (fit) {

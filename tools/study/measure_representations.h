@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first axis of a study: bands and their reconstruction, modes and their maps. Error at exact keys against what a
-// key, a sample and a pixel cost.
+// The first axis of a study: bands and their reconstruction, modes and their maps. Error at exact keys against the
+// cost of a key, a sample and a pixel.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The third and fourth axes of a study: encodings of the numbers, and what an error budget buys. All complete tables
+// The third and fourth axes of a study: encodings of the numbers, and the gain of an error budget. All complete tables
 // that were measured, their Pareto front, and the plan of a bake for each budget.
 #pragma once
 
@@ -14,8 +14,8 @@ struct EncodingRow {
   table::Encoding encoding;
   std::size_t keys = 0;
   std::size_t bytes = 0;
-  double encoding_error = 0.0;  ///< of rounding alone
-  double error = 0.0;           ///< of everything
+  double encoding_error = 0.0;  ///< by rounding alone
+  double error = 0.0;           ///< by everything
 };
 
 /// A complete table: a representation, placed keys, an encoding.
@@ -28,7 +28,7 @@ struct MeasuredTable {
   bool is_fitted = false;
 };
 
-/// The plan of sky::planDay for a budget.
+/// The plan of table::planDay for a budget.
 struct BudgetRow {
   double max_error = 0.0;
   table::DayPlan plan;

@@ -8,7 +8,7 @@
 
 namespace welkin::study {
 
-/// What something costs and how far it errs: less is better in both.
+/// A cost and an error: less is better in both.
 struct Tradeoff {
   double cost;
   double error;

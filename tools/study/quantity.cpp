@@ -19,7 +19,7 @@ struct Unit {
 constexpr std::array<Unit, 4> kByteUnits = {{{1.0, "B"}, {1e3, "KB"}, {1e6, "MB"}, {1e9, "GB"}}};
 constexpr std::array<Unit, 4> kTimeUnits = {{{1e-9, "ns"}, {1e-6, "us"}, {1e-3, "ms"}, {1.0, "s"}}};
 
-// Without an exponent where it stays short: 0.001 and 120000, but 1e-05 and 1.2e+06.
+// Writes no exponent where the number stays short: 0.001 and 120000, but 1e-05 and 1.2e+06.
 std::string digitsOf(double value, int digits) {
   const double rounded = std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
   const double size = std::abs(rounded);
@@ -28,7 +28,7 @@ std::string digitsOf(double value, int digits) {
   return fmt::format("{}", rounded);
 }
 
-// By the largest unit that leaves at least 1 after rounding.
+// Takes the largest unit that leaves at least 1 after rounding.
 std::string withUnit(double value, std::span<const Unit> units, int digits) {
   const double rounded = std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
   const Unit* unit = &units.front();

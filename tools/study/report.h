@@ -13,7 +13,7 @@
 namespace welkin::study {
 
 struct StudyTable {
-  std::string name;   ///< of its files: a to z, 0 to 9, '_' and '-'; unique
+  std::string name;   ///< its files' name: a to z, 0 to 9, '_' and '-'; unique
   std::string title;  ///< above it in the conclusion
   Table table;
   bool in_conclusion = true;  ///< also written out there, which suits few rows
@@ -33,9 +33,9 @@ struct StudyReport {
 
 /// Writes NAME.csv and NAME.json of every table, NAME.svg and NAME.png of every chart, and last conclusion.md, which
 /// shows them; makes the folder. The same report gives the same bytes. Returns the number of charts that are left out:
-/// all of them without gnuplot, which conclusion.md then says. Throws Error(file) for the disk or a failing gnuplot,
-/// and before anything is written Error(internal) for a name that is no file name or is there twice, or a chart that
-/// drawChart refuses.
+/// all of them without gnuplot, which conclusion.md then says. Throws Error(file) for the disk or a failing gnuplot.
+/// Before anything is written it throws Error(internal) for a name that is no file name or is there twice, or for a
+/// chart that drawChart refuses.
 std::size_t writeReport(const StudyReport& report, const std::filesystem::path& folder);
 
 }  // namespace welkin::study

@@ -11,7 +11,7 @@ namespace welkin::study {
 struct RuntimeSpeed {
   double sample_ns = 0.0;      ///< welkin_sky_sample
   double irradiance_ns = 0.0;  ///< welkin_sky_irradiance, a normal
-  std::size_t file_bytes = 0;  ///< of the whole file, without cubemaps
+  std::size_t file_bytes = 0;  ///< the whole file's, without cubemaps
 };
 
 /// Measures a file that holds `candidate` at `keys` even instants as float32.

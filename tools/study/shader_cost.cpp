@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of sections are those of The Khronos Group, "SPIR-V Specification", version 1.6.
+// Sections are numbered as in The Khronos Group, "SPIR-V Specification", version 1.6.
 #define SPV_ENABLE_UTILITY_CODE
 #include "study/shader_cost.h"
 
@@ -97,9 +97,9 @@ class Counter {
     return widest;
   }
 
-  std::map<std::uint32_t, int> components_;      // of a vector type; other types count as one
-  std::map<std::uint32_t, bool> is_uniform_;     // of a pointer type
-  std::map<std::uint32_t, std::uint32_t> type_;  // of a value
+  std::map<std::uint32_t, int> components_;      // by vector type; other types count as one
+  std::map<std::uint32_t, bool> is_uniform_;     // by pointer type
+  std::map<std::uint32_t, std::uint32_t> type_;  // by value
   ShaderCost cost_;
 };
 

@@ -12,11 +12,11 @@
 namespace welkin::study {
 namespace {
 
-constexpr int kBandsBesideModes = 3;  // of a sample, as sky/plan.cpp's
+constexpr int kBandsBesideModes = 3;  // a sample's, as in sky/table/plan.cpp
 
 /// Lessens the bands of every instant by one window for the day.
 double applyMildestWindow(const StudyDay& day, table::Representation& r) {
-  std::vector<det::Number3> normals;  // of one side of the sun's plane, the frame's pole as the basis' own
+  std::vector<det::Number3> normals;  // on one side of the sun's plane, the frame's pole as the basis' own
   for (std::size_t p = 0; p < day.grid().count(); ++p) {
     const det::Number3 n = day.grid().normal(p).inSunFrame();
     normals.emplace_back(n.z, n.x, n.y);

@@ -10,7 +10,7 @@
 
 namespace welkin::study {
 
-/// How much of a study is made, and who is told.
+/// The extent of a study, and its listeners.
 struct StudyOptions {
   bool quick = false;              ///< fewer instants, candidates and cubemaps
   table::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
@@ -36,7 +36,7 @@ class StudyDay {
   table::DayValues values_;
 };
 
-/// How the numbers of a representation are found.
+/// The way to find the numbers of a representation.
 enum class Fit {
   projected,  ///< coefficients of the radiance; of modes, the nearest combination in the mean square
   fitted,     ///< the least largest error of the irradiance
@@ -49,12 +49,12 @@ struct Candidate {
   table::Representation representation;
   Fit fit = Fit::projected;
   double window_strength = 0.0;
-  double error = 0.0;  ///< the largest at exact keys: what is left out, and the map of modes
+  double error = 0.0;  ///< the largest at exact keys: by the part left out, and by the map of modes
 
   bool isModes() const { return representation.modes.has_value(); }
   /// Numbers a channel and instant that irradiance depends on; the ground's horizontal irradiance apart.
   std::size_t numbers() const;
-  /// Bytes of a key and of everything else in a table, as sky::bytesOf counts them.
+  /// Bytes of a key and of everything else in a table, as table::bytesOf counts them.
   std::size_t bytesOfKey(const model::Sky& sky, table::Encoding encoding) const;
   std::size_t bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const;
 };
@@ -67,7 +67,7 @@ struct MapSize {
 };
 inline constexpr MapSize kSmallMap = {9, 5}, kMiddleMap = {9, 9}, kLargeMap = {17, 17}, kLargestMap = {25, 25};
 
-/// Modes and the weights nearest to every instant: what maps of any size have in common.
+/// Modes and the weights nearest to every instant. Maps of any size share them.
 struct DayWeights {
   table::ModeSet set;
   std::vector<det::Number3> weights;

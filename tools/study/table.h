@@ -35,7 +35,7 @@ class Table {
   /// A header of `name (unit)`, then the rows; lines end with CR LF. Numbers are the shortest that read back exactly.
   std::string csv() const;
 
-  /// {"columns": [{"name", "unit"}], "rows": [{name: value}]}; what was not measured is null.
+  /// {"columns": [{"name", "unit"}], "rows": [{name: value}]}; a value that was not measured is null.
   nlohmann::ordered_json json() const;
 
   /// Numbers with at most `digits` significant digits, to the right; words to the left.

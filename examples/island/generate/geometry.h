@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors, frames and integer hashes of the island's generator: only operations whose bits are the same everywhere.
+// Vectors, frames and integer hashes of the island's generator. All operations give the same bits on every machine.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ inline double smoothStep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// The larger of two numbers, rounded off where they differ by less than `width`.
+/// The larger of two numbers, smoothed where they differ by less than `width`.
 inline double smoothMax(double a, double b, double width) {
   const double overlap = max(width - (a < b ? b - a : a - b), 0.0) / width;
   return max(a, b) + overlap * overlap * width * 0.25;
@@ -51,7 +51,7 @@ constexpr uint32_t hash(uint32_t x) {
   return x ^ (x >> 16);
 }
 
-/// A number in [0, 1) that stands for the pair.
+/// A pseudo-random number in [0, 1) for the pair; the same pair gives the same number.
 constexpr double random(uint32_t stream, uint32_t index) {
   return hash(hash(stream) + index) / 4294967296.0;
 }
@@ -60,7 +60,7 @@ constexpr double random(uint32_t stream, uint32_t index, double low, double high
   return low + (high - low) * random(stream, index);
 }
 
-/// A rigid frame: where a part's own axes lie.
+/// A rigid frame: origin and axes of a part.
 struct Frame {
   Vec3 origin;
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};

@@ -7,7 +7,7 @@ namespace {
 constexpr uint32_t kSeed = 307;
 const Colour kWood(0.34, 0.25, 0.16);
 
-/// Half the boat's breadth at the share `s` of its length from the stern, `v` from keel to rim.
+/// A point of the hull: `s` from stern to bow, `v` from keel to rim, both in [0, 1]; `side` is -1 or 1.
 Vec3 hull(double s, double v, double side, double thickness) {
   const double plan = s < 0.45 ? mix(0.62, 0.8, s / 0.45) : 0.8 * (1.0 - ((s - 0.45) / 0.55) * ((s - 0.45) / 0.55));
   const double sheer = 0.52 + 0.5 * s * s * s + 0.1 * (1.0 - s) * (1.0 - s);

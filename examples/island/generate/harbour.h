@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The jetty, the fishing boats and what the sea brought.
+// The jetty, the fishing boats and the driftwood.
 #pragma once
 
 #include "generate/mesh.h"

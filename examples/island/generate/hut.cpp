@@ -16,7 +16,7 @@ constexpr double kEaveAbove = 2.15;  // eaves above the floor
 constexpr double kPlank = 0.5;
 constexpr double kThickness = 0.09;
 
-/// The roof's rectangle, and how it rises from the eaves to the ridge.
+/// The roof's rectangle, and its rise from the eaves to the ridge.
 constexpr double kRoofWidth = kHalfWidth + 0.95;
 constexpr double kRoofFront = -kHalfDepth - kPorch - 0.35;
 constexpr double kRoofBack = kHalfDepth + 0.95;
@@ -31,12 +31,13 @@ double roofUnder(double x, double z) {
   return clamp(edge / kRoofWidth, 0.0, 1.0) * kRise - kThatch;
 }
 
-/// A wall from `from` to `from` + `along` x planks, outward to its right; planks leave out the opening.
+/// An opening in a wall: its planks and its heights above the floor.
 struct Opening {
   int first = 0, count = 0;
   double low = 0.0, high = 0.0;
 };
 
+/// A wall from `from` to `from` + `along` x planks, whose outside is to its right. Planks leave the opening free.
 Shape wall(const Vec3& from, const Vec3& along, int planks, const Opening& opening, double floor, uint32_t seed) {
   Shape shape;
   const Frame frame = {from, along, {0, 1, 0}, cross(along, Vec3(0, 1, 0))};
@@ -77,7 +78,7 @@ Shape casing(const Frame& frame, double x0, double x1, double low, double high) 
   return shape;
 }
 
-/// A point of the roof: `t` from the eaves to the ridge, `u` round it, counter-clockwise seen from above.
+/// A point of the roof: `t` from the eaves to the ridge, `u` round it, counter-clockwise from above.
 Vec3 roofPoint(double t, double u, double lift, double floor) {
   const double width = 2.0 * kRoofWidth;
   const double depth = kRoofBack - kRoofFront;
@@ -117,7 +118,7 @@ void addRoof(Mesh& mesh, double floor) {
     const auto colour = [&](int row, int column) {
       return thatchColour(tier, column, row == 0 ? 0.45 : row == 1 ? 1.0 : 0.8);
     };
-    // the fringe, and the slope up to below the next tier
+    // the fringe, and the slope that ends below the next tier
     mesh.add("thatch", grid(2, kAround, true, point, colour), Shading::smooth);
     const auto above = [](const auto& f) { return [f](int row, int column) { return f(row + 1, column); }; };
     mesh.add("thatch", grid(2, kAround, true, above(point), above(colour)), Shading::smooth);

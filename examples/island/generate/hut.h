@@ -7,7 +7,7 @@
 namespace welkin::island {
 
 /// The door looks to -z; the origin is on the ground in the middle. Walls have the material "wall_red", which a
-/// repainted mesh replaces. `onStilts`: posts and a ladder; else a base of stones and steps.
+/// repainted mesh replaces. `onStilts` gives posts and a ladder, otherwise a base of stones and steps.
 Mesh hut(bool onStilts);
 
 }  // namespace welkin::island

@@ -124,7 +124,7 @@ void addLandmarks(Scene& scene) {
       {.name = "cave", .mesh = "cave", .translation = site.mouth, .azimuth_rad = site.azimuth_rad, .role = "static"});
 }
 
-/// Draws places on the island until `count` of them satisfy `accept`; keeps them `apart_m` from one another.
+/// Draws places on the island until `count` of them satisfy `accept` and lie `apart_m` from one another.
 template <typename Accept, typename Use>
 void scatter(int count, double apart_m, uint32_t seed, Accept accept, Use use) {
   std::vector<Vec3> taken;
@@ -139,7 +139,7 @@ void scatter(int count, double apart_m, uint32_t seed, Accept accept, Use use) {
   }
 }
 
-/// Azimuth in radians in which the sea is nearest.
+/// Azimuth of the nearest sea, radians.
 double seaward(double x, double z) {
   const double east = inland_m(x - 3.0, z) - inland_m(x + 3.0, z);
   const double south = inland_m(x, z - 3.0) - inland_m(x, z + 3.0);

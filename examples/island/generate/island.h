@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The island, put together.
+// The whole island.
 #pragma once
 
 #include "generate/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things stand: the huts, the paths between them, the jetty, the boats and the wreck.
+// Places of the huts, the paths between them, the jetty, the boats and the wreck.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace welkin::island {
 
-/// A place on the map; the azimuth, clockwise from north, is where the thing's front looks.
+/// A place on the map. The front looks along the azimuth, clockwise from north.
 struct Place {
   double x = 0.0;
   double z = 0.0;
@@ -35,7 +35,7 @@ inline constexpr Place kBoat = {-27.0, 30.6, 282.0};
 inline constexpr Place kBeachedBoat = {-6.5, 44.0, 235.0};
 inline constexpr std::array<Place, 3> kDriftwood = {{{-12.0, 67.0, 330.0}, {-13.0, -12.0, 80.0}, {28.0, 99.0, 10.0}}};
 
-/// Palms that frame the view along the beach; the azimuth is where they lean.
+/// Palms that frame the view along the beach; they lean along the azimuth.
 inline constexpr std::array<Place, 6> kFramingPalms = {{{-11.2, 60.5, 292.0},
                                                         {11.0, 61.0, 250.0},
                                                         {13.5, 64.5, 60.0},
@@ -51,11 +51,11 @@ inline double radians(double degrees) {
 /// Distance to the nearest trodden path.
 double distanceToPath_m(double x, double z);
 
-/// Distance to the nearest thing that plants and rocks keep away from: huts, the jetty, boats, the wreck, the cave's
-/// mouth; less than 0 inside.
+/// Distance to the nearest obstacle for plants and rocks: huts, the jetty, boats, the wreck, the cave's mouth. It is
+/// negative inside.
 double clearance_m(double x, double z);
 
-/// Whether something that stands here would hide the village from the beach in the south.
+/// Whether a plant or rock here would hide the village from the beach in the south.
 bool isInView(double x, double z);
 
 }  // namespace welkin::island

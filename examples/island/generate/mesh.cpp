@@ -9,7 +9,7 @@
 namespace welkin::island {
 namespace {
 
-constexpr double kSmallestArea = 1e-7;  // m2: a face below it is left out
+constexpr double kSmallestArea = 1e-7;  // m2; smaller faces are left out
 
 std::array<float, 3> single(const Vec3& v) {
   // -0 becomes 0, so that equal vertices have equal bits

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of points and faces, and meshes that hold them as a glTF file does: with normals, by material.
+// Shapes of points and faces. Meshes hold them as a glTF file does: with normals, by material.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace welkin::island {
 
-/// Points, a colour each, and triangles that are counter-clockwise seen from outside.
+/// Points with a colour each, and triangles that are counter-clockwise from outside.
 struct Shape {
   std::vector<Vec3> points;
   std::vector<Colour> colours;
@@ -30,8 +30,8 @@ struct Shape {
 using GridPoint = std::function<Vec3(int, int)>;
 using GridColour = std::function<Colour(int, int)>;
 
-/// Rows of points joined to a surface; seen from outside columns run to the right and rows upward. `closed` joins the
-/// last column to the first.
+/// Rows of points, joined to a surface. From outside, columns run to the right and rows upward. `closed` joins the last
+/// column to the first.
 Shape grid(int rows, int columns, bool closed, const GridPoint& point, const GridColour& colour);
 
 /// A box from corner to corner of the frame.
@@ -47,7 +47,7 @@ Shape post(const Vec3& from, const Vec3& to, double radius, int sides, const Col
 Shape blob(int subdivisions, const std::function<Vec3(const Vec3&)>& place,
            const std::function<Colour(const Vec3&)>& colour);
 
-/// flat: a normal for each face; smooth: the area-weighted mean at each point of the shape.
+/// flat: one normal a face; smooth: the area-weighted mean of the faces at each point of the shape.
 enum class Shading { flat, smooth };
 
 struct Primitive {
@@ -59,7 +59,7 @@ struct Primitive {
 
 class Mesh {
  public:
-  /// Appends a shape without its faces of no area. A primitive holds at most 65535 vertices.
+  /// Appends a shape and leaves out its faces without area. A primitive holds at most 65535 vertices.
   void add(const std::string& material, const Shape& shape, Shading shading);
   const std::map<std::string, Primitive>& primitives() const { return primitives_; }
 

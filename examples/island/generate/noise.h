@@ -6,10 +6,10 @@
 
 namespace welkin::island {
 
-/// In [0, 1], with period 2^32; lattice spacing 1.
+/// Noise in [0, 1] with period 2^32 and lattice spacing 1.
 double noise(const Vec3& p, uint32_t seed);
 
-/// Octaves of noise, each half as large and twice as fine as the one before; in [0, 1], mean 0.5.
+/// A sum of octaves of noise, each half as large and twice as fine as the one before; in [0, 1], mean 0.5.
 double fractalNoise(const Vec3& p, int octaves, uint32_t seed);
 
 }  // namespace welkin::island

@@ -8,19 +8,19 @@ namespace {
 
 constexpr uint32_t kSeed = 131;
 
-/// How a frond grows: angles in radians, lengths in metres.
+/// Shape of a frond: angles in radians, lengths in metres.
 struct Frond {
   Vec3 base;
   double azimuth = 0.0;
-  double elevation = 0.0;  ///< where it starts
-  double bend = 1.2;       ///< by how much it has turned downward at its tip
+  double elevation = 0.0;  ///< at its start
+  double bend = 1.2;       ///< downward turn from start to tip
   double reach = 3.4;
   double leaf = 0.85;  ///< length of the longest leaflet
   Colour colour;
   int stations = 15;
 };
 
-/// A bent midrib with a row of pointed leaflets on each side, hanging like a roof.
+/// A bent midrib with a row of pointed leaflets on each side, which hang like a roof.
 Shape frond(const Frond& f, uint32_t seed) {
   Shape shape;
   const Vec3 away(det::sin(f.azimuth), 0, -det::cos(f.azimuth));

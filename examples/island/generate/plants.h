@@ -12,8 +12,7 @@ inline constexpr int kBushVariants = 4;
 /// A palm whose trunk leans to -z.
 Mesh palm(int variant);
 
-/// Variant 0: a round bush; 1: one in flower; 2: a fern of arched blades; 3: a tuft of
-/// grass.
+/// Variant 0: a round bush; 1: a bush in flower; 2: a fern of arched blades; 3: a tuft of grass.
 Mesh bush(int variant);
 
 }  // namespace welkin::island

@@ -16,12 +16,13 @@ Colour rockColour(const Vec3& p, double light) {
   return welkin::mix(Colour(0.20, 0.17, 0.145), Colour(0.38, 0.34, 0.29), 0.5 * fine + 0.5 * band) * light;
 }
 
-/// One ring of the cave: how far in, how wide and high the opening is there.
+/// One ring of the cave: distance from the mouth, half the width and height of the opening, shift to the side.
 struct Ring {
   double along, halfWidth, height, shift;
 };
 
-/// The inside from its end outward, the lip, and the collar back into the hill. Negative: outside.
+/// Rings of the inside from its end outward, of the lip, and of the collar back into the hill. A negative `along` lies
+/// outside.
 constexpr Ring kRings[] = {{19.6, 0.5, 0.6, 3.0}, {19.0, 2.4, 2.4, 3.0}, {17.0, 4.2, 4.4, 2.9}, {14.6, 5.0, 5.4, 2.6},
                            {12.0, 4.9, 5.6, 2.0}, {9.6, 4.1, 5.0, 1.3},  {7.2, 3.3, 4.4, 0.7},  {4.8, 2.8, 4.1, 0.3},
                            {2.6, 2.7, 4.1, 0.1},  {0.8, 2.9, 4.3, 0.0},  {-0.6, 3.2, 4.6, 0.0}, {-1.3, 3.7, 5.1, 0.0},
@@ -56,7 +57,7 @@ Mesh rock(int variant) {
   const uint32_t seed = kSeed + 50 + 7 * static_cast<uint32_t>(variant);
   const auto place = [&](const Vec3& n) {
     double radius = 0.75 + 0.55 * fractalNoise(n * 1.4 + Vec3(5.0), 2, seed);
-    for (uint32_t cut = 0; cut < 9; ++cut) {  // flat faces, as of broken stone
+    for (uint32_t cut = 0; cut < 9; ++cut) {  // flat faces, like broken stone
       const Vec3 plane = normalise(
           {random(seed + 3, cut, -1, 1), random(seed + 4, cut, -0.8, 1), random(seed + 5, cut, -1, 1) + 1e-3});
       const double facing = dot(plane, n);
@@ -72,7 +73,7 @@ Mesh rock(int variant) {
 }
 
 Mesh cave() {
-  // Seen from inside the tunnel the columns run the other way round; the surface turns over at the lip by itself.
+  // From inside the tunnel the columns run the other way round. The surface turns over at the lip by itself.
   Shape shape = grid(kRingCount, kAround, true, cavePoint, [](int row, int column) {
     const Vec3 p = cavePoint(row, column);
     const bool isFloor = kTau * column / kAround > kTau / 2 || column == 0;

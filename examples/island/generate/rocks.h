@@ -11,7 +11,7 @@ inline constexpr int kRockVariants = 3;
 /// A boulder about 2 m across, its middle at the origin.
 Mesh rock(int variant);
 
-/// The cave's inside and the collar of rock round its mouth; the way in is -z, the origin the floor's middle at the
+/// The cave's inside and the collar of rock round its mouth. -z leads in; the origin is the middle of the floor at the
 /// mouth.
 Mesh cave();
 

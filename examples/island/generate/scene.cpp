@@ -29,7 +29,7 @@ Json array(const Vec3& v) {
   return Json::array({rounded(v.x), rounded(v.y), rounded(v.z)});
 }
 
-/// Roll about z, then pitch about x, then azimuth about y, as the quaternion x, y, z, w.
+/// The quaternion x, y, z, w of a roll about z, then a pitch about x, then an azimuth about y.
 Json rotation(const Node& node) {
   const double sy = det::sin(-node.azimuth_rad / 2), cy = det::cos(-node.azimuth_rad / 2);
   const double sx = det::sin(node.pitch_rad / 2), cx = det::cos(node.pitch_rad / 2);
@@ -41,7 +41,7 @@ Json rotation(const Node& node) {
 
 /// One bufferView of elements of one kind, filled accessor by accessor.
 struct View {
-  int stride = 0;  // of vertices; 0: indices
+  int stride = 0;  // bytes a vertex; 0 for indices
   std::vector<std::byte> bytes;
 
   template <typename T>
@@ -178,7 +178,7 @@ GltfFiles Scene::encode(const std::string& binaryName) const {
   gltf["bufferViews"] = Json::array();
   files.binary = encoder.binary(gltf["bufferViews"]);
   gltf["buffers"] = Json::array({{{"uri", binaryName}, {"byteLength", files.binary.size()}}});
-  files.json = "{\n";  // one line an entry, so that differences can be read
+  files.json = "{\n";  // one line an entry, so that diffs are readable
   bool isFirst = true;
   for (const auto& [key, value] : gltf.items()) {
     files.json += (isFirst ? "" : ",\n") + Json(key).dump() + ":";

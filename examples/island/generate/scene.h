@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The level as a whole: materials, meshes and the nodes that place them, and its form as core glTF 2.0.
+// The whole level: materials, meshes and the nodes that place them, and its form as core glTF 2.0.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct Node {
   std::string role;  ///< extras.role: "static", "vegetation" or "water"
 };
 
-/// A .gltf and the .bin that it names.
+/// Bytes of a .gltf and of the .bin that it names.
 struct GltfFiles {
   std::string json;
   std::vector<std::byte> binary;
@@ -39,12 +39,12 @@ class Scene {
  public:
   void addMaterial(const Material& material) { materials_.push_back(material); }
   void addMesh(const std::string& name, const Mesh& mesh) { meshes_[name] = {mesh, {}}; }
-  /// The geometry of another mesh, stored once, with a material put in place of another.
+  /// The geometry of another mesh, stored once, with one material replaced.
   void addRepaintedMesh(const std::string& name, const std::string& original, const std::string& material,
                         const std::string& replacement);
   void addNode(const Node& node) { nodes_.push_back(node); }
 
-  /// Throws Error(ExitStatus::internal) where a node or a mesh names what is not there.
+  /// Throws Error(ExitStatus::internal) when a node or a mesh names a missing mesh or material.
   GltfFiles encode(const std::string& binaryName) const;
 
  private:
@@ -53,7 +53,7 @@ class Scene {
   };
   struct Entry {
     Mesh mesh;
-    Repainted repainted;  ///< of no mesh when `original` is empty
+    Repainted repainted;  ///< unused when `original` is empty
   };
 
   std::vector<Material> materials_;

@@ -15,7 +15,7 @@ constexpr uint32_t kCliffSeed = 37;
 constexpr uint32_t kColourSeed = 53;
 
 constexpr int kCells = 132;
-constexpr double kCentreSpacing = 0.5;  // of the mean spacing: finer where the village is
+constexpr double kCentreSpacing = 0.5;  // share of the mean spacing: finer at the village
 
 double disc(double x, double z, double centre_x, double centre_z, double radius) {
   const double dx = x - centre_x;
@@ -23,7 +23,7 @@ double disc(double x, double z, double centre_x, double centre_z, double radius)
   return radius - det::sqrt(dx * dx + dz * dz);
 }
 
-/// A hill's share of its height at the distance q of its radius.
+/// Share of a hill's height at the distance q, in units of its radius.
 double dome(double q) {
   const double inside = max(1.0 - q * q, 0.0);
   return inside * inside;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground: where the coast runs, how high the land is, and its mesh and colours.
+// The ground: coast, heights, mesh and colours.
 #pragma once
 
 #include "generate/mesh.h"
@@ -8,10 +8,10 @@ namespace welkin::island {
 
 inline constexpr double kHalfExtent_m = 128.0;
 
-/// Where the cave lies: its floor's middle at the mouth, and its axis.
+/// Place of the cave: the middle of its floor at the mouth, and its axis.
 struct CaveSite {
   Vec3 mouth;
-  double azimuth_rad = 0.0;  ///< of the way in
+  double azimuth_rad = 0.0;  ///< direction of the axis, inward
 };
 CaveSite caveSite();
 

@@ -14,7 +14,7 @@ constexpr double kHalfBeam = 3.6;
 constexpr double kDepth = 4.6;
 constexpr int kStations = 45;
 constexpr int kStrakes = 13;
-constexpr double kDeckShare = 0.8;  // of the depth; the rest is bulwark
+constexpr double kDeckShare = 0.8;  // share of the depth below the deck; the rest is bulwark
 
 double sheer(double s) {
   return kDepth + 2.2 * s * s * s + 0.6 * (1.0 - s) * (1.0 - s) * (1.0 - s);
@@ -33,7 +33,7 @@ Vec3 hull(double s, double v, double side) {
   return {side * kHalfBeam * max(plan * sharp, 0.012), v * sheer(s) + lift, kLength * (0.5 - s) - rake};
 }
 
-/// Paint above, red lead below the old water line, rust through both.
+/// Colour: paint above the old water line, red lead below, rust through both.
 Colour plating(const Vec3& p) {
   const double worn = fractalNoise(p * Vec3(0.5, 0.35, 0.5), 4, kSeed);
   const double streak = noise(p * Vec3(2.2, 0.15, 2.2), kSeed + 5);
@@ -44,7 +44,7 @@ Colour plating(const Vec3& p) {
   return welkin::mix(paint, rust, bare);
 }
 
-/// Where plates are gone: a hole in the side and one in the bow's other side.
+/// Whether plates are gone: two holes are in the starboard side, one is in the port side near the bow.
 bool isBroken(const Vec3& p) {
   const double edge = 0.9 * (noise(p * 1.3, kSeed + 15) - 0.5);
   const auto hole = [&](double side, double y, double z, double radius_y, double radius_z) {
@@ -125,7 +125,7 @@ void addDeck(Mesh& mesh) {
   }
 }
 
-/// A storey with a row of window openings round it: posts, a wall below and a beam above.
+/// A storey with a row of windows round it: posts, a wall below and a beam above.
 void addStorey(Mesh& mesh, const Vec3& low, const Vec3& high, double sill, double lintel, int windows) {
   const auto wornWhite = [](const Vec3& low_, const Vec3& high_) {
     Shape shape = box({}, low_, high_, {});

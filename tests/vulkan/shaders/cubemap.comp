@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cubemap in a list of directions, at the mip of each.
+// Samples a cubemap in a list of directions, each at its own mip.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Must not compile: a binding is missing, and the message has to say so.
+// Must not compile, because a binding is missing. The message has to say so.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One list of calls of the shared formulas, compiled as C++ and as GLSL: put(scalar) and put3(vector) store the
+// One list of calls of the shared formulas, compiled as C++ and as GLSL. put(scalar) and put3(vector) store the
 // results.
 #ifndef WELKIN_PARITY_H
 #define WELKIN_PARITY_H

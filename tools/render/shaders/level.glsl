@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declares the uniform block `level` and what every pass of the level picture shares. Set 0 is the sky's, set 1 the
-// level's.
+// Declares the uniform block `level` and shared definitions of the level picture's passes. Set 0 is the sky's, set 1
+// the level's.
 #ifndef WELKIN_LEVEL_GLSL
 #define WELKIN_LEVEL_GLSL
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the passes of the level picture read: the uniform block of a view, the bindings of its set; C++ and GLSL.
+// Inputs of the level picture's passes: the uniform block of a view and the bindings of its set. C++ and GLSL.
 #ifndef WELKIN_LEVEL_CONSTANTS_H
 #define WELKIN_LEVEL_CONSTANTS_H
 
 #define WELKIN_WAVE_COUNT 24
 
-#define WELKIN_PROBE_RADIUS 0.35  // of the spheres that show probes, metres
+#define WELKIN_PROBE_RADIUS 0.35  // radius of the spheres that show probes, metres
 
 #define WELKIN_LEVEL_CONSTANTS 0   // uniform buffer, LevelConstants
 #define WELKIN_LEVEL_INSTANCES 1   // storage buffer, an Instance each

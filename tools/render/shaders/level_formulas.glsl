@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas of the level picture that its tests need as well: pure functions, compiled as GLSL and, through
+// Formulas of the level picture that its tests need as well. They are pure functions, compiled as GLSL and, through
 // level_formulas.h, as C++.
 
 // Reflectance of water at normal incidence: ((n - 1) / (n + 1))^2 with n = 1.33.
@@ -21,19 +21,20 @@ INLINE Number schlick(Number at_normal, Number cosine) {
   return at_normal + (NUMBER(1.0) - at_normal) * (m2 * m2 * m);
 }
 
-// Share of the light that is left after `path_m` through a medium of `extinction` per metre (Beer and Lambert).
+// Share of the light that remains after `path_m` through a medium of `extinction` per metre (Beer and Lambert).
 INLINE Number transmittance(Number extinction, Number path_m) { return exp(-extinction * path_m); }
 
-// Density of wave slopes (dy/dx, dy/dz), each normally distributed with `variance`: the share of the facets per unit
-// of slope area. Cox and Munk, "Measurement of the Roughness of the Sea Surface from Photographs of the Sun's
-// Glitter", JOSA 44(11), 1954, without their skewness.
+// Density of wave slopes (dy/dx, dy/dz): the share of the facets per unit of slope area. Each slope is normally
+// distributed with `variance`. Cox and Munk, "Measurement of the Roughness of the Sea Surface from Photographs of the
+// Sun's Glitter", JOSA 44(11), 1954, without their skewness.
 INLINE Number slopeDensity(Number slope_x, Number slope_z, Number variance) {
   return exp(NUMBER(-0.5) * (slope_x * slope_x + slope_z * slope_z) / variance) / (kTwoPi * variance);
 }
 
-// Radiance of the sun's glitter for its normal irradiance 1 and a reflectance of 1, from the density at the slope of
-// the half vector: p / (4 cos(view) cos^4(half)), cosines to the vertical. Bruneton, Neyret and Holzschuch, "Real-time
-// Realistic Ocean Lighting using Seamless Transitions from Geometry to BRDF", Eurographics 2010, eq. 7, no shadowing.
+// Radiance of the sun's glitter for a normal irradiance of 1 and a reflectance of 1. `density` is taken at the slope of
+// the half vector. p / (4 cos(view) cos^4(half)), with cosines to the vertical. Bruneton, Neyret and Holzschuch,
+// "Real-time Realistic Ocean Lighting using Seamless Transitions from Geometry to BRDF", Eurographics 2010, eq. 7,
+// without shadowing.
 INLINE Number glitter(Number density, Number cos_view, Number cos_half) {
   Number c2 = cos_half * cos_half;
   return density / (NUMBER(4.0) * max(cos_view, NUMBER(0.05)) * c2 * c2);

@@ -19,7 +19,7 @@ vec3 placedPoint(LevelInstance i, vec3 p) {
   return vec3(dot(i.row[0], q), dot(i.row[1], q), dot(i.row[2], q));
 }
 
-// By the cofactor matrix, which is the inverse transpose times the determinant: exact for uneven scales.
+// Uses the cofactor matrix, the inverse transpose times the determinant, which is exact for uneven scales.
 vec3 placedNormal(LevelInstance i, vec3 n) {
   vec3 a = i.row[0].xyz;
   vec3 b = i.row[1].xyz;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of a white diffuse sphere that a probe lights.
+// Radiance of a white diffuse sphere lit by a probe.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cube about a probe's sphere; level_probes.frag finds the sphere in it.
+// The cube around a probe's sphere. level_probes.frag finds the sphere inside it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level.glsl"

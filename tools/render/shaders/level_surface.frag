@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Albedo and normal of what is seen. The back of a surface has the opposite normal.
+// Albedo and normal of the visible surface. The back of a surface has the opposite normal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level's surfaces.
+// Places a level's surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_instances.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the pixels of the level picture see: positions, shadow, mist.
+// Positions, shadow and mist for the pixels of the level picture.
 #ifndef WELKIN_LEVEL_VIEW_GLSL
 #define WELKIN_LEVEL_VIEW_GLSL
 
@@ -10,12 +10,12 @@
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_SHADOW) uniform sampler2DShadow levelShadow;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_DEPTH) uniform sampler2D levelDepth;
 
-// Direction through a point of the picture, 1 along the view axis.
+// Direction through a point of the picture, of length 1 along the view axis.
 vec3 rayThrough(vec2 ndc) { return (level.rays * vec4(ndc, 0.5, 1.0)).xyz; }
 
-// Share of the sun or the moon that reaches a point: 3 x 3 bilinear comparisons (Reeves, Salesin and Cook, "Rendering
-// Antialiased Shadows with Depth Maps", SIGGRAPH 1987), a texel apart. The point is moved off its surface by a texel and
-// a half times the sine of the angle of incidence, which is how far a texel reaches under a surface that slopes.
+// Share of the sun's or moon's light that reaches a point: 3 x 3 bilinear comparisons, a texel apart (Reeves, Salesin
+// and Cook, "Rendering Antialiased Shadows with Depth Maps", SIGGRAPH 1987). The point is moved off its surface by a
+// texel and a half times the sine of the angle of incidence, the distance that a texel reaches under a sloping surface.
 float lightReaching(vec3 p, vec3 normal) {
   float cosine = clamp(dot(normal, level.light.xyz), 0.0, 1.0);
   vec3 from = p + normal * (level.light.w * (0.3 + 1.7 * sqrt(1.0 - cosine * cosine)));
@@ -30,7 +30,7 @@ float lightReaching(vec3 p, vec3 normal) {
 
 vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal); }
 
-// Irradiance of a surface, sky and light.
+// Irradiance of a surface from the sky and the light.
 vec3 surfaceIrradiance(vec3 p, vec3 normal) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
@@ -38,8 +38,9 @@ vec3 surfaceIrradiance(vec3 p, vec3 normal) {
   return ambientIrradiance(normal) + direct;
 }
 
-// Air between the camera and a radiance `distance_m` away: what it takes away, it replaces by the sky at the horizon
-// in that azimuth, so that the far sea and the sky meet. Even in height: a level is small beside the atmosphere.
+// Radiance seen through `distance_m` of air. The air replaces the light it absorbs by the sky's radiance at the horizon
+// in that azimuth, so that the far sea meets the sky. Its density is constant with height, since a level is small
+// beside the atmosphere.
 vec3 throughMist(vec3 radiance, vec3 direction, float distance_m) {
   if (level.options.x <= 0.0) return radiance;
   vec3 horizon = welkinDomeRadiance(normalize(vec3(direction.x, 0.0, direction.z) + vec3(0.0, 1e-3, 0.0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A calm sea before what has been drawn: the sky and the level mirrored in its waves, the sun's glitter, and the ground
-// seen through the water.
+// A calm sea over the scene drawn so far: sky and level mirrored in its waves, the sun's glitter, and the ground seen
+// through the water.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"
@@ -11,11 +11,11 @@ layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_REFLECTION) uniform sample
 
 layout(location = 0) out vec4 radiance;
 
-// The ground of a level ends somewhere; over this width before its end, metres, deep water hides it.
+// The ground of a level ends somewhere. Deep water hides that over this width before the end, in metres.
 const float kFloorFade = 30.0;
 const float kLongestPath = 1e6;  // metres; the sea has no edge
 
-// Bilinear, clamped; 32-bit floats need not be filterable.
+// Bilinear and clamped. Written out because 32-bit floats need not be filterable.
 vec4 reflectionAt(vec2 uv) {
   ivec2 last = textureSize(levelReflection, 0) - 1;
   vec2 at = uv * vec2(last + 1) - 0.5;
@@ -31,8 +31,8 @@ struct Waves {
   float variance;  // of the rest, along either axis
 };
 
-// The sum of the waves, filtered over a pixel's footprint: a wave of wave number k seen through a Gaussian of standard
-// deviation f keeps exp(-(k f)^2 / 2) of its slope, and what it loses is roughness (Bruneton et al. 2010, 4).
+// The sum of the waves, filtered over a pixel's footprint. A wave of wave number k, seen through a Gaussian of standard
+// deviation f, keeps exp(-(k f)^2 / 2) of its slope. The loss becomes roughness (Bruneton et al. 2010, 4).
 Waves wavesAt(vec2 p, vec2 along, float footprint_along, float footprint_across) {
   Waves waves = Waves(vec2(0.0), level.water.y);
   for (int i = 0; i < WELKIN_WAVE_COUNT; ++i) {
@@ -67,13 +67,14 @@ void main() {
     cos_view = 0.02;
   }
 
-  // Facets that cannot be told apart tilt the mirrored view by about twice their slope: upwards on average, since those
-  // that tilt it down are hidden or mirror other water. Along the view only the visible half of the slopes counts.
+  // Facets too small to be told apart tilt the mirrored view by about twice their slope. On average they tilt it
+  // upwards, since those that tilt it down are hidden or mirror other water. Along the view only the visible half of
+  // the slopes counts.
   float spread = sqrt(waves.variance);
   vec3 mirrored = reflect(direction, normal);
   mirrored.y = abs(mirrored.y);
   vec3 up_tilted = normalize(mirrored + vec3(0.0, 1.5 * spread * (1.0 - mirrored.y), 0.0));
-  // Slopes of variance s spread as a specular power of 1 / s - 2 does, for the mips of the cubemaps.
+  // Slopes of variance s spread like a specular power of 1 / s - 2. That selects the mip of the cubemaps.
   float gloss = log2(max(1.0 / max(waves.variance, 1e-6) - 2.0, 1.0)) / 13.0;
   vec3 reflected = mix(welkinDomeRadiance(up_tilted), welkinSkyReflection(up_tilted, gloss), level.water.z);
   vec2 offset = vec2(dot(normal.xz, vec2(-along.y, along.x)), dot(normal.xz, along)) * vec2(0.35, 0.6);
@@ -85,7 +86,7 @@ void main() {
                                           (1.0 + 22.7 * pow(spread, 1.5));
   fresnel = spread > 0.0 ? fresnel : schlick(kWaterReflectance, cos_view);
 
-  // What is behind, displaced by the waves where that stays behind.
+  // The scene behind, displaced by the waves where the displaced point still lies behind.
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float here = level.camera.w / max(texelFetch(levelDepth, pixel, 0).r, 1e-9) * ray_length;
   float displacement = clamp(here - distance_m, 0.0, 2.0) / max(distance_m, 1.0) * float(size.y) * 0.15;
@@ -97,7 +98,7 @@ void main() {
     bent_ray = ray;
     bent_depth = level.camera.w / max(texelFetch(levelDepth, pixel, 0).r, 1e-9);
   }
-  // The way of the light straight down to the ground and back up along the refracted view.
+  // The light's path straight down to the ground and back up along the refracted view.
   float depth_m = max(level.water.x - (level.camera.y + bent_ray.y * bent_depth), 0.0);
   float refracted_y = sqrt(1.0 - (1.0 - direction.y * direction.y) / (1.33 * 1.33));
   float path_m = min(depth_m + depth_m / refracted_y, kLongestPath);

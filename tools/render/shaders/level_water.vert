@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sea: a horizontal plane without an edge, four triangles from the point under the camera to infinity.
+// The sea: a horizontal plane without an edge, drawn as four triangles from the point under the camera to infinity.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level.glsl"

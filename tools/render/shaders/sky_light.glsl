@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The best ambient light of a file, which its certificate speaks of: from its modes with WELKIN_LIGHT_OF_MODES, else from
-// its coefficients; and the light of one colour.
+// Ambient light of the sky: the best of the file, for which its certificate holds, and the light of one colour. The
+// best comes from the modes with WELKIN_LIGHT_OF_MODES, otherwise from the coefficients.
 #ifndef WELKIN_SKY_LIGHT_GLSL
 #define WELKIN_SKY_LIGHT_GLSL
 

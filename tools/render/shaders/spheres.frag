@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of diffuse spheres, seen in parallel projection, lit by the sky's ambient light alone, before the sky. No
-// shadows, no bounce between the spheres, no direct sun: what is seen is the ambient light.
+// A row of diffuse spheres in front of the sky, in parallel projection, lit by the sky's ambient light alone. There are
+// no shadows, no bounce between the spheres and no direct sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 0
