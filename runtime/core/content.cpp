@@ -83,25 +83,13 @@ void checkGradient(Check& check, const format::Gradient* gradient, const char* n
 
 /// Largest number that is stored, NaN and infinity included. Its product with its scales is checked apart.
 double largestStored(const format::Day& day) {
-  using format::Encoding;
   const std::uint8_t* numbers = day.numbers()->data();
   const std::size_t count = day.numbers()->size() / format::bytesOf(day.encoding());
   double largest = 0.0;
-  const auto look = [&](double v) { largest = !(std::abs(v) <= largest) ? std::abs(v) : largest; };
-  for (std::size_t i = 0; i < count && std::isfinite(largest); ++i) switch (day.encoding()) {
-      case Encoding::float32:
-        look(format::storedNumber<Encoding::float32>(numbers, i));
-        break;
-      case Encoding::float16:
-        look(format::storedNumber<Encoding::float16>(numbers, i));
-        break;
-      case Encoding::fixed16:
-        look(format::storedNumber<Encoding::fixed16>(numbers, i));
-        break;
-      case Encoding::fixed8:
-        look(format::storedNumber<Encoding::fixed8>(numbers, i));
-        break;
-    }
+  format::visitEncoding(day.encoding(), [&](auto encoding) {
+    for (std::size_t i = 0; i < count && std::isfinite(largest); ++i)
+      if (const double v = std::abs(format::storedNumber<encoding()>(numbers, i)); !(v <= largest)) largest = v;
+  });
   return largest;
 }
 
@@ -186,8 +174,8 @@ void checkCubemaps(Check& check, const format::Sky& sky, std::size_t bytes) {
   const std::uint64_t size = sky.cubemap_size();
   if (!check.that(size >= 1 && size <= 16384, "cubemap_size", "must be 1 to 16384")) return;
   const auto texel_format = static_cast<format::CubemapFormat>(sky.cubemap_format());
-  const std::uint64_t texels = 6 * size * size;
-  const std::uint64_t texel_bytes = texels * format::texelBytes(texel_format);
+  const std::uint64_t texels = format::texelsOfCubemap(size);
+  const std::uint64_t texel_bytes = format::bytesOfCubemaps(texel_format, size);
   if (!check.that(sky.cubemaps()->size() <= bytes / texel_bytes, "a cubemap", "must have six faces of its own")) return;
   double before = -1.0;
   for (const auto* cubemap : *sky.cubemaps()) {

@@ -6,6 +6,7 @@
 #include "core/sky.h"
 #include "format/day_numbers.h"
 #include "format/key_segment.h"
+#include "format/mode_texels.h"
 
 namespace welkin::core {
 
@@ -21,21 +22,12 @@ Number3 notNegative(const Channels& v) {
 }  // namespace
 
 std::array<double, kMostModes> ModeMap::at(double column, double row) const {
-  const double across = column * static_cast<double>(columns_ - 1);
-  const double upwards = row * static_cast<double>(rows_ - 1);
-  const auto left = static_cast<std::size_t>(across);
-  const auto low = static_cast<std::size_t>(upwards);
-  const std::size_t right = std::min(left + 1, columns_ - 1);
-  const std::size_t high = std::min(low + 1, rows_ - 1);
-  const double x = across - static_cast<double>(left);
-  const double t = upwards - static_cast<double>(low);
-  const auto texel = [&](std::size_t i, std::size_t j, std::size_t k) {
-    return double{format::floatFromHalf(texels_[(j * columns_ + i) * count_ + k])};
-  };
+  const auto texels = format::modeTexelsAt(column, row, columns_, rows_);
   std::array<double, kMostModes> value{};
   for (std::size_t k = 0; k < count_; ++k)
-    value[k] = (1.0 - t) * ((1.0 - x) * texel(left, low, k) + x * texel(right, low, k)) +
-               t * ((1.0 - x) * texel(left, high, k) + x * texel(right, high, k));
+    value[k] = texels.blend([&](std::size_t i, std::size_t j) {
+      return double{format::floatFromHalf(texels_[(j * columns_ + i) * count_ + k])};
+    });
   return value;
 }
 
@@ -47,20 +39,7 @@ Day::Day(const format::Day& day)
       bands_(day.bands()),
       rows_(day.rows()),
       channels_(day.channels()) {
-  switch (day.encoding()) {
-    case Encoding::float32:
-      blend_ = &Day::blend<Encoding::float32>;
-      break;
-    case Encoding::float16:
-      blend_ = &Day::blend<Encoding::float16>;
-      break;
-    case Encoding::fixed16:
-      blend_ = &Day::blend<Encoding::fixed16>;
-      break;
-    case Encoding::fixed8:
-      blend_ = &Day::blend<Encoding::fixed8>;
-      break;
-  }
+  format::visitEncoding(day.encoding(), [this](auto encoding) { blend_ = &Day::blend<encoding()>; });
   if (day.modes() == nullptr) return;
   modes_ = ModeMap(*day.modes());
   mode_sh_ = spanOf(day.modes()->polar_sh());

@@ -19,9 +19,8 @@ LightPath::LightPath(const format::LightPath& path)
 
 Number3 LightPath::directionAt(double time_h) const {
   if (time_h_.empty()) return f64::directionOnCircle(circle_, f64::kTwoPi * (time_h - transit_h_) / 24.0);
-  const auto s = format::findSegment(time_h_, time_h);
-  return f64::directionOf(format::interpolateAngle(azimuth_rad_[s.first], azimuth_rad_[s.second], s.weight),
-                          (1.0 - s.weight) * elevation_rad_[s.first] + s.weight * elevation_rad_[s.second]);
+  const format::SkyAngles angles = format::interpolatePath(time_h_, azimuth_rad_, elevation_rad_, time_h);
+  return f64::directionOf(angles.azimuth_rad, angles.elevation_rad);
 }
 
 namespace {
@@ -48,8 +47,7 @@ Light::Instant Light::at(double time_h, WelkinLight& out) const {
   const Number3 direction = path_.directionAt(time_h);
   const Number3 colour = colour_.colourAt(time_h);
   const double illuminance = illuminance_.at(time_h);
-  const double y = f64::luminanceOf(colour);
-  const Number3 normal_irradiance = y > 0.0 ? colour * (illuminance / y) : Number3(0.0);
+  const Number3 normal_irradiance = f64::normalIrradiance(colour, illuminance);
   store(direction, out.direction);
   out.illuminance = toFloat(illuminance);
   store(colour, out.colour);

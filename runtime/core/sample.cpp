@@ -20,9 +20,8 @@ void desaturate(const Channels& v, double saturation, double out[3]) {
   for (std::size_t c = 0; c < 3; ++c) out[c] = v[3] + (v[c] - v[3]) * saturation;
 }
 
-/// Irradiance of level ground from a light.
 Number3 onGround(const Light::Instant& light) {
-  return light.normal_irradiance * std::max(light.direction.y, 0.0);
+  return f64::levelIrradiance(light.normal_irradiance, light.direction);
 }
 
 void blendTable(const WelkinSky& opened, double time_h, double intensity, const Light::Instant& sun,
@@ -34,7 +33,7 @@ void blendTable(const WelkinSky& opened, double time_h, double intensity, const 
   std::array<Channels, WELKIN_MAX_COEFFICIENTS> world;
   opened.frame.toWorld(opened.day.bands(), shape.polar, azimuth, world);
 
-  const Number3 radiance = opened.albedo * (intensity * shape.horizontal_irradiance + of_lights) / f64::kPi;
+  const Number3 radiance = f64::groundRadiance(opened.albedo, intensity * shape.horizontal_irradiance + of_lights);
   const Channels ground = {radiance.x, radiance.y, radiance.z, f64::luminanceOf(radiance)};
   double ambient[3 * WELKIN_MAX_COEFFICIENTS];
   desaturate(ground, saturation, ambient);

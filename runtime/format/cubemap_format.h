@@ -24,6 +24,15 @@ constexpr std::size_t texelBytes(CubemapFormat format) {
   return format == CubemapFormat::rgba16f ? 8 : 4;
 }
 
+/// Texels of the six faces of a cubemap of `size` texels along an edge, at most 65536.
+constexpr std::uint64_t texelsOfCubemap(std::uint64_t size) {
+  return 6 * size * size;
+}
+/// Bytes of the texels of `count` such cubemaps, without mips: what a file holds.
+constexpr std::uint64_t bytesOfCubemaps(CubemapFormat format, std::uint64_t size, std::uint64_t count = 1) {
+  return count * texelsOfCubemap(size) * texelBytes(format);
+}
+
 /// Its name in sky.toml and in reports.
 constexpr const char* nameOf(CubemapFormat format) {
   return format == CubemapFormat::rgba16f ? "rgba16f" : format == CubemapFormat::rgb9e5 ? "rgb9e5" : "b10g11r11";

@@ -2,18 +2,54 @@
 // The storage of the numbers of the day's table.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include "format/half.h"
 #include "welkin_generated.h"
 
 namespace welkin::format {
 
-/// Largest stored integers of the fixed-point encodings: they are symmetric about 0.
-inline constexpr int kLargestFixed16 = 32767;
-inline constexpr int kLargestFixed8 = 127;
+/// An encoding of the table's numbers. A fixed-point one stores integers that are symmetric about 0.
+struct EncodingFacts {
+  Encoding encoding;
+  std::size_t bytes;  ///< of a number
+  bool has_key_scale;
+  int largest_integer;  ///< of a fixed-point encoding, which has scales of rows; 0: none
+};
+
+/// Every encoding, from the finest to the coarsest.
+inline constexpr std::array<EncodingFacts, 4> kEncodingFacts = {{{Encoding::float32, 4, false, 0},
+                                                                 {Encoding::float16, 2, true, 0},
+                                                                 {Encoding::fixed16, 2, true, 32767},
+                                                                 {Encoding::fixed8, 1, true, 127}}};
+static_assert(kEncodingFacts.size() == static_cast<std::size_t>(Encoding::MAX) + 1);
+
+inline constexpr auto kEncodings = [] {
+  std::array<Encoding, kEncodingFacts.size()> list{};
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kEncodingFacts[i].encoding;
+  return list;
+}();
+
+/// Of one that checkContent lets pass.
+constexpr const EncodingFacts& factsOf(Encoding encoding) {
+  std::size_t i = 0;
+  while (i + 1 < kEncodingFacts.size() && kEncodingFacts[i].encoding != encoding) ++i;
+  return kEncodingFacts[i];
+}
+
+/// Calls `callable` with the encoding as a constant: std::integral_constant<Encoding, ...>.
+template <typename Callable>
+void visitEncoding(Encoding encoding, Callable&& callable) {
+  const auto visit = [&]<std::size_t... kI>(std::index_sequence<kI...>) {
+    ((kEncodings[kI] == encoding ? callable(std::integral_constant<Encoding, kEncodings[kI]>()) : void()), ...);
+  };
+  visit(std::make_index_sequence<kEncodings.size()>());
+}
 
 /// "float32", "float16", "fixed16", "fixed8".
 inline const char* nameOf(Encoding encoding) {
@@ -21,14 +57,23 @@ inline const char* nameOf(Encoding encoding) {
 }
 
 constexpr std::size_t bytesOf(Encoding encoding) {
-  return encoding == Encoding::float32 ? 4 : encoding == Encoding::fixed8 ? 1 : 2;
+  return factsOf(encoding).bytes;
 }
 
 constexpr bool hasKeyScale(Encoding encoding) {
-  return encoding != Encoding::float32;
+  return factsOf(encoding).has_key_scale;
 }
 constexpr bool hasRowScale(Encoding encoding) {
-  return encoding == Encoding::fixed16 || encoding == Encoding::fixed8;
+  return factsOf(encoding).largest_integer > 0;
+}
+
+/// Bytes of a key of the table as a file holds it: its time, `numbers` numbers (of every row and channel), its scale.
+constexpr std::size_t bytesOfKey(Encoding encoding, std::size_t numbers) {
+  return sizeof(double) + numbers * bytesOf(encoding) + (hasKeyScale(encoding) ? sizeof(float) : 0);
+}
+/// Bytes of the table: of its keys, and the scales of its rows and channels.
+constexpr std::size_t bytesOfTable(Encoding encoding, std::size_t keys, std::size_t numbers) {
+  return keys * bytesOfKey(encoding, numbers) + (hasRowScale(encoding) ? numbers * sizeof(float) : 0);
 }
 
 /// Rows of a table of SH coefficients, of which it holds those with m >= 0.
@@ -36,24 +81,23 @@ constexpr std::size_t polarCount(std::size_t bands) {
   return bands * (bands + 1) / 2;
 }
 
+/// What a number is stored as: a float, a half's bits, an integer.
+template <Encoding kEncoding>
+using Stored =
+    std::conditional_t<kEncoding == Encoding::float32, float,
+                       std::conditional_t<kEncoding == Encoding::float16, std::uint16_t,
+                                          std::conditional_t<bytesOf(kEncoding) == 1, std::int8_t, std::int16_t>>>;
+
 /// Number `i` of a table as it is stored, before its scales. `numbers` holds bytesOf(encoding) bytes for each.
 template <Encoding kEncoding>
 double storedNumber(const std::uint8_t* numbers, std::size_t i) {
-  const std::uint8_t* at = numbers + i * bytesOf(kEncoding);
-  if constexpr (kEncoding == Encoding::float32) {
-    float v;
-    std::memcpy(&v, at, sizeof v);
-    return double{v};
-  } else if constexpr (kEncoding == Encoding::fixed8) {
-    return static_cast<std::int8_t>(*at);
-  } else {
-    std::uint16_t bits;
-    std::memcpy(&bits, at, sizeof bits);
-    if constexpr (kEncoding == Encoding::float16)
-      return double{floatFromHalf(bits)};
-    else
-      return static_cast<std::int16_t>(bits);
-  }
+  Stored<kEncoding> stored;
+  static_assert(sizeof stored == bytesOf(kEncoding));
+  std::memcpy(&stored, numbers + i * sizeof stored, sizeof stored);
+  if constexpr (kEncoding == Encoding::float16)
+    return double{floatFromHalf(stored)};
+  else
+    return static_cast<double>(stored);
 }
 
 }  // namespace welkin::format

@@ -44,6 +44,13 @@ double interpolateAngle(double first_rad, double second_rad, double weight) {
   return first_rad + weight * turn;
 }
 
+SkyAngles interpolatePath(std::span<const double> key_time_h, std::span<const double> azimuth_rad,
+                          std::span<const double> elevation_rad, double time_h) {
+  const KeySegment s = findSegment(key_time_h, time_h);
+  return {interpolateAngle(azimuth_rad[s.first], azimuth_rad[s.second], s.weight),
+          (1.0 - s.weight) * elevation_rad[s.first] + s.weight * elevation_rad[s.second]};
+}
+
 bool areKeyTimes(std::span<const double> key_time_h) {
   if (key_time_h.empty() || !(key_time_h.front() >= 0.0) || !(key_time_h.back() < kDay_h)) return false;
   for (std::size_t i = 1; i < key_time_h.size(); ++i)

@@ -32,6 +32,15 @@ void interpolate(std::span<const double> key_time_h, std::span<const double> val
 /// Interpolates angles in radians the short way round; keys half a turn apart go clockwise (growing azimuth).
 double interpolateAngle(double first_rad, double second_rad, double weight);
 
+/// A direction by its angles.
+struct SkyAngles {
+  double azimuth_rad;
+  double elevation_rad;
+};
+/// The angles of a light whose path was drawn by hand: keys of three spans of one size.
+SkyAngles interpolatePath(std::span<const double> key_time_h, std::span<const double> azimuth_rad,
+                          std::span<const double> elevation_rad, double time_h);
+
 /// Whether times are at least one, finite, strictly ascending and in [0, 24).
 bool areKeyTimes(std::span<const double> key_time_h);
 

@@ -69,7 +69,7 @@ bool makeMips(format::CubemapFormat format, uint32_t edge, const unsigned char* 
         const float rgb[3] = {face[3 * i], face[3 * i + 1], face[3 * i + 2]};
         format::encodeTexel(format, rgb, out + i * bytes);
       }
-      mip += 6 * smaller * bytes;
+      mip += format::bytesOfCubemaps(format, to);
       from = to;
     }
   }

@@ -3,6 +3,7 @@
 #include "constants.glsl"
 #include "colour.glsl"
 #include "direction.glsl"
+#include "light.glsl"
 #include "luminance.glsl"
 #include "gradient.glsl"
 #include "disc.glsl"

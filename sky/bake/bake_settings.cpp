@@ -12,8 +12,8 @@ namespace welkin::bake {
 namespace {
 
 /// Returns the enumerator of a word, or `otherwise` for "auto".
-template <typename T>
-T valueOfWord(base::Section& section, const std::string& key, std::initializer_list<T> values, T otherwise) {
+template <typename T, typename Values = std::initializer_list<T>>
+T valueOfWord(base::Section& section, const std::string& key, const Values& values, T otherwise) {
   const std::string word = section.word(key);
   for (const T value : values)
     if (word == nameOf(value)) return value;
@@ -61,14 +61,12 @@ BakeSettings readBake(base::Section section) {
       valueOfWord(section, "reconstruction",
                   {table::Reconstruction::projected, table::Reconstruction::fitted, table::Reconstruction::modes},
                   bake.reconstruction);
-  bake.encoding = valueOfWord(
-      section, "encoding",
-      {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16, table::Encoding::fixed8},
-      bake.encoding);
+  bake.encoding = valueOfWord(section, "encoding", format::kEncodings, bake.encoding);
   bake.mildest_window = section.word("window") == "mildest";
-  const double bytes = 6.0 * static_cast<double>(format::texelBytes(bake.cubemap_format)) * bake.cubemap_size *
-                           bake.cubemap_size * static_cast<double>(bake.cubemap_time_h.size()) +
-                       12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
+  const double bytes =
+      static_cast<double>(format::bytesOfCubemaps(bake.cubemap_format, static_cast<std::uint64_t>(bake.cubemap_size),
+                                                  bake.cubemap_time_h.size())) +
+      12.0 * bake.bands * bake.bands * static_cast<double>(bake.key_time_h.size());
   if (bytes > 1.5e9)
     table.refuse(
         "cubemap_size", table.node("cubemap_size"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/bake/sky_domain.h"
 
+#include "format/day_numbers.h"
 #include "format/key_segment.h"
 #include "sky/model/luminance.h"
 
@@ -32,6 +33,12 @@ constexpr std::string_view kHours = "h";
 std::vector<std::string_view> luminanceNames() {
   std::vector<std::string_view> names;
   for (const model::NamedLuminance& named : model::namedLuminances()) names.push_back(named.name);
+  return names;
+}
+
+std::vector<std::string_view> encodingNames() {
+  std::vector<std::string_view> names = {"auto"};
+  for (const format::Encoding encoding : format::kEncodings) names.emplace_back(nameOf(encoding));
   return names;
 }
 
@@ -178,7 +185,7 @@ Domain rows() {
        "auto",
        "numbers of the table; `auto`: without a budget `float32`",
        "refused",
-       {"auto", "float32", "float16", "fixed16", "fixed8"}},
+       encodingNames()},
       {"bake",
        "window",
        "",

@@ -20,7 +20,7 @@ constexpr double kSpare = 1.05;   // a plan this far below its aim is tried agai
 constexpr int kRounds = 12;
 
 double bytesOf(int size, CubemapFormat format, std::size_t times) {
-  return 6.0 * size * size * static_cast<double>(format::texelBytes(format)) * static_cast<double>(times);
+  return static_cast<double>(format::bytesOfCubemaps(format, static_cast<std::uint64_t>(size), times));
 }
 
 /// Whether a bake would make the same cubemaps.
@@ -53,8 +53,8 @@ class Planner {
     const std::vector<Candidate> list = candidates(target);
     // Bytes, then texels: less is better.
     const auto costOf = [](const Candidate& candidate, std::size_t times) {
-      const double texels = 6.0 * candidate.size * candidate.size * static_cast<double>(times);
-      return std::pair(texels * static_cast<double>(format::texelBytes(candidate.format)), texels);
+      const double bytes = bytesOf(candidate.size, candidate.format, times);
+      return std::pair(bytes, bytes / static_cast<double>(format::texelBytes(candidate.format)));
     };
     for (const Candidate& candidate : list) {
       // As many times as would still be a gain.

@@ -23,9 +23,8 @@ Number3 LightPath::directionAt(double time_h) const {
   if (key_time_h.empty())
     return det::celestialDirection(det::kTwoPi * (format::wrapTime(time_h) - transit_h) / 24.0, declination_rad,
                                    latitude_rad, north_offset_rad);
-  const auto s = format::findSegment(key_time_h, time_h);
-  return det::directionOf(format::interpolateAngle(key_azimuth_rad[s.first], key_azimuth_rad[s.second], s.weight),
-                          (1.0 - s.weight) * key_elevation_rad[s.first] + s.weight * key_elevation_rad[s.second]);
+  const format::SkyAngles angles = format::interpolatePath(key_time_h, key_azimuth_rad, key_elevation_rad, time_h);
+  return det::directionOf(angles.azimuth_rad, angles.elevation_rad);
 }
 
 LightPath sunPathFromPlace(double latitude_deg, double longitude_deg, double utc_offset_h, int year, int day_of_year) {

@@ -35,8 +35,7 @@ struct Light {
 
   /// RGB irradiance of a surface that faces the light: illuminance x colour / luminance(colour).
   Number3 normalIrradianceAt(double time_h) const {
-    const Number3 c = colour.colourAt(time_h);
-    return c * (illuminance.at(time_h) / det::luminanceOf(c));
+    return det::normalIrradiance(colour.colourAt(time_h), illuminance.at(time_h));
   }
 };
 

@@ -39,10 +39,11 @@ Number3 SkyInstant::chromaticity(const Number3& direction, double elevation_rad)
 }
 
 Number3 SkyInstant::groundRadiance(const Number3& shape_irradiance) const {
-  Number3 horizontal = shape_irradiance * intensity_ + sky_->sun.normalIrradianceAt(time_h_) * std::max(sun_.y, 0.0);
+  Number3 horizontal =
+      shape_irradiance * intensity_ + det::levelIrradiance(sky_->sun.normalIrradianceAt(time_h_), sun_);
   if (sky_->moon)
-    horizontal += sky_->moon->normalIrradianceAt(time_h_) * std::max(sky_->moon->path.directionAt(time_h_).y, 0.0);
-  return sky_->ground_albedo * horizontal / det::kPi;
+    horizontal += det::levelIrradiance(sky_->moon->normalIrradianceAt(time_h_), sky_->moon->path.directionAt(time_h_));
+  return det::groundRadiance(sky_->ground_albedo, horizontal);
 }
 
 }  // namespace welkin::model

@@ -21,11 +21,6 @@ void append(std::vector<std::uint8_t>& bytes, T value) {
   bytes.insert(bytes.end(), p, p + sizeof value);
 }
 
-/// Largest stored integer of a fixed-point encoding.
-double largestInteger(Encoding encoding) {
-  return encoding == Encoding::fixed8 ? format::kLargestFixed8 : format::kLargestFixed16;
-}
-
 }  // namespace
 
 EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding) {
@@ -47,51 +42,34 @@ EncodedNumbers encodeNumbers(const DayTable& table, Encoding encoding) {
     for (std::size_t i = 0; i < count; ++i) {
       double largest = 0.0;
       for (std::size_t key = 0; key < keys; ++key) largest = std::max(largest, std::abs(ofKey(key, i)));
-      out.row_scale.push_back(roundedUp(largest / largestInteger(encoding)));
+      out.row_scale.push_back(roundedUp(largest / format::factsOf(encoding).largest_integer));
     }
-  for (std::size_t key = 0; key < keys; ++key)
-    for (std::size_t i = 0; i < count; ++i) switch (encoding) {
-        case Encoding::float32:
-          append(out.numbers, static_cast<float>(table.number[key * count + i]));
-          break;
-        case Encoding::float16:
-          append(out.numbers, Imath::half(static_cast<float>(ofKey(key, i))).bits());
-          break;
-        case Encoding::fixed16:
-        case Encoding::fixed8: {
+  format::visitEncoding(encoding, [&](auto constant) {
+    using Stored = format::Stored<constant()>;
+    for (std::size_t key = 0; key < keys; ++key)
+      for (std::size_t i = 0; i < count; ++i)
+        if constexpr (constant() == Encoding::float32) {
+          append(out.numbers, static_cast<Stored>(table.number[key * count + i]));
+        } else if constexpr (constant() == Encoding::float16) {
+          append(out.numbers, Stored{Imath::half(static_cast<float>(ofKey(key, i))).bits()});
+        } else {
           const double scale = double{out.row_scale[i]};
-          const long q = scale > 0.0 ? std::lround(ofKey(key, i) / scale) : 0;
-          if (encoding == Encoding::fixed16)
-            append(out.numbers, static_cast<std::int16_t>(q));
-          else
-            append(out.numbers, static_cast<std::int8_t>(q));
-          break;
+          append(out.numbers, static_cast<Stored>(scale > 0.0 ? std::lround(ofKey(key, i) / scale) : 0));
         }
-      }
+  });
   return out;
 }
 
 std::vector<double> decodeNumbers(const DayTable& table, const EncodedNumbers& encoded) {
-  const auto stored = [&](std::size_t i) {
-    switch (encoded.encoding) {
-      case Encoding::float32:
-        return format::storedNumber<Encoding::float32>(encoded.numbers.data(), i);
-      case Encoding::float16:
-        return format::storedNumber<Encoding::float16>(encoded.numbers.data(), i);
-      case Encoding::fixed16:
-        return format::storedNumber<Encoding::fixed16>(encoded.numbers.data(), i);
-      case Encoding::fixed8:
-        break;
-    }
-    return format::storedNumber<Encoding::fixed8>(encoded.numbers.data(), i);
-  };
   std::vector<double> number(table.number.size());
   const std::size_t of_key = table.numbersOfKey();
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    number[i] = stored(i);
-    if (format::hasKeyScale(encoded.encoding)) number[i] *= double{encoded.key_scale[i / of_key]};
-    if (format::hasRowScale(encoded.encoding)) number[i] *= double{encoded.row_scale[i % of_key]};
-  }
+  format::visitEncoding(encoded.encoding, [&](auto encoding) {
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      number[i] = format::storedNumber<encoding()>(encoded.numbers.data(), i);
+      if constexpr (format::hasKeyScale(encoding())) number[i] *= double{encoded.key_scale[i / of_key]};
+      if constexpr (format::hasRowScale(encoding())) number[i] *= double{encoded.row_scale[i % of_key]};
+    }
+  });
   return number;
 }
 

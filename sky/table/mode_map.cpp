@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "format/half.h"
+#include "format/mode_texels.h"
 #include "sh/multiple_cosines.h"
 #include "sky/table/modes.h"
 
@@ -76,17 +77,11 @@ std::vector<double> mapValues(const ModeTable& map, const ErrorGrid& grid) {
     for (std::size_t p = 0; p < grid.count() / 2; ++p) {
       const Number3 n = grid.normal(p).inSunFrame();
       const double horizontal = det::horizontalLength(n);
-      const double across = det::modeColumn(n, horizontal, 0.0, 1.0) * static_cast<double>(columns - 1);
-      const double upwards = std::clamp(det::modeRow(horizontal, n.y), 0.0, 1.0) * static_cast<double>(rows - 1);
-      const std::size_t left = std::min(static_cast<std::size_t>(across), columns - 2);
-      const std::size_t low = std::min(static_cast<std::size_t>(upwards), rows - 2);
-      const double x = across - static_cast<double>(left);
-      const double y = upwards - static_cast<double>(low);
-      const auto texel = [&](std::size_t i, std::size_t j) {
+      const auto texels = format::modeTexelsAt(det::modeColumn(n, horizontal, 0.0, 1.0),
+                                               std::clamp(det::modeRow(horizontal, n.y), 0.0, 1.0), columns, rows);
+      upper.push_back(texels.blend([&](std::size_t i, std::size_t j) {
         return double{format::floatFromHalf(map.texels[(j * columns + i) * count + k])};
-      };
-      upper.push_back((1.0 - y) * ((1.0 - x) * texel(left, low) + x * texel(left + 1, low)) +
-                      y * ((1.0 - x) * texel(left, low + 1) + x * texel(left + 1, low + 1)));
+      }));
     }
     const float* moment = map.polar_sh.data() + k * coefficients;
     grid.addLower(upper, double{moment[model::polarIndex(1, 0)]} / det::kShLinear,

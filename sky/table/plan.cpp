@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "sky/base/error.h"
 
@@ -18,7 +19,6 @@ struct MapSize {
   int columns, rows;
 };
 constexpr MapSize kMaps[] = {{5, 3}, {5, 5}, {9, 5}, {9, 7}, {9, 9}, {9, 13}, {13, 13}, {17, 17}, {17, 25}, {25, 25}};
-constexpr Encoding kEncodings[] = {Encoding::fixed8, Encoding::fixed16, Encoding::float16, Encoding::float32};
 
 /// Largest gain expected of a minimax fit. A fit costs 0.2 s a day, so only tables this close are fitted.
 constexpr double kWorthFitting = 1.7;
@@ -59,7 +59,7 @@ class Search {
     tryAll([&](const Way& way) { return way.choice.error <= close_enough; });
     for (Way& way : ways_)
       if (mayFit(way) && way.choice.error > close_enough && way.choice.error < kWorthFitting * close_enough &&
-          leastBytes(way.representation, kEncodings[0]) < plan_.bytes) {
+          leastBytes(way.representation, format::kEncodings.back()) < plan_.bytes) {
         step();
         fitWeights(day_, way.representation);
         way.choice.name = way.representation.name();
@@ -120,8 +120,7 @@ class Search {
     return std::max<std::size_t>(1, placeKeys(day_, closest->representation, request_.max_error).size());
   }
   std::size_t bytesOfKey(const Representation& r, Encoding encoding) const {
-    const std::size_t channels = isGrey(*day_.day->sky) ? 1 : 3;
-    return 8 + r.rows * channels * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
+    return format::bytesOfKey(encoding, r.rows * (isGrey(*day_.day->sky) ? 1 : 3));
   }
   std::size_t leastBytes(const Representation& r, Encoding encoding) const {
     return r.fixedBytes() + least_keys_ * bytesOfKey(r, encoding);
@@ -137,7 +136,7 @@ class Search {
     };
     std::vector<Candidate> candidates;
     for (Way& way : ways_)
-      for (const Encoding encoding : kEncodings)
+      for (const Encoding encoding : format::kEncodings | std::views::reverse)  // of equal bytes the coarser
         if (wanted(way) && (!request_.encoding || encoding == *request_.encoding))
           candidates.push_back({&way, encoding, leastBytes(way.representation, encoding)});
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -198,10 +197,7 @@ class Search {
 }  // namespace
 
 std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding encoding) {
-  const std::size_t row_scales = format::hasRowScale(encoding) ? 4 * table.numbersOfKey() : 0;
-  const std::size_t of_key =
-      8 + table.numbersOfKey() * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
-  return r.fixedBytes() + table.key_time_h.size() * of_key + row_scales;
+  return r.fixedBytes() + format::bytesOfTable(encoding, table.key_time_h.size(), table.numbersOfKey());
 }
 
 DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress) {

@@ -6,6 +6,7 @@ namespace welkin::numerics {
 const std::vector<Bound>& bounds() {
   static const std::vector<Bound> kBounds = {
       {"directionOf", 0.81, 1.09},
+      {"sineFromCosine", 1.38, 1.38},
       {"horizontalLength", 1.25, 1.25},
       {"elevationOf", 2.23, 382.3},
       {"angleBetween", 3.34, 383.0},
@@ -30,6 +31,9 @@ const std::vector<Bound>& bounds() {
       {"luminanceNorm_zenith", 5.3, 130.4},
       {"relativeLuminance", 5.76, 133.5},
       {"luminanceOf", 2.04, 2.04},
+      {"normalIrradiance", 3.61, 3.61},
+      {"levelIrradiance", 0.55, 0.55},
+      {"groundRadiance", 1.76, 1.76},
       {"chromaticity", 2.74, 2.74},
       {"desaturate", 2.28, 2.28},
       {"srgbDecode", 6.31, 12.8},

@@ -40,6 +40,9 @@
 
 #define WELKIN_FORMULAS_OF_COLOUR                                                 \
   PUT(luminanceOf, 0.0, "rgb", luminanceOf(rgb))                                  \
+  PUT3(normalIrradiance, 0.0, "rgb s", normalIrradiance(rgb, s))                  \
+  PUT3(levelIrradiance, 0.0, "rgb b", levelIrradiance(rgb, b))                    \
+  PUT3(groundRadiance, 0.0, "rgb s", groundRadiance(Number3(s), rgb))             \
   PUT3(chromaticity, 1.0, "rgb", chromaticity(rgb, NUMBER(1e-4)))                 \
   PUT3(desaturate, luminanceOf(rgb), "rgb s", desaturate(rgb, s))                 \
   PUT(srgbDecode, 0.0, "s", srgbDecode(s))                                        \

@@ -8,14 +8,12 @@
 #include <random>
 #include <welkin/welkin.hpp>
 
+#include "format/container.h"
 #include "sky/bake/encode.h"
 #include "sky/base/toml_table.h"
 
 namespace welkin::tests {
 namespace {
-
-constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16,
-                                          table::Encoding::fixed8};
 
 /// Scales are floats, rounded up, so a bound that contains them may be exceeded by this factor.
 constexpr double kScales = 1.0 + 4.0 * 0x1p-24;
@@ -61,17 +59,9 @@ double largestOfRow(const table::DayTable& table, std::size_t i) {
 double boundOf(const table::DayTable& table, std::size_t i, table::Encoding encoding) {
   const double number = std::abs(table.number[i]);
   const double of_key = largestOfKey(table, i);
-  switch (encoding) {
-    case table::Encoding::float32:
-      return std::max(0x1p-24 * number, 0.5 * kSmallest);
-    case table::Encoding::float16:
-      return std::max(0x1p-11 * number, 0x1p-25 * of_key);
-    case table::Encoding::fixed16:
-      return of_key * largestOfRow(table, i) / 65534.0;
-    case table::Encoding::fixed8:
-      break;
-  }
-  return of_key * largestOfRow(table, i) / 254.0;
+  if (encoding == table::Encoding::float32) return std::max(0x1p-24 * number, 0.5 * kSmallest);
+  if (encoding == table::Encoding::float16) return std::max(0x1p-11 * number, 0x1p-25 * of_key);
+  return of_key * largestOfRow(table, i) / (2.0 * format::factsOf(encoding).largest_integer);
 }
 
 /// Largest error over its bound.
@@ -87,7 +77,7 @@ double worstOf(const table::DayTable& table, table::Encoding encoding) {
 }  // namespace
 
 TEST_CASE("DayEncoding, ErrorsAreWithinTheirBoundsAndReachThem") {
-  for (const table::Encoding encoding : kEncodings)
+  for (const table::Encoding encoding : format::kEncodings)
     for (const double decades : {0.0, 6.0, 24.0})
       for (const int channels : {1, 3}) {
         CAPTURE(nameOf(encoding), decades, channels);
@@ -117,7 +107,7 @@ TEST_CASE("DayEncoding, ZeroStaysZero") {
   table::DayTable table = randomTable(3, 4, 3, 0.0);
   std::fill(table.number.begin(), table.number.begin() + 12, 0.0);                                    // a key
   for (std::size_t i = 5; i < table.number.size(); i += table.numbersOfKey()) table.number[i] = 0.0;  // a row
-  for (const table::Encoding encoding : kEncodings) {
+  for (const table::Encoding encoding : format::kEncodings) {
     CAPTURE(nameOf(encoding));
     const auto some = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
     for (std::size_t i = 0; i < some.size(); ++i)
@@ -143,7 +133,7 @@ TEST_CASE("DayEncoding, DenormalsAreFiniteAndOffByTheSmallestFloat") {
   for (const double magnitude : {1e-38, 1e-43, 1e-46, 1e-300, 5e-324}) {
     table::DayTable table = randomTable(4, 3, 3, 0.0);
     for (double& v : table.number) v *= magnitude;
-    for (const table::Encoding encoding : kEncodings) {
+    for (const table::Encoding encoding : format::kEncodings) {
       CAPTURE(nameOf(encoding), magnitude);
       const auto got = table::decodeNumbers(table, table::encodeNumbers(table, encoding));
       for (std::size_t i = 0; i < got.size(); ++i) {
@@ -154,9 +144,37 @@ TEST_CASE("DayEncoding, DenormalsAreFiniteAndOffByTheSmallestFloat") {
   }
 }
 
+TEST_CASE("DayEncoding, BytesAreThoseOfAFile") {
+  bake::SkyFile file;
+  file.settings = "{}";
+  file.bake.cubemap_size = 2;
+  file.bake.cubemap_time_h = {6.0, 18.0};
+  for (const table::Encoding encoding : format::kEncodings)
+    for (const auto format : {format::CubemapFormat::rgba16f, format::CubemapFormat::rgb9e5})
+      for (const int keys : {1, 7}) {
+        CAPTURE(nameOf(encoding), nameOf(format), keys);
+        const table::DayTable table = randomTable(keys, 6, 3, 1.0);
+        file.bake.key_time_h = table.key_time_h;
+        const cubemap::Cubemap cubemap{2, format, std::vector<std::uint8_t>(format::bytesOfCubemaps(format, 2))};
+        const auto bytes = bake::encodeSky(file, table, {cubemap, cubemap}, encoding);
+        const format::Opened opened = format::openContainer(bytes);
+        REQUIRE(opened.file != nullptr);
+        const format::Sky& sky = *opened.file->sky();
+        const format::Day& day = *sky.day();
+        const auto scales = [](const auto* scale) { return scale == nullptr ? 0 : scale->size(); };
+        CHECK(format::bytesOfTable(encoding, table.key_time_h.size(), table.numbersOfKey()) ==
+              day.key_time_h()->size() * sizeof(double) + day.numbers()->size() +
+                  (scales(day.key_scale()) + scales(day.row_scale())) * sizeof(float));
+        std::uint64_t texels = 0;
+        for (const auto* stored : *sky.cubemaps()) texels += stored->texels()->size();
+        CHECK(format::bytesOfCubemaps(format, 2, 2) == texels);
+        CHECK(texels == 2 * 6 * 4 * format::texelBytes(format));
+      }
+}
+
 TEST_CASE("DayEncoding, TheRuntimeReadsTheSameNumbers") {
   // Weights of twelve modes pass through a sample unchanged.
-  for (const table::Encoding encoding : kEncodings)
+  for (const table::Encoding encoding : format::kEncodings)
     for (const int channels : {1, 3}) {
       CAPTURE(nameOf(encoding), channels);
       table::DayTable table = randomTable(5, 12, channels, 6.0);

@@ -96,6 +96,16 @@ TEST_CASE("Light, IlluminanceIsTheLuminanceOfItsIrradiance") {
   CHECK(e.x / e.z == Approx(8.0).epsilon(1e-14));
 }
 
+TEST_CASE("Light, LevelGroundGetsTheSineOfItsElevationAndGivesBackItsAlbedo") {
+  const Number3 irradiance(3.0, 2.0, 1.0);
+  const Number3 from_above = det::levelIrradiance(irradiance, det::directionOf(1.0, 30.0 * kDegree));
+  const Number3 radiance = det::groundRadiance(Number3(0.5, 0.25, 1.0), from_above);
+  const double want[] = {0.75 / M_PI, 0.25 / M_PI, 0.5 / M_PI};
+  for (int c = 0; c < 3; ++c) CHECK(radiance[c] == Approx(want[c]).epsilon(1e-14));
+  CHECK(det::levelIrradiance(irradiance, det::directionOf(1.0, -30.0 * kDegree)) == Number3(0.0));
+  CHECK(det::normalIrradiance(Number3(0.0), 2.0) == Number3(0.0));
+}
+
 TEST_CASE("Curve, PiecewiseLinearAndPeriodic") {
   const base::Curve curve{1, {6.0, 12.0, 20.0}, {1.0, 4.0, 2.0}};
   CHECK(curve.at(6.0) == 1.0);

@@ -132,8 +132,7 @@ void bake(bake::SkyFile file, const std::string& name, Products& products) {
   const table::DayTable table =
       table::bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [] { return true; });
   add(products.lines, name + ".day", table.number);
-  for (const table::Encoding encoding :
-       {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16, table::Encoding::fixed8})
+  for (const table::Encoding encoding : format::kEncodings)
     add(products.lines, name + "." + nameOf(encoding), table::encodeNumbers(table, encoding).numbers);
   const model::SkyProjector projector(file.sky.luminance, 1);
   std::vector<cubemap::Cubemap> cubemaps;

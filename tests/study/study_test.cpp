@@ -61,7 +61,7 @@ TEST_CASE("StudyDay, BytesOfAWayAreThoseOfItsTable") {
   const DayWeights modes = modeWeights(day, table::DayModes(day.fields(), day.grid()), 3);
   for (const Candidate& candidate :
        {bandsCandidate(day, 3, Fit::projected), modesCandidate(day, modes, kSmallMap, Fit::projected)})
-    for (const auto encoding : {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed8}) {
+    for (const auto encoding : format::kEncodings) {
       const auto keys = evenKeys(day, 12);
       const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
       CHECK(candidate.bytes(day.sky(), keys.size(), encoding) ==

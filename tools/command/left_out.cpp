@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "format/cubemap_format.h"
+
 namespace welkin::command {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<LeftOut> leftOut(const bake::SkyFile& file, const SkyPlan& plan) {
                     table.modes ? 0 : keys * number * static_cast<std::size_t>(table.channels), 0.0});
   if (keys == 1 && !file.bake.fixed.keys)
     list.push_back({fmt::format("{} keys", bake::kAutoKeys - 1), "within the error the sky's shape does not change",
-                    (bake::kAutoKeys - 1) * (table.numbersOfKey() * number + sizeof(double)),
+                    (bake::kAutoKeys - 1) * format::bytesOfKey(plan.encoding, table.numbersOfKey()),
                     (bake::kAutoKeys - 1) * evaluationsOfKey(plan)});
   if (!file.sky.moon) list.push_back({"moon", "there is no [moon]", 0, 0.0});
   if (!file.sky.stars) list.push_back({"stars", "there is no [stars]", 0, 0.0});
@@ -42,7 +44,8 @@ std::vector<LeftOut> leftOut(const bake::SkyFile& file, const SkyPlan& plan) {
     list.push_back({"cubemaps",
                     file.bake.cubemap_size == 0 ? "cubemap_size is 0"
                                                 : "no surface of the level is smooth enough to reflect the sky",
-                    8UL * 6 * 128 * 128 * 8, 8.0 * 6 * 128 * 128 * 3});
+                    format::bytesOfCubemaps(format::CubemapFormat::rgba16f, 128, 8),
+                    8.0 * 3.0 * static_cast<double>(format::texelsOfCubemap(128))});
   return list;
 }
 

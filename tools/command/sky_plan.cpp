@@ -173,8 +173,8 @@ void SkyPlanner::planCubemaps(SkyPlan& plan) {
     plan.cubemap_format = cubemaps_->format;
     plan.cubemap_time_h = cubemaps_->time_h;
   }
-  plan.cubemap_bytes = plan.cubemap_time_h.size() * 6 * static_cast<std::size_t>(plan.cubemap_size) *
-                       static_cast<std::size_t>(plan.cubemap_size) * format::texelBytes(plan.cubemap_format);
+  plan.cubemap_bytes = format::bytesOfCubemaps(plan.cubemap_format, static_cast<std::uint64_t>(plan.cubemap_size),
+                                               plan.cubemap_time_h.size());
 }
 
 void SkyPlanner::planGradients(SkyPlan& plan) {

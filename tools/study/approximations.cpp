@@ -59,14 +59,16 @@ std::string approximationsTable(const Study& study) {
          fmt::format("{} of the mean promised", share(model::kIrradianceRules[i].error)),
          fmt::format("down from {} panels", model::kIrradianceRules[0].panels), "48 panels",
          "tests/sky/irradiance_test.cpp"});
-  for (const auto& [e, bound, bytes] : {std::tuple(table::Encoding::float32, "2^-24 of a number", 4),
-                                        {table::Encoding::float16, "2^-11 of a number, 2^-25 of its key's largest", 2},
-                                        {table::Encoding::fixed16, "1/65534 of key's times row's largest", 2},
-                                        {table::Encoding::fixed8, "1/254 of key's times row's largest", 1}})
-    add({fmt::format("numbers as {}", nameOf(e)), "finite tables",
-         fmt::format("{}; {} of the irradiance here", bound, share(encoding(e))),
-         fmt::format("{} {} a number", bytes, bytes == 1 ? "byte" : "bytes"), "the numbers in double",
+  for (const auto& e : format::kEncodingFacts) {
+    const std::string bound = e.encoding == table::Encoding::float32 ? "2^-24 of a number"
+                              : e.encoding == table::Encoding::float16
+                                  ? "2^-11 of a number, 2^-25 of its key's largest"
+                                  : fmt::format("1/{} of key's times row's largest", 2 * e.largest_integer);
+    add({fmt::format("numbers as {}", nameOf(e.encoding)), "finite tables",
+         fmt::format("{}; {} of the irradiance here", bound, share(encoding(e.encoding))),
+         fmt::format("{} {} a number", e.bytes, e.bytes == 1 ? "byte" : "bytes"), "the numbers in double",
          "tests/runtime/day_table_test.cpp"});
+  }
   for (const MapSize map : {kSmallMap, kMiddleMap, kLargeMap, kLargestMap})
     for (const Candidate& candidate : study.candidates)
       if (candidate.isModes() && candidate.numbers() == 8 && candidate.fit == Fit::projected &&

@@ -148,8 +148,7 @@ std::string cubicParagraph(const KeyStudy& keys) {
 std::string encodingsParagraph(const std::vector<EncodingRow>& rows) {
   std::string text = "Rounding the numbers adds at most";
   bool first = true;
-  for (const auto encoding :
-       {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16, table::Encoding::fixed8}) {
+  for (const auto encoding : format::kEncodings) {
     double most = 0.0;
     for (const EncodingRow& row : rows)
       if (row.encoding == encoding) most = std::max(most, row.encoding_error);

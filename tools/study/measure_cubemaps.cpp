@@ -15,10 +15,6 @@ using format::CubemapFormat;
 
 constexpr CubemapFormat kFormats[] = {CubemapFormat::rgba16f, CubemapFormat::rgb9e5, CubemapFormat::b10g11r11};
 
-double bytesOfCubemap(int size, CubemapFormat format) {
-  return 6.0 * size * size * static_cast<double>(format::texelBytes(format));
-}
-
 }  // namespace
 
 double CubemapSizeRow::error() const {
@@ -31,7 +27,8 @@ CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& optio
   const std::vector<double> hours = {0.0, 5.0, 5.5, 6.0, 7.0, 9.0, 12.0, 15.0, 17.0, 18.0, 18.5, 19.0};
   for (int size = 16; size <= (options.quick ? 64 : 256); size *= 2)
     for (const CubemapFormat format : kFormats) {
-      CubemapSizeRow row{size, format, bytesOfCubemap(size, format)};
+      CubemapSizeRow row{size, format,
+                         static_cast<double>(format::bytesOfCubemaps(format, static_cast<std::uint64_t>(size)))};
       for (const auto& parts : cubemap::partsAt(sky, {size, format, hours, {}}, options.interrupt)) {
         row.resolution = std::max(row.resolution, parts.resolution);
         row.encoding = std::max(row.encoding, parts.encoding);

@@ -12,9 +12,6 @@
 namespace welkin::study {
 namespace {
 
-constexpr table::Encoding kEncodings[] = {table::Encoding::float32, table::Encoding::float16, table::Encoding::fixed16,
-                                          table::Encoding::fixed8};
-
 /// Errors that keys are placed for.
 constexpr double kAims[] = {0.5, 0.3, 0.2, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003};
 
@@ -32,7 +29,7 @@ std::vector<EncodingRow> measureEncodings(const StudyDay& day, const std::vector
                        candidate.representation.modes->columns == kLargestMap.columns;
     if (!bands && !modes) continue;
     const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
-    for (const table::Encoding encoding : kEncodings)
+    for (const table::Encoding encoding : format::kEncodings)
       rows.push_back({candidate.name, encoding, keys.size(), table::bytesOf(candidate.representation, table, encoding),
                       table::partsOf(day.values(), candidate.representation, table, encoding).encoding,
                       table::errorOf(day.values(), candidate.representation, table, encoding).value});
@@ -49,7 +46,7 @@ std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<
       const auto keys = table::placeKeys(day.values(), candidate.representation, aim);
       if (keys.empty()) continue;
       const table::DayTable table = table::tableAt(day.values(), candidate.representation, keys);
-      for (const table::Encoding encoding : kEncodings)
+      for (const table::Encoding encoding : format::kEncodings)
         tables.push_back({fmt::format("{}, {} keys, {}", candidate.name, keys.size(), nameOf(encoding)), keys.size(),
                           table::bytesOf(candidate.representation, table, encoding),
                           table::errorOf(day.values(), candidate.representation, table, encoding).value,
@@ -122,13 +119,13 @@ Chart encodingsChart(const std::vector<EncodingRow>& rows) {
               {"bytes, modes included", Quantity::bytes, Scale::log},
               {"error of the encoding alone", Quantity::share, Scale::log},
               {}};
-  for (const table::Encoding encoding : kEncodings) {
+  for (const table::Encoding encoding : format::kEncodings) {
     Series series{nameOf(encoding), SeriesStyle::line, {}};
     for (const EncodingRow& row : rows)
       if (row.encoding == encoding)
         series.points.push_back(
             {static_cast<double>(row.bytes), row.encoding_error,
-             encoding == table::Encoding::fixed8 ? row.representation.substr(0, row.representation.find(',')) : ""});
+             encoding == format::kEncodings.back() ? row.representation.substr(0, row.representation.find(',')) : ""});
     chart.series.push_back(std::move(series));
   }
   chart.lines = {{0.03, "3 %"}, {0.01, "1 %"}, {0.003, "0.3 %"}};

@@ -52,13 +52,12 @@ std::size_t Candidate::numbers() const {
 }
 
 std::size_t Candidate::bytesOfKey(const model::Sky& sky, table::Encoding encoding) const {
-  return bytes(sky, 2, encoding) - bytes(sky, 1, encoding);
+  return format::bytesOfKey(encoding, representation.rows * (table::isGrey(sky) ? 1 : 3));
 }
 
 std::size_t Candidate::bytes(const model::Sky& sky, std::size_t keys, table::Encoding encoding) const {
   const std::size_t numbers_of_key = representation.rows * (table::isGrey(sky) ? 1 : 3);
-  const std::size_t of_key = 8 + numbers_of_key * format::bytesOf(encoding) + (format::hasKeyScale(encoding) ? 4 : 0);
-  return representation.fixedBytes() + keys * of_key + (format::hasRowScale(encoding) ? 4 * numbers_of_key : 0);
+  return representation.fixedBytes() + format::bytesOfTable(encoding, keys, numbers_of_key);
 }
 
 Candidate bandsCandidate(const StudyDay& day, int bands, Fit fit) {
