@@ -42,7 +42,7 @@ std::filesystem::path sectorPath(const std::filesystem::path& folder, geometry::
 }
 
 LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, const model::Sky& sky,
-                     std::optional<double> max_error, const placement::Checkpoint& checkpoint)
+                     std::optional<double> max_error, const base::Progress& progress)
     : surfaces_(std::move(surfaces)),
       section_(section),
       max_error_(max_error.value_or(0.0)),
@@ -66,7 +66,7 @@ LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, co
     if (moon_path_) moon_ = trackAlong(*moon_path_);
   }
   texture_hash_ = geometry::textureHashes(surfaces_);
-  sectors_ = placement::sectorsOf(surfaces_, section_.probes, checkpoint);
+  sectors_ = placement::sectorsOf(surfaces_, section_.probes, progress);
   std::sort(sectors_.begin(), sectors_.end());
 }
 
@@ -100,18 +100,18 @@ SectorState LevelBake::state(const std::filesystem::path& folder, geometry::Sect
   return state;
 }
 
-sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const BakeProgress& progress) const {
+sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progress& progress) const {
   geometry::NearSurfaces near = geometry::surfacesWithin(surfaces_, columnOfBake(sector));
   const SectorSettings settings = settingsOf(sector);
   const sectors::BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
   return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
-SectorPlan LevelBake::plan(geometry::SectorId sector, const placement::Checkpoint& checkpoint) const {
+SectorPlan LevelBake::plan(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
   const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
   const BakeSection section = sectionOf(sector, section_, column);
-  const std::size_t probes = placement::placeProbes(geometry::Tracer(near), sector, section.probes, checkpoint).size();
+  const std::size_t probes = placement::placeProbes(geometry::Tracer(near), sector, section.probes, progress).size();
   return {probes, probes > 0 && hasLocalTransfer(sector, section_.transfer, surfaces_)};
 }
 
@@ -119,12 +119,12 @@ std::optional<double> LevelBake::budget() const {
   return section_.transfer.rays ? std::nullopt : std::optional(max_error_);
 }
 
-geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const placement::Checkpoint& checkpoint) const {
+geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
   const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
   placement::PlacementReport report;
   return placement::placeSector(geometry::Tracer(near), sector, sectionOf(sector, section_, column).probes, report,
-                                checkpoint);
+                                progress);
 }
 
 sectors::LevelIndex LevelBake::index() const {

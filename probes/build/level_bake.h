@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "probes/build/sector_bake.h"
-#include "probes/placement/checkpoint.h"
 #include "probes/sectors/level_index.h"
+#include "sky/base/progress.h"
 #include "sky/model/sky.h"
 
 namespace welkin::build {
@@ -40,9 +40,9 @@ class LevelBake {
  public:
   /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
   /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget below 1, and what sectorsOf and the
-  /// checkpoint throw.
+  /// progress throw.
   LevelBake(geometry::Surfaces surfaces, const BakeSection& section, const model::Sky& sky,
-            std::optional<double> max_error, const placement::Checkpoint& checkpoint = {});
+            std::optional<double> max_error, const base::Progress& progress = {});
 
   /// Ascending.
   const std::vector<geometry::SectorId>& sectors() const { return sectors_; }
@@ -51,16 +51,16 @@ class LevelBake {
   SectorState state(const std::filesystem::path& folder, geometry::SectorId sector) const;
 
   /// Throws as bakeSector.
-  sectors::SectorFile bake(geometry::SectorId sector, const BakeProgress& progress) const;
+  sectors::SectorFile bake(geometry::SectorId sector, const base::Progress& progress) const;
 
   /// Places a sector's probes to say how many. Throws what placeSector throws.
-  SectorPlan plan(geometry::SectorId sector, const placement::Checkpoint& checkpoint = {}) const;
+  SectorPlan plan(geometry::SectorId sector, const base::Progress& progress = {}) const;
 
   /// The error that rays = "auto" has to keep; none where the number of rays is fixed.
   std::optional<double> budget() const;
 
   /// The sector as placement leaves it, and the level itself: for pictures.
-  geometry::PlacedSector place(geometry::SectorId sector, const placement::Checkpoint& checkpoint = {}) const;
+  geometry::PlacedSector place(geometry::SectorId sector, const base::Progress& progress = {}) const;
   const geometry::Surfaces& surfaces() const { return surfaces_; }
 
   /// The index without its sectors and the sky's checksum.

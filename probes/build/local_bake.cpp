@@ -37,10 +37,10 @@ sectors::LocalSampling samplingOf(const std::vector<transfer::LocalProbe>& probe
 
 /// Its probes as its own bake places them.
 std::vector<geometry::Probe> probesOfNeighbour(const geometry::Surfaces& near, geometry::SectorId id,
-                                               const BakeSection& section, const placement::Checkpoint& checkpoint) {
+                                               const BakeSection& section, const base::Progress& progress) {
   const geometry::Column column = geometry::columnOf(id, section.transfer.reach_m);
   const geometry::Surfaces surfaces = geometry::withTexels(geometry::surfacesWithin(near, column), near);
-  return placement::placeProbes(geometry::Tracer(surfaces), id, sectionOf(id, section, column).probes, checkpoint);
+  return placement::placeProbes(geometry::Tracer(surfaces), id, sectionOf(id, section, column).probes, progress);
 }
 
 }  // namespace
@@ -66,13 +66,13 @@ bool hasLocalTransfer(geometry::SectorId sector, const TransferSection& transfer
 }
 
 std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometry::PlacedSector& sector,
-                                   const BakeSection& section, const placement::Checkpoint& checkpoint) {
+                                   const BakeSection& section, const base::Progress& progress) {
   constexpr std::size_t kSide = 3;
   std::array<std::vector<geometry::Probe>, kSide * kSide> placed;
   tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t i) {
     const geometry::SectorId id = {sector.id.x - 1 + static_cast<int>(i / kSide),
                                    sector.id.z - 1 + static_cast<int>(i % kSide)};
-    placed[i] = id == sector.id ? sector.probe : probesOfNeighbour(near, id, section, checkpoint);
+    placed[i] = id == sector.id ? sector.probe : probesOfNeighbour(near, id, section, progress);
   });
   const geometry::Column reach = geometry::columnOf(sector.id, section.transfer.reach_m);
   std::vector<Number3> lights;
@@ -84,10 +84,10 @@ std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometr
 
 sectors::BakedLocal bakeLocal(const geometry::Tracer& tracer, const geometry::Surfaces& near,
                               const geometry::PlacedSector& sector, const SectorSettings& settings,
-                              const transfer::TransferProgress& progress) {
+                              const base::Progress& progress) {
   const transfer::LocalTransferTracer transfer(tracer, localSettings(settings),
-                                               virtualLights(near, sector, settings.section, [&] { progress(0); }));
-  progress(0);
+                                               virtualLights(near, sector, settings.section, progress));
+  progress.check();
   std::vector<transfer::LocalProbe> traced(sector.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
     traced[i] = transfer.trace(sector.probe[i].position, sector.id, i, progress);

@@ -5,8 +5,8 @@
 #include "probes/build/sector_bake.h"
 #include "probes/geometry/sector.h"
 #include "probes/geometry/tracer.h"
-#include "probes/placement/checkpoint.h"
 #include "probes/transfer/trace_transfer.h"
+#include "sky/base/progress.h"
 
 namespace welkin::build {
 
@@ -23,14 +23,14 @@ bool hasLocalTransfer(geometry::SectorId sector, const TransferSection& transfer
 /// Virtual lights of a sector: its probes and those of the eight sectors about it, as far as they lie within reach, in
 /// the order of sectors and, within one, of placement. Neighbours are placed again, each out of the surfaces that its
 /// own bake reads: no file of theirs is read, and the lights are their probes. `near`, `section`: as columnOfBake
-/// reaches; what the checkpoint throws ends it.
+/// reaches; what the progress throws ends it.
 std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometry::PlacedSector& sector,
-                                   const BakeSection& section, const placement::Checkpoint& checkpoint = {});
+                                   const BakeSection& section, const base::Progress& progress = {});
 
 /// The local transfer of a sector that has probes, thinned to kMostLocalBytes. On all threads of the caller's arena;
 /// the same for any number of them. `tracer`: of what the sector's probes see; what `progress` throws ends the bake.
 sectors::BakedLocal bakeLocal(const geometry::Tracer& tracer, const geometry::Surfaces& near,
                               const geometry::PlacedSector& sector, const SectorSettings& settings,
-                              const transfer::TransferProgress& progress);
+                              const base::Progress& progress);
 
 }  // namespace welkin::build

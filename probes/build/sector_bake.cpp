@@ -46,12 +46,8 @@ transfer::TransferSettings transferSettings(const SectorSettings& s) {
   return t;
 }
 
-[[noreturn]] void stop() {
-  throw base::Error(base::ExitStatus::interrupted, "interrupted; finished sectors are kept");
-}
-
 std::vector<transfer::TracedProbe> trace(const geometry::Tracer& tracer, const geometry::PlacedSector& placed,
-                                         const SectorSettings& settings, const transfer::TransferProgress& progress) {
+                                         const SectorSettings& settings, const base::Progress& progress) {
   const transfer::TransferTracer transfer(tracer, transferSettings(settings));
   std::vector<transfer::TracedProbe> traced(placed.probe.size());
   tbb::parallel_for(std::size_t{0}, traced.size(), [&](std::size_t i) {
@@ -135,22 +131,19 @@ sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurf
 
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
                                const SectorSettings& settings, const sectors::BakedFrom& from,
-                               const BakeProgress& progress) {
-  const auto tell = [&](std::uint64_t rays) {
-    if (!progress(rays)) stop();
-  };
+                               const base::Progress& progress) {
   const TransferSection& transfer = settings.section.transfer;
   const bool is_local = hasLocalTransfer(sector, transfer, near);
   geometry::Surfaces within;
   if (is_local)
     within = geometry::withTexels(geometry::surfacesWithin(near, geometry::columnOf(sector, transfer.reach_m)), near);
   const geometry::Tracer tracer(is_local ? within : near);
-  tell(0);
+  progress.check();
   placement::PlacementReport report;
   const geometry::PlacedSector placed =
-      placement::placeSector(tracer, sector, settings.section.probes, report, [&] { tell(0); });
-  tell(0);
-  const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, tell);
+      placement::placeSector(tracer, sector, settings.section.probes, report, progress);
+  progress.check();
+  const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, progress);
   sectors::SectorFile file;
   file.id = sector;
   file.low_y = placed.low_y;
@@ -175,7 +168,7 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
   file.probes = transfer::encodeProbes(probes);
   file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, sector));
   if (!placed.probe.empty() && is_local) {
-    file.local = bakeLocal(tracer, near, placed, settings, tell);
+    file.local = bakeLocal(tracer, near, placed, settings, progress);
     file.rays += file.local->sampling.rays;
   }
   return file;

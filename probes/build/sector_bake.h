@@ -8,6 +8,7 @@
 #include "probes/geometry/reach.h"
 #include "probes/sectors/sector_file.h"
 #include "probes/transfer/light_track.h"
+#include "sky/base/progress.h"
 
 namespace welkin::build {
 
@@ -49,13 +50,10 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
 sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
                              const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings);
 
-/// Called now and then, from any thread, with rays traced since; false ends the bake.
-using BakeProgress = std::function<bool(std::uint64_t rays)>;
-
 /// On all threads of the caller's arena; the same for any number of them. Throws Error(interrupted) when told to end,
 /// and what placing and tracing throw.
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
                                const SectorSettings& settings, const sectors::BakedFrom& from,
-                               const BakeProgress& progress);
+                               const base::Progress& progress);
 
 }  // namespace welkin::build

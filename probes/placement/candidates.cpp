@@ -136,10 +136,10 @@ std::vector<LatticeLine> linesThroughParts(const geometry::Surfaces& surfaces, c
 }
 
 template <typename Make>
-std::vector<LatticeColumn> columnsOf(const std::vector<LatticeLine>& lines, const Checkpoint& checkpoint, Make make) {
+std::vector<LatticeColumn> columnsOf(const std::vector<LatticeLine>& lines, const base::Progress& progress, Make make) {
   std::vector<LatticeColumn> result(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
-    pass(checkpoint);
+    progress.check();
     result[i] = make(lines[i]);
   });
   return result;
@@ -148,22 +148,22 @@ std::vector<LatticeColumn> columnsOf(const std::vector<LatticeLine>& lines, cons
 }  // namespace
 
 Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-                        double top_y, PlacementReport& report, const Checkpoint& checkpoint) {
+                        double top_y, PlacementReport& report, const base::Progress& progress) {
   Candidates result;
   const auto add = [&](const Wanted& wanted) {
-    pass(checkpoint);
+    progress.check();
     if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
   };
   for (const Number3& p : settings.add)
     if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
   const auto candidatesOn = [&](const std::vector<LatticeLine>& lines) {
-    return columnsOf(lines, checkpoint,
+    return columnsOf(lines, progress,
                      [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
   };
   const auto hasGround = [](const LatticeColumn& column) { return !column.ground.empty(); };
   std::vector<LatticeColumn> columns = candidatesOn(latticeOf(id, settings.spacing_m));
   const std::vector<LatticeColumn> between =
-      columnsOf(latticeOf(id, 0.5 * settings.spacing_m), checkpoint,
+      columnsOf(latticeOf(id, 0.5 * settings.spacing_m), progress,
                 [&](const LatticeLine& line) { return groundAt(tracer, settings, line, top_y); });
   if (std::none_of(columns.begin(), columns.end(), hasGround) &&
       std::none_of(between.begin(), between.end(), hasGround))

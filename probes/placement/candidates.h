@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "probes/geometry/tracer.h"
-#include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
+#include "sky/base/progress.h"
 
 namespace welkin::placement {
 
@@ -35,7 +35,7 @@ struct Candidates {
 /// numbers even come first, then both odd, then the rest. If neither lattice meets ground, lines through the middles of
 /// the sector's walkable triangles take their place. `top_y` as in spansAt.
 Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-                        double top_y, PlacementReport& report, const Checkpoint& checkpoint = {});
+                        double top_y, PlacementReport& report, const base::Progress& progress = {});
 
 /// A candidate for a walkable point between the lines, moved and reported as others are. Nothing if no probe may stand
 /// there.

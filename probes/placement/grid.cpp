@@ -45,11 +45,11 @@ void fillFromNearest(std::array<std::uint8_t, geometry::kCells * geometry::kCell
 class Grid {
  public:
   Grid(const geometry::Tracer& tracer, const PlacementSettings& settings, geometry::PlacedSector& sector, double top_y,
-       const Checkpoint& checkpoint)
+       const base::Progress& progress)
       : tracer_(tracer),
         settings_(settings),
         sector_(sector),
-        checkpoint_(checkpoint),
+        progress_(progress),
         cells_(gridCellsOf(tracer, sector.id, sector.low_y, sector.cell_height_m, top_y)),
         found_(kAllCells, Found::none),
         anchor_(kAllCells) {
@@ -59,7 +59,7 @@ class Grid {
 
   void bySight() {
     tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
-      pass(checkpoint_);
+      progress_.check();
       GridCell& cell = cells_.cell[i];
       if (cell.middle_free)
         if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
@@ -83,7 +83,7 @@ class Grid {
       std::vector<std::optional<Way>> way(kAllCells);
       tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
         if (found_[i] != Found::none) return;
-        pass(checkpoint_);
+        progress_.check();
         for (const std::size_t j : around(i, 1)) {
           const Number3* from = fresh[j] ? pointThatSees(i, anchor_[j]) : nullptr;
           if (from == nullptr) continue;
@@ -105,7 +105,7 @@ class Grid {
   void byFilter() {
     std::vector<std::optional<std::size_t>> chosen(kAllCells);
     tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
-      pass(checkpoint_);
+      progress_.check();
       if (cells_.cell[i].point.empty()) chosen[i] = seenByAll(i);
     });
     for (std::size_t i = 0; i < kAllCells; ++i)
@@ -230,7 +230,7 @@ class Grid {
   const geometry::Tracer& tracer_;
   const PlacementSettings& settings_;
   geometry::PlacedSector& sector_;
-  const Checkpoint& checkpoint_;
+  const base::Progress& progress_;
   GridCells cells_;
   std::vector<Found> found_;
   std::vector<Number3> anchor_;
@@ -249,9 +249,9 @@ void setHeights(const std::vector<double>& ground_y, geometry::PlacedSector& sec
 }  // namespace
 
 void fillGrid(const geometry::Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
-              double top_y, geometry::PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint) {
+              double top_y, geometry::PlacedSector& sector, PlacementReport& report, const base::Progress& progress) {
   setHeights(ground_y, sector);
-  Grid grid(tracer, settings, sector, top_y, checkpoint);
+  Grid grid(tracer, settings, sector, top_y, progress);
   grid.bySight();
   grid.byWay();
   grid.byFilter();

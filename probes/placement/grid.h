@@ -3,8 +3,8 @@
 #pragma once
 
 #include "probes/geometry/tracer.h"
-#include "probes/placement/checkpoint.h"
 #include "probes/placement/settings.h"
+#include "sky/base/progress.h"
 
 namespace welkin::placement {
 
@@ -20,6 +20,7 @@ namespace welkin::placement {
 /// 5. kNoProbe.
 /// No line of sight crosses static geometry.
 void fillGrid(const geometry::Tracer& tracer, const PlacementSettings& settings, const std::vector<double>& ground_y,
-              double top_y, geometry::PlacedSector& sector, PlacementReport& report, const Checkpoint& checkpoint = {});
+              double top_y, geometry::PlacedSector& sector, PlacementReport& report,
+              const base::Progress& progress = {});
 
 }  // namespace welkin::placement

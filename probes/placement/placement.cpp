@@ -11,26 +11,26 @@ namespace welkin::placement {
 
 geometry::PlacedSector placeSector(const geometry::Tracer& tracer, geometry::SectorId id,
                                    const PlacementSettings& settings, PlacementReport& report,
-                                   const Checkpoint& checkpoint) {
+                                   const base::Progress& progress) {
   checkSettings(settings);
   report = {};
   geometry::PlacedSector result;
   result.id = id;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
-  const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report, checkpoint);
-  result.probe = selectProbes(tracer, id, candidates, settings, report, checkpoint);
-  fillGrid(tracer, settings, candidates.ground_y, top_y, result, report, checkpoint);
+  const Candidates candidates = candidatesOf(tracer, id, settings, top_y, report, progress);
+  result.probe = selectProbes(tracer, id, candidates, settings, report, progress);
+  fillGrid(tracer, settings, candidates.ground_y, top_y, result, report, progress);
   setRooms(settings, result);
   return result;
 }
 
 std::vector<geometry::Probe> placeProbes(const geometry::Tracer& tracer, geometry::SectorId id,
-                                         const PlacementSettings& settings, const Checkpoint& checkpoint) {
+                                         const PlacementSettings& settings, const base::Progress& progress) {
   checkSettings(settings);
   PlacementReport report;
   const double top_y = topOver(tracer.surfaces(), id).value_or(0.0);
-  return selectProbes(tracer, id, candidatesOf(tracer, id, settings, top_y, report, checkpoint), settings, report,
-                      checkpoint);
+  return selectProbes(tracer, id, candidatesOf(tracer, id, settings, top_y, report, progress), settings, report,
+                      progress);
 }
 
 }  // namespace welkin::placement

@@ -96,7 +96,7 @@ class Found {
 }  // namespace
 
 std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const PlacementSettings& settings,
-                                          const Checkpoint& checkpoint) {
+                                          const base::Progress& progress) {
   checkSettings(settings);
   Found found;
   std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors that no line meets
@@ -112,7 +112,7 @@ std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const Pla
     const auto name = [&] { return fmt::format("object \"{}\"", s.object[t.object].name); };
     found.checkSpan(low, high, name);
     for (int x = low.x; x <= high.x; ++x) {
-      pass(checkpoint);
+      progress.check();
       for (int z = low.z; z <= high.z; ++z) {
         const geometry::SectorId id{x, z};
         if (found.contains(id)) continue;
@@ -130,7 +130,7 @@ std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const Pla
     found.checkSpan(geometry::sectorAt(box.low), geometry::sectorAt(box.high), [&] {
       return fmt::format("vegetation from ({}, {}) to ({}, {}) m", box.low.x, box.low.z, box.high.x, box.high.z);
     });
-    pass(checkpoint);
+    progress.check();
     for (const geometry::SectorId& id : sectorsOfVegetation(box, settings)) found.add(id, others);
   }
   for (const Number3& p : settings.add) found.add(geometry::sectorAt(p), others);

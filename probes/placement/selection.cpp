@@ -17,11 +17,11 @@ namespace {
 class Selection {
  public:
   Selection(const geometry::Tracer& tracer, const geometry::SectorId& id, const Candidates& candidates,
-            const PlacementSettings& settings, const Checkpoint& checkpoint)
+            const PlacementSettings& settings, const base::Progress& progress)
       : tracer_(tracer),
         id_(id),
         settings_(settings),
-        checkpoint_(checkpoint),
+        progress_(progress),
         candidate_(candidates.candidate),
         walkable_(candidates.walkable),
         kept_(candidate_.size(), false),
@@ -32,7 +32,7 @@ class Selection {
 
   void keepApart(PlacementReport& report) {
     for (std::size_t i = 0; i < kept_.size(); ++i) {
-      pass(checkpoint_);
+      progress_.check();
       if (candidate_[i].by_hand || seenFrom(position(i), settings_.minimum_separation_m, 1).empty())
         keep(i);
       else
@@ -43,7 +43,7 @@ class Selection {
   void keepInSight(PlacementReport& report) {
     std::vector<std::uint8_t> covered(walkable_.size());
     tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {
-      pass(checkpoint_);
+      progress_.check();
       covered[i] = seesAny(walkable_[i], [](std::size_t) { return true; }) ? 1 : 0;
     });
     const std::size_t first = probe_.size();
@@ -51,7 +51,7 @@ class Selection {
     for (std::size_t i = 0; i < covered.size(); ++i) {
       const WalkablePoint& point = walkable_[i];
       if (covered[i] == 0) {
-        pass(checkpoint_);
+        progress_.check();
         if (!seesAny(point, [&](std::size_t p) { return p >= first; }) && !keepFor(point, report)) continue;
       }
       walkable.push_back(point);
@@ -65,7 +65,7 @@ class Selection {
     std::vector<bool> by_hand;
     for (const std::size_t i : probe_) by_hand.push_back(candidate_[i].by_hand);
     const Look look = [&](std::size_t point, const std::vector<bool>& gone) {
-      pass(checkpoint_);
+      progress_.check();
       return seenFrom(walkable_[point].foot, settings_.coverage_m, kNearestSeen,
                       [&](std::size_t p) { return !gone[p]; });
     };
@@ -76,7 +76,7 @@ class Selection {
     }
     std::vector<std::uint8_t> covered(walkable_.size());
     tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {
-      pass(checkpoint_);
+      progress_.check();
       covered[i] = seesAny(walkable_[i], [&](std::size_t p) { return !gone[p]; }) ? 1 : 0;
     });
     for (std::size_t i = 0; i < covered.size(); ++i)
@@ -144,7 +144,7 @@ class Selection {
   const geometry::Tracer& tracer_;
   geometry::SectorId id_;
   const PlacementSettings& settings_;
-  const Checkpoint& checkpoint_;
+  const base::Progress& progress_;
   std::vector<Candidate> candidate_;
   std::vector<WalkablePoint> walkable_;
   std::vector<bool> kept_;          // for each candidate
@@ -157,8 +157,8 @@ class Selection {
 
 std::vector<geometry::Probe> selectProbes(const geometry::Tracer& tracer, const geometry::SectorId& id,
                                           const Candidates& candidates, const PlacementSettings& settings,
-                                          PlacementReport& report, const Checkpoint& checkpoint) {
-  Selection selection(tracer, id, candidates, settings, checkpoint);
+                                          PlacementReport& report, const base::Progress& progress) {
+  Selection selection(tracer, id, candidates, settings, progress);
   selection.keepApart(report);
   selection.keepInSight(report);
   return selection.finish(report);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "probes/placement/candidates.h"
+#include "sky/base/progress.h"
 
 namespace welkin::placement {
 
@@ -15,6 +16,6 @@ namespace welkin::placement {
 /// Memory grows with the candidates and walkable points, not with the number of pairs that see each other.
 std::vector<geometry::Probe> selectProbes(const geometry::Tracer& tracer, const geometry::SectorId& id,
                                           const Candidates& candidates, const PlacementSettings& settings,
-                                          PlacementReport& report, const Checkpoint& checkpoint = {});
+                                          PlacementReport& report, const base::Progress& progress = {});
 
 }  // namespace welkin::placement

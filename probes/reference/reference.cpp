@@ -75,14 +75,14 @@ std::size_t referenceBatches(const ReferenceSettings& settings) {
 
 ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
-                                   const ReferenceSettings& settings, const ReferenceProgress& progress) {
+                                   const ReferenceSettings& settings, const base::Progress& progress) {
   const PathScene scene{tracer, distant, lights, settings.bounces};
   const std::size_t strata = strataOf(settings);
   const geometry::Hit start = startAt(tracer, position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
     batches[i] = meanOfBatch(scene, start, strata, settings.seed, i);
-    if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted; nothing was written");
+    progress.step();
   });
   ReferenceIrradiance irradiance;
   irradiance.sky = estimateOf(batches, [](const LightShares& b) { return b.sky; });

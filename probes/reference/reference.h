@@ -14,6 +14,7 @@
 
 #include "probes/geometry/tracer.h"
 #include "probes/reference/distant_light.h"
+#include "sky/base/progress.h"
 
 namespace welkin::reference {
 
@@ -46,9 +47,6 @@ struct ReferenceIrradiance {
   std::size_t samples = 0;
 };
 
-/// Called after every finished batch, from any thread. It returns false to stop, which throws Error(interrupted).
-using ReferenceProgress = std::function<bool()>;
-
 /// Number of batches that traceReference reports to its progress.
 std::size_t referenceBatches(const ReferenceSettings& settings);
 
@@ -57,6 +55,6 @@ std::size_t referenceBatches(const ReferenceSettings& settings);
 /// is stratified over the directions at the point. The standard error is the error of their mean.
 ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
-                                   const ReferenceSettings& settings, const ReferenceProgress& progress = {});
+                                   const ReferenceSettings& settings, const base::Progress& progress = {});
 
 }  // namespace welkin::reference

@@ -2,7 +2,7 @@
 #include "probes/sectors/level_index.h"
 
 #include "format/domain_check.h"
-#include "probes/sectors/checked_file.h"
+#include "sky/bake/checked_file.h"
 #include "sky/bake/encode.h"
 
 namespace welkin::sectors {
@@ -63,7 +63,7 @@ std::vector<std::byte> encodeLevel(const LevelIndex& index) {
 }
 
 LevelIndex decodeLevel(std::span<const std::byte> bytes, const std::string& name) {
-  const format::File& file = openChecked(bytes, name, format::levelFaultOf);
+  const format::File& file = bake::openChecked(bytes, name, format::levelFaultOf);
   const format::Level& level = *file.level();
   LevelIndex index;
   if (level.sectors() != nullptr)

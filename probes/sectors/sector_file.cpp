@@ -6,7 +6,7 @@
 #include "format/domain_check.h"
 #include "format/sector_check.h"
 #include "probes/geometry/sector_name.h"
-#include "probes/sectors/checked_file.h"
+#include "sky/bake/checked_file.h"
 
 namespace welkin::sectors {
 namespace {
@@ -192,7 +192,7 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
 }
 
 SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& name) {
-  const format::File& file = openChecked(bytes, name, format::sectorFaultOf);
+  const format::File& file = bake::openChecked(bytes, name, format::sectorFaultOf);
   const format::Sector& sector = *file.sector();
   SectorFile s;
   s.id = {sector.x(), sector.z()};

@@ -120,7 +120,7 @@ LocalTransferTracer::LocalTransferTracer(const geometry::Tracer& tracer, const L
 }
 
 LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
-                                      const TransferProgress& progress) const {
+                                      const base::Progress& progress) const {
   const geometry::Tracer seen = tracer_->within(position, settings_.reach_m);
   const auto most = static_cast<std::uint32_t>(settings_.rays / kReplicates);
   const auto points_of = [&](std::size_t replicate) {
@@ -130,7 +130,7 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorI
   LocalProbe result;
   std::uint64_t told = 0;
   const auto tell = [&] {
-    if (progress) progress(result.rays - told);
+    progress.step(result.rays - told);
     told = result.rays;
   };
   std::vector<std::size_t> chosen;

@@ -72,7 +72,7 @@ class LocalTransferTracer {
   LocalTransferTracer(const geometry::Tracer& tracer, const LocalSettings& settings, std::vector<Number3> lights);
 
   LocalProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
-                   const TransferProgress& progress = {}) const;
+                   const base::Progress& progress = {}) const;
 
   /// Traces all probes of a sector, in its order, on all threads of the caller's arena.
   std::vector<LocalProbe> trace(const geometry::PlacedSector& sector) const;

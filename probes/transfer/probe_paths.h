@@ -125,7 +125,7 @@ inline bool anyEmissive(const geometry::Surfaces& surfaces) {
 template <typename Rays>
 TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
                        const Number3& position, geometry::SectorId sector, std::size_t probe,
-                       const TransferProgress& progress = {}) {
+                       const base::Progress& progress = {}) {
   constexpr std::uint32_t kBlock = 1024;  // paths between two calls of progress: some milliseconds
   TransferSums sums;
   std::vector<PathPoints> points;
@@ -137,7 +137,7 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
   std::uint32_t untold = 0;
   std::uint64_t told = 0;
   const auto tell = [&] {
-    if (progress && untold > 0) progress(paths.rayCount() - told);
+    if (untold > 0) progress.step(paths.rayCount() - told);
     untold = 0;
     told = paths.rayCount();
   };

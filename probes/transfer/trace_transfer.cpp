@@ -40,7 +40,7 @@ TransferTracer::TransferTracer(const geometry::Tracer& tracer, TransferSettings 
 }
 
 TracedProbe TransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
-                                  const TransferProgress& progress) const {
+                                  const base::Progress& progress) const {
   return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, emissive_, position, sector,
                     probe, progress);
 }

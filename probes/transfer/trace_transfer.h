@@ -11,6 +11,7 @@
 #include "probes/geometry/tracer.h"
 #include "probes/transfer/path_points.h"
 #include "probes/transfer/transfer.h"
+#include "sky/base/progress.h"
 
 namespace welkin::transfer {
 
@@ -39,10 +40,6 @@ inline constexpr std::size_t kLeastRays = 64;
 inline constexpr std::size_t kMostRays = std::size_t{1} << 24;
 inline constexpr int kMostBounces = 16;
 
-/// Called from any thread with the rays traced since the last call: at the end of a probe, and at least every 2048
-/// paths. An exception from it ends the tracing.
-using TransferProgress = std::function<void(std::uint64_t rays)>;
-
 /// Traces probes of one level. Any thread may call it. A probe's result depends only on level, settings, position,
 /// sector and index.
 class TransferTracer {
@@ -50,8 +47,9 @@ class TransferTracer {
   /// `tracer` must outlive the object. Throws Error(content) if a setting is out of its range.
   TransferTracer(const geometry::Tracer& tracer, TransferSettings settings);
 
+  /// `progress` counts rays: it is told of them at the end of a probe and every 2048 paths at least.
   TracedProbe trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
-                    const TransferProgress& progress = {}) const;
+                    const base::Progress& progress = {}) const;
 
   /// Traces all probes of a sector, in its order, on all threads of the caller's arena.
   std::vector<TracedProbe> trace(const geometry::PlacedSector& sector) const;

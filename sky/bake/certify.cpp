@@ -100,7 +100,7 @@ Looked lookAt(const Instant& instant, const table::DayValues& day, std::size_t i
 
 /// Largest difference between the irradiance of the baked moments and of converged ones.
 double quadratureOf(const Baked& baked, double brightest, const table::ErrorGrid& grid,
-                    const table::Progress& progress) {
+                    const base::Progress& progress) {
   std::vector<double> hours;
   for (std::size_t i = 0; i < kQuadratureChecks; ++i)
     hours.push_back(format::kDay_h * (static_cast<double>(i) + 0.5) / kQuadratureChecks);
@@ -148,7 +148,7 @@ struct Mean {
 
 /// Adds the errors of a share of the instants.
 void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::DayValues& day,
-         const table::Progress& progress, table::Certificate& certificate, Mean& mean) {
+         const base::Progress& progress, table::Certificate& certificate, Mean& mean) {
   const auto& instants = day.day->instant;
   static const std::vector<Number3> kSpread = [] {
     std::vector<Number3> directions;
@@ -162,7 +162,7 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
     looked[i] = lookAt(instant, day, i);
     if (how != Certify::full) return;
     for (const Number3& n : kSpread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
-    if (!progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted; finished files are kept");
+    progress.step();
   });
   for (std::size_t i = 0; i < looked.size(); ++i)
     for (int c = 0; c < 3; ++c) {
@@ -186,11 +186,23 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
 
 }  // namespace
 
+const char* nameOf(Certify certify) {
+  switch (certify) {
+    case Certify::none:
+      return "none";
+    case Certify::full:
+      return "full";
+    case Certify::fast:
+      break;
+  }
+  return "fast";
+}
+
 std::size_t certifySteps(const Baked& baked, Certify how) {
   return instantsOf(baked, kMinute_h).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
 }
 
-table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const table::Progress& progress,
+table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const base::Progress& progress,
                            double step_h) {
   const double brightest = table::brightestOf(baked.sky);
   const table::ErrorGrid grid;

@@ -107,7 +107,7 @@ namespace {
 /// Returns the sum.
 template <typename Store>
 std::size_t render(const model::SkyInstant& instant, const Number3& ground, Layout layout, int size,
-                   const table::Progress& progress, Store&& store) {
+                   const base::Progress& progress, Store&& store) {
   const model::LuminanceModel& model = instant.sky().luminance;
   std::optional<model::IndicatrixTable> table;
   if (model.d >= -model::IndicatrixTable::kSteepest) table.emplace(model.d);
@@ -121,8 +121,7 @@ std::size_t render(const model::SkyInstant& instant, const Number3& ground, Layo
       past += store(texel++, instant.dome(direction, ground, table ? &*table : nullptr));
     });
     saturated += past;
-    if (progress && !progress())
-      throw base::Error(base::ExitStatus::interrupted, "interrupted; finished files are kept");
+    progress.check();
   });
   return saturated;
 }
@@ -134,7 +133,7 @@ std::size_t texelCount(const Extent& extent) {
 }  // namespace
 
 DomeImage renderDome(const model::SkyInstant& instant, const Number3& ground, Layout layout, int size,
-                     const table::Progress& progress) {
+                     const base::Progress& progress) {
   DomeImage image{extentOf(layout, size), {}, 0};
   image.rgb_half.resize(texelCount(image.extent) * 3);
   image.saturated = render(instant, ground, layout, size, progress, [&](std::size_t texel, const Number3& radiance) {
@@ -150,7 +149,7 @@ DomeImage renderDome(const model::SkyInstant& instant, const Number3& ground, La
 }
 
 Cubemap renderCubemap(const model::SkyInstant& instant, const Number3& ground, int size, format::CubemapFormat format,
-                      const table::Progress& progress) {
+                      const base::Progress& progress) {
   const std::size_t bytes = format::texelBytes(format);
   Cubemap cubemap{size, format, {}, 0};
   cubemap.texels.resize(texelCount(extentOf(Layout::vulkan_cube, size)) * bytes);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "format/cubemap_format.h"
+#include "sky/base/progress.h"
 #include "sky/table/day_table.h"
 
 namespace welkin::cubemap {
@@ -46,7 +47,7 @@ struct DomeImage {
 /// Renders the dome in parallel over rows; the same bytes for any number of threads. `progress` is asked after every
 /// row, as in bakeDayTable.
 DomeImage renderDome(const model::SkyInstant& instant, const Number3& ground, Layout layout, int size,
-                     const table::Progress& progress = {});
+                     const base::Progress& progress = {});
 
 /// A cubemap as sky.welkin holds it: Layout::vulkan_cube, texel after texel.
 struct Cubemap {
@@ -58,7 +59,7 @@ struct Cubemap {
 
 /// Renders the dome into the texels of a format, each rounded once; parallel and deterministic as renderDome.
 Cubemap renderCubemap(const model::SkyInstant& instant, const Number3& ground, int size, format::CubemapFormat format,
-                      const table::Progress& progress = {});
+                      const base::Progress& progress = {});
 
 /// The whole millisecond of the day, 0 to 86399999, that names the cubemap of a time in [0, 24).
 long millisecondOf(double time_h);

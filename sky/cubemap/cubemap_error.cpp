@@ -170,7 +170,7 @@ CubemapError summaryOf(const std::vector<Found>& found) {
 }  // namespace
 
 CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, Effort effort,
-                             const table::Progress& progress) {
+                             const base::Progress& progress) {
   const Density density = densityOf(effort);
   const Measurement measurement(sky, cubemaps, density.directions);
   const std::size_t count = cubemaps.time_h.size();
@@ -192,7 +192,7 @@ CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, 
         next.emplace(measurement.lookAt((i + 1) % count));
         tbb::parallel_for(std::size_t{0}, gap.size(), [&](std::size_t k) {
           gap[k]->at = measurement.at(gap[k]->time_h, first, *next);
-          if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+          progress.step();
         });
       }
     });
@@ -213,13 +213,13 @@ CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, 
 }
 
 std::vector<CubemapError::Parts> partsAt(const model::Sky& sky, const CubemapSet& cubemaps,
-                                         const table::Progress& progress) {
+                                         const base::Progress& progress) {
   const Measurement measurement(sky, cubemaps, {512, 256, 256});
   std::vector<CubemapError::Parts> parts(cubemaps.time_h.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     const CubemapLook look = measurement.lookAt(i);
     parts[i] = measurement.at(cubemaps.time_h[i], look, look).parts;
-    if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+    progress.step();
   });
   return parts;
 }

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "sky/base/progress.h"
 #include "sky/cubemap/cubemap_look.h"
 
 namespace welkin::cubemap {
@@ -48,10 +49,10 @@ struct CubemapError {
 /// Measures at the cubemaps' times, between them, at the curves' bends, and closer around the worst of these. Parallel;
 /// the same numbers for any number of threads. `progress` as in bakeDayTable.
 CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, Effort effort,
-                             const table::Progress& progress = {});
+                             const base::Progress& progress = {});
 
 /// Resolution and encoding of each of the cubemaps at its own time, from a thousand directions, for a plan.
 std::vector<CubemapError::Parts> partsAt(const model::Sky& sky, const CubemapSet& cubemaps,
-                                         const table::Progress& progress = {});
+                                         const base::Progress& progress = {});
 
 }  // namespace welkin::cubemap

@@ -38,7 +38,7 @@ struct Candidate {
 
 class Planner {
  public:
-  Planner(const model::Sky& sky, const CubemapLimits& limits, const table::Progress& progress)
+  Planner(const model::Sky& sky, const CubemapLimits& limits, const base::Progress& progress)
       : sky_(sky),
         limits_(limits),
         progress_(progress),
@@ -204,7 +204,7 @@ class Planner {
 
   const model::Sky& sky_;
   const CubemapLimits limits_;
-  const table::Progress& progress_;
+  const base::Progress& progress_;
   DomeDay day_;
   CubemapStillErrors still_errors_;
   std::vector<double> excess_;  ///< by DomeDay's candidates: measured over expected error between cubemaps
@@ -214,7 +214,7 @@ class Planner {
 }  // namespace
 
 CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapLimits& limits,
-                         const table::Progress& progress) {
+                         const base::Progress& progress) {
   Planner planner(sky, limits, progress);
   const double aim = kMargin * max_error;
   CubemapPlan best;  // that keeps the aim

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sky/base/progress.h"
 #include "sky/cubemap/cubemap_error.h"
 
 namespace welkin::cubemap {
@@ -33,6 +34,6 @@ struct CubemapPlan {
 /// the sky; then measures the bake's cubemaps, and tightens where it is past the budget. A budget that the limits do
 /// not allow gives the best that was found. The same plan for any number of threads. `progress` as in bakeDayTable.
 CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapLimits& limits = {},
-                         const table::Progress& progress = {});
+                         const base::Progress& progress = {});
 
 }  // namespace welkin::cubemap

@@ -15,7 +15,7 @@ constexpr int kEven = 32;          // hours beside the bends
 
 }  // namespace
 
-CubemapStillErrors::CubemapStillErrors(const model::Sky& sky, int largest_size, const table::Progress& progress)
+CubemapStillErrors::CubemapStillErrors(const model::Sky& sky, int largest_size, const base::Progress& progress)
     : time_h_(bendsOf(sky)) {
   for (int i = 0; i < kEven; ++i) time_h_.push_back(format::kDay_h * i / kEven);
   tidyHours(time_h_);

@@ -17,7 +17,7 @@ class CubemapStillErrors {
  public:
   /// Measures sizes from kSmallestCubemap on, each twice the last, up to `largest_size`, at some hours of the day and
   /// where the sky bends. `progress` as in bakeDayTable.
-  CubemapStillErrors(const model::Sky& sky, int largest_size, const table::Progress& progress);
+  CubemapStillErrors(const model::Sky& sky, int largest_size, const base::Progress& progress);
 
   /// The root of the sum of the squares of both, each the larger of those measured before and after `time_h`.
   double at(int size, format::CubemapFormat format, double time_h) const;

@@ -21,7 +21,7 @@ constexpr std::size_t kRemembered = 192;  // distances of a candidate: to those 
 
 }  // namespace
 
-DomeDay::DomeDay(const model::Sky& sky, const table::Progress& progress)
+DomeDay::DomeDay(const model::Sky& sky, const base::Progress& progress)
     : sky_(&sky), scale_(sky), bend_h_(bendsOf(sky)) {
   const DomeDirections even({kDirections, 0, 0});
   for (const Number3& d : even.staying()) rays_.emplace_back(sky.luminance, d);
@@ -31,7 +31,7 @@ DomeDay::DomeDay(const model::Sky& sky, const table::Progress& progress)
   add(time_h, progress);
 }
 
-void DomeDay::add(const std::vector<double>& time_h, const table::Progress& progress) {
+void DomeDay::add(const std::vector<double>& time_h, const base::Progress& progress) {
   std::vector<long> there;
   for (const double t : time_h_) there.push_back(millisecondOf(t));
   std::vector<long> fresh;
@@ -67,7 +67,7 @@ void DomeDay::add(const std::vector<double>& time_h, const table::Progress& prog
   for (std::size_t i = 0; i < time_h_.size() * kRemembered; ++i) distance_[3 * i] = -1.0;
   tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
     render(missing[i]);
-    if (progress && !progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+    progress.step();
   });
 }
 

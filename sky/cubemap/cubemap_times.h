@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "sky/base/progress.h"
 #include "sky/cubemap/dome_scale.h"
 #include "sky/table/day_table.h"
 
@@ -19,13 +20,13 @@ using det::Number3;
 /// The dome at candidate times, whole milliseconds of the day: every minute and where the sky bends.
 class DomeDay {
  public:
-  explicit DomeDay(const model::Sky& sky, const table::Progress& progress = {});
+  explicit DomeDay(const model::Sky& sky, const base::Progress& progress = {});
 
   /// Ascending, distinct, in [0, 24).
   const std::vector<double>& time_h() const { return time_h_; }
 
   /// More candidates; those that are there already are left out.
-  void add(const std::vector<double>& time_h, const table::Progress& progress = {});
+  void add(const std::vector<double>& time_h, const base::Progress& progress = {});
 
   /// The error, as CubemapError's, at candidate `at` of a blend between candidates `first` and `second` > first;
   /// indices past the last are of the next day. `second` = `first` plus all candidates: of one cubemap alone.

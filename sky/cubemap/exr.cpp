@@ -38,7 +38,7 @@ class MemoryStream : public Imf::OStream {
 }  // namespace
 
 std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
-                                 const table::Progress& progress) {
+                                 const base::Progress& progress) {
   Imf::Header header(image.extent.width, image.extent.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709, D65
@@ -60,8 +60,7 @@ std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double l
     constexpr int kLines = 256;  // a multiple of the 16 lines that are compressed together
     for (int line = 0; line < image.extent.height; line += kLines) {
       file.writePixels(std::min(kLines, image.extent.height - line));
-      if (progress && !progress())
-        throw base::Error(base::ExitStatus::interrupted, "interrupted; finished files are kept");
+      progress.check();
     }
   }
   return std::move(stream.bytes);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sky/base/progress.h"
 #include "sky/cubemap/cubemap.h"
 
 namespace welkin::cubemap {
@@ -13,6 +14,6 @@ namespace welkin::cubemap {
 /// `luminance_unit` (cd/m2 of radiance 1) becomes `whiteLuminance`. `progress` is asked now and then, as in
 /// bakeDayTable.
 std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
-                                 const table::Progress& progress = {});
+                                 const base::Progress& progress = {});
 
 }  // namespace welkin::cubemap

@@ -107,13 +107,13 @@ DayFields::Error DayFields::errorOf(const DayInstant& at, const ErrorGrid& grid,
 double brightestOf(const model::Sky& sky) {
   constexpr double kQuarter_h = 0.25;
   double brightest = 0.0;
-  for (const DayInstant& at : sampleDay(sky, hoursOfInterest(sky, kQuarter_h), 0.0, [] { return true; }).instant)
+  for (const DayInstant& at : sampleDay(sky, hoursOfInterest(sky, kQuarter_h), 0.0, {}).instant)
     brightest = std::max({brightest, at.divisor.x, at.divisor.y, at.divisor.z});
   return brightest;
 }
 
 DayFields sampleDay(const model::Sky& sky, const std::vector<double>& time_h, double brightest,
-                    const Progress& progress, const model::IrradianceRule& rule) {
+                    const base::Progress& progress, const model::IrradianceRule& rule) {
   DayFields day{&sky, std::vector<DayInstant>(time_h.size())};
   const model::IrradianceProjector projector(sky.luminance, rule);
   tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
@@ -126,7 +126,7 @@ DayFields sampleDay(const model::Sky& sky, const std::vector<double>& time_h, do
     const Number3 mean = meanAmbient(instant, at.field, at.saturation);
     const double luminance = det::luminanceOf(mean);
     at.divisor = {std::max(mean.x, luminance), std::max(mean.y, luminance), std::max(mean.z, luminance)};
-    if (!progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+    progress.step();
   });
   for (DayInstant& at : day.instant)
     for (int c = 0; c < 3; ++c) at.divisor[c] = std::max(at.divisor[c], kDarkest * brightest);

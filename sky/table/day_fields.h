@@ -79,7 +79,7 @@ double brightestOf(const model::Sky& sky);
 /// Samples the day in parallel. The bits are the same for any number of threads. `time_h` ascends; `brightest` is
 /// brightestOf.
 DayFields sampleDay(const model::Sky& sky, const std::vector<double>& time_h, double brightest,
-                    const Progress& progress, const model::IrradianceRule& rule = model::kIrradianceRules[0]);
+                    const base::Progress& progress, const model::IrradianceRule& rule = model::kIrradianceRules[0]);
 
 /// Hours at which a day bends or is worth checking: every `step_h` hours, the keys of the sun's path, and the sun's
 /// rising, setting, highest and lowest instants to the second.

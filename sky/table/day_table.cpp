@@ -37,8 +37,8 @@ bool hasGround(const model::Sky& sky) {
   return sky.ground_albedo.x > 0.0 || sky.ground_albedo.y > 0.0 || sky.ground_albedo.z > 0.0;
 }
 
-DayTable bakeDayTable(const model::Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
-                      double tolerance) {
+DayTable bakeDayTable(const model::Sky& sky, int bands, const std::vector<double>& key_time_h,
+                      const base::Progress& progress, double tolerance) {
   DayTable table;
   table.bands = bands;
   table.channels = isGrey(sky) ? 1 : 3;
@@ -56,7 +56,7 @@ DayTable bakeDayTable(const model::Sky& sky, int bands, const std::vector<double
       for (int c = 0; c < table.channels; ++c) *out++ = value[c];
     }
     evaluations += moments.evaluations;
-    if (!progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+    progress.step();
   });
   table.evaluations = evaluations;
   return table;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "sky/base/progress.h"
 #include "sky/model/projection.h"
 
 namespace welkin::table {
@@ -37,10 +38,6 @@ struct DayTable {
   std::size_t numbersOfKey() const { return static_cast<std::size_t>(rows * channels); }
 };
 
-/// Called after every finished piece of work, from any thread. Returning false stops the work, which throws
-/// Error(interrupted).
-using Progress = std::function<bool()>;
-
 /// Whether the sky is grey at all times.
 bool isGrey(const model::Sky& sky);
 
@@ -49,7 +46,7 @@ bool hasGround(const model::Sky& sky);
 
 /// Projects every key within `tolerance` (projection.h) into `bands` bands, in parallel (oneTBB's current arena). The
 /// bytes are the same for any number of threads.
-DayTable bakeDayTable(const model::Sky& sky, int bands, const std::vector<double>& key_time_h, const Progress& progress,
-                      double tolerance = model::kTolerance);
+DayTable bakeDayTable(const model::Sky& sky, int bands, const std::vector<double>& key_time_h,
+                      const base::Progress& progress, double tolerance = model::kTolerance);
 
 }  // namespace welkin::table

@@ -45,7 +45,7 @@ std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<doubl
 
 class Search {
  public:
-  Search(const DayValues& day, const PlanRequest& request, const Progress& progress)
+  Search(const DayValues& day, const PlanRequest& request, const base::Progress& progress)
       : day_(day), request_(request), progress_(progress) {
     plan_.bytes = SIZE_MAX;
   }
@@ -60,7 +60,7 @@ class Search {
     for (Way& way : ways_)
       if (mayFit(way) && way.choice.error > close_enough && way.choice.error < kWorthFitting * close_enough &&
           leastBytes(way.representation, format::kEncodings.back()) < plan_.bytes) {
-        step();
+        progress_.check();
         fitWeights(day_, way.representation);
         way.choice.name = way.representation.name();
         way.choice.error = errorAtKeys(day_, way.representation);
@@ -84,11 +84,8 @@ class Search {
     return way.representation.modes || request_.reconstruction != Reconstruction::projected;
   }
 
-  void step() const {
-    if (progress_ && !progress_()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
-  }
   void add(Representation r) {
-    step();
+    progress_.check();
     const double error = errorAtKeys(day_, r);
     std::string name = r.name();
     ways_.push_back({std::move(r), {std::move(name), error}});
@@ -150,7 +147,7 @@ class Search {
     const Representation& r = way.representation;
     double aim = request_.max_error;
     for (int attempt = 0; attempt < 5 && aim >= way.choice.error; ++attempt) {
-      step();
+      progress_.check();
       const std::size_t most_keys = (plan_.bytes - r.fixedBytes()) / bytesOfKey(r, encoding);
       const auto keys =
           request_.key_time_h.empty() ? placeKeys(day_, r, aim, most_keys) : fixedKeys(day_, request_.key_time_h);
@@ -188,7 +185,7 @@ class Search {
 
   const DayValues& day_;
   const PlanRequest& request_;
-  const Progress& progress_;
+  const base::Progress& progress_;
   std::vector<Way> ways_;
   std::size_t least_keys_ = 1;
   DayPlan plan_;
@@ -200,7 +197,7 @@ std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding enc
   return r.fixedBytes() + format::bytesOfTable(encoding, table.key_time_h.size(), table.numbersOfKey());
 }
 
-DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress) {
+DayPlan planDay(const DayValues& day, const PlanRequest& request, const base::Progress& progress) {
   return Search(day, request, progress).run();
 }
 

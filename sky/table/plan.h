@@ -42,6 +42,6 @@ std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding enc
 
 /// The plan is the same for any number of threads. `progress` is called now and then and may stop it, as in
 /// bakeDayTable.
-DayPlan planDay(const DayValues& day, const PlanRequest& request, const Progress& progress = {});
+DayPlan planDay(const DayValues& day, const PlanRequest& request, const base::Progress& progress = {});
 
 }  // namespace welkin::table

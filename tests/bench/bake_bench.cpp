@@ -38,7 +38,7 @@ void dayTable(benchmark::State& state) {
   const auto hours = base::evenHours(static_cast<int>(state.range(0)));
   std::size_t evaluations = 0;
   for (auto _ : state) {
-    const auto table = table::bakeDayTable(sky, static_cast<int>(state.range(1)), hours, [] { return true; });
+    const auto table = table::bakeDayTable(sky, static_cast<int>(state.range(1)), hours, {});
     benchmark::DoNotOptimize(table.number.data());
     evaluations = table.evaluations;
   }

@@ -105,10 +105,7 @@ int main(int argc, char** argv) try {
   // Welkin, in process on one core and as a whole process.
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   table::DayTable table;
-  const auto bake = [&] {
-    table = table::bakeDayTable(
-        file.sky, kBands, hours, [] { return true; }, kError);
-  };
+  const auto bake = [&] { table = table::bakeDayTable(file.sky, kBands, hours, {}, kError); };
   double in_process = 1e9;
   for (int i = 0; i < runs; ++i) in_process = std::min(in_process, seconds(bake));
   double worst = 0.0;

@@ -84,8 +84,7 @@ void run(const std::filesystem::path& file) {
         return build::bakeLocal(tracer, wide, placed, wanted, [](std::uint64_t) {});
       });
     }
-    const sectors::SectorFile baked =
-        clock.time(kAll, [&] { return bake.bake(id, [](std::uint64_t) { return true; }); });
+    const sectors::SectorFile baked = clock.time(kAll, [&] { return bake.bake(id, {}); });
     probes += baked.probes.probes();
   }
   const double all = clock.seconds(kAll);

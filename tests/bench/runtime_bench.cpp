@@ -26,8 +26,8 @@ std::vector<std::byte> bakedSky(int bands, bool modes) {
                                                       welkin::det::Number3(0.0), 128, file.bake.cubemap_format));
   }
   if (!modes)
-    return welkin::bake::encodeSky(
-        file, welkin::table::bakeDayTable(file.sky, bands, file.bake.key_time_h, [] { return true; }), cubemaps);
+    return welkin::bake::encodeSky(file, welkin::table::bakeDayTable(file.sky, bands, file.bake.key_time_h, {}),
+                                   cubemaps);
   welkin::table::DayTable table;
   table.bands = bands;
   table.rows = 8;

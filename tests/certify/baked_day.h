@@ -32,8 +32,8 @@ struct BakedDay {
   table::Certificate certificate(double step_h, bake::Certify how = bake::Certify::fast,
                                  const OpenedTable* file = nullptr) const {
     return bake::certify((file != nullptr ? *file : opened).sky.get(),
-                         {day.sky, representation, table, encoding, {0.0, &model::kIrradianceRules[0]}}, how,
-                         [] { return true; }, step_h);
+                         {day.sky, representation, table, encoding, {0.0, &model::kIrradianceRules[0]}}, how, {},
+                         step_h);
   }
 
  private:

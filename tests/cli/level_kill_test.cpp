@@ -77,7 +77,7 @@ TEST_CASE("LevelKill, InterruptKeepsFinishedSectors") {
   tool.send(SIGINT);
   REQUIRE(tool.endsWithin(10.0));
   REQUIRE(tool.wait().status == 130);
-  REQUIRE(readBytes(level / "err").find("interrupted; finished sectors are kept") != std::string::npos);
+  REQUIRE(readBytes(level / "err").find("interrupted; finished files are kept") != std::string::npos);
   REQUIRE_FALSE(fs::exists(level / "out/level.welkin"));
 }
 

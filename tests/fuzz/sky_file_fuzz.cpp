@@ -62,7 +62,7 @@ void checkInstant(const model::Sky& sky, double time_h) {
 /// Bakes one key and opens the result like a game.
 void checkBaked(const bake::SkyFile& file) {
   constexpr int kBands = 2;
-  const auto table = table::bakeDayTable(file.sky, kBands, {kHours[2]}, [] { return true; });
+  const auto table = table::bakeDayTable(file.sky, kBands, {kHours[2]}, {});
   const auto finite = [](auto v) { return std::isfinite(v); };
   require(std::all_of(table.number.begin(), table.number.end(), finite), "the table's numbers are finite");
   const auto bytes = bake::encodeSky(file, table, {});

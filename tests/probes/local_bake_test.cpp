@@ -13,8 +13,6 @@
 namespace welkin::tests {
 namespace {
 
-const transfer::TransferProgress kGoOn = [](std::uint64_t) {};
-
 build::BakeSection sectionWithin(double reach_m) {
   build::BakeSection section;
   section.probes.spacing_m = 16.0;
@@ -106,7 +104,7 @@ TEST_CASE("LocalBake, VirtualLightsAreProbesOfTheirSectorsBakes") {
   section.probes.spacing_m = 4.0;
   section.probes.add = {{71, 3, 40}, {130, 1, 30}};
   const build::LevelBake level(s, section, model::Sky{}, std::nullopt);
-  const sectors::SectorFile file = level.bake({0, 0}, [](std::uint64_t) { return true; });
+  const sectors::SectorFile file = level.bake({0, 0}, {});
   std::size_t of_neighbours = 0;
   for (const Number3& light : transfer::decodedLocal(file.local->encoded).light) {
     const geometry::PlacedSector placed = level.place(geometry::sectorAt(light));
@@ -139,7 +137,7 @@ TEST_CASE("LocalBake, HoldsWhatTheTracerFinds") {
   build::SectorSettings section = settingsWithin(64.0);
   section.max_error = 0.01;  // no effect, as the number of rays is fixed
   const geometry::PlacedSector sector = place(s, {0, 0}, section.section.probes);
-  const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, section, kGoOn);
+  const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, section, {});
   transfer::LocalSettings settings;
   settings.rays = 64;
   settings.nearest_m = build::kNearest_m;
@@ -177,9 +175,7 @@ TEST_CASE("LocalBake, EndsWhenTold") {
   const geometry::Surfaces s = groundWithWall();
   const geometry::Tracer tracer(s);
   const build::SectorSettings settings = settingsWithin(0.0);
-  const transfer::TransferProgress stop = [](std::uint64_t) {
-    throw base::Error(base::ExitStatus::interrupted, "enough");
-  };
+  const base::Progress stop([](const base::Progress::Stage&, base::Progress::Event) { return false; });
   CHECK_THROWS_AS(build::bakeLocal(tracer, s, place(s, {0, 0}, settings.section.probes), settings, stop), base::Error);
 }
 
@@ -192,7 +188,7 @@ TEST_CASE("LocalBake, RaysAreThoseThatTheBudgetTakes") {
   std::uint64_t rays = 0;
   for (const double budget : {0.5, 0.2, 0.1}) {
     settings.max_error = budget;
-    const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, settings, kGoOn);
+    const sectors::BakedLocal baked = build::bakeLocal(tracer, s, sector, settings, {});
     CHECK(baked.sampling.error <= budget);
     CHECK(baked.sampling.error > 0.2 * budget);  // not doubled more than once too often
     CHECK(baked.sampling.rays > rays);

@@ -172,25 +172,25 @@ TEST_CASE("Placement, ACheckpointEndsIt") {
   settings.spacing_m = 1.0;
   settings.minimum_separation_m = 0.5;  // thins
   placement::PlacementReport report;
+  const auto kEnough = Catch::Contains("interrupted");
   std::atomic<int> calls = 0;
   int last = std::numeric_limits<int>::max();
-  const placement::Checkpoint checkpoint = [&] {
-    if (++calls > last) throw base::Error(base::ExitStatus::interrupted, "enough");
-  };
+  const base::Progress checkpoint([&](const base::Progress::Stage&, base::Progress::Event) { return ++calls <= last; });
+  calls = 0;
   placement::placeSector(tracer, {0, 0}, settings, report, checkpoint);
   const int all = calls;
   CHECK(all > 10000);
   for (const double share : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
     calls = 0;
     last = static_cast<int>(share * all);
-    CHECK_THROWS_WITH(placement::placeSector(tracer, {0, 0}, settings, report, checkpoint), "enough");
+    CHECK_THROWS_WITH(placement::placeSector(tracer, {0, 0}, settings, report, checkpoint), kEnough);
     CHECK(calls <= last + 64);  // a thread or two may have begun
   }
   calls = 0;
   last = 2;
-  CHECK_THROWS_WITH(placement::placeProbes(tracer, {0, 0}, settings, checkpoint), "enough");
+  CHECK_THROWS_WITH(placement::placeProbes(tracer, {0, 0}, settings, checkpoint), kEnough);
   calls = 0;
-  CHECK_THROWS_WITH(placement::sectorsOf(s, settings, checkpoint), "enough");
+  CHECK_THROWS_WITH(placement::sectorsOf(s, settings, checkpoint), kEnough);
 }
 
 TEST_CASE("Placement, SectorsAreThoseThatGetProbes") {

@@ -25,7 +25,7 @@ struct Place {
   Number3 normal = geometry::unit({0.3, 0.5, -0.7});
 
   reference::ReferenceIrradiance at(const reference::ReferenceSettings& settings,
-                                    const reference::ReferenceProgress& progress = {}) const {
+                                    const base::Progress& progress = {}) const {
     return reference::traceReference(tracer, distant, lights, position, normal, settings, progress);
   }
 };
@@ -81,12 +81,13 @@ TEST_CASE("Reference, ItsBitsDoNotDependOnTheThreads") {
 TEST_CASE("Reference, TellsOfEveryBatchAndStopsWhenAsked") {
   const Place place;
   const reference::ReferenceSettings settings{300000, 1, 1};
-  std::atomic<std::size_t> told = 0;
-  place.at(settings, [&] { return ++told > 0; });
-  CHECK(told == reference::referenceBatches(settings));
-  CHECK(told == 74);
+  using base::Progress;
+  const Progress progress([](const Progress::Stage&, Progress::Event) { return true; });
+  place.at(settings, progress);
+  CHECK(progress.done() == reference::referenceBatches(settings));
+  CHECK(progress.done() == 74);
   try {
-    place.at(settings, [] { return false; });
+    place.at(settings, Progress([](const Progress::Stage&, Progress::Event) { return false; }));
     FAIL("went on");
   } catch (const base::Error& e) {
     CHECK(e.status() == base::ExitStatus::interrupted);

@@ -18,7 +18,7 @@ std::vector<sectors::SectorFile> bakedOf(const geometry::Surfaces& surfaces,
   const build::LevelBake level(surfaces, section, uniformSky(1.0), std::nullopt);
   std::vector<sectors::SectorFile> sectors;
   for (const geometry::SectorId id : level.sectors()) {
-    const auto bytes = sectors::encodeSector(level.bake(id, [](std::uint64_t) { return true; }));
+    const auto bytes = sectors::encodeSector(level.bake(id, {}));
     sectors::SectorFile read = sectors::decodeSector(bytes, "the sector");
     if (read.probes.probes() > 0) sectors.push_back(std::move(read));
   }

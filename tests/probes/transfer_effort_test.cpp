@@ -12,6 +12,8 @@
 
 namespace welkin::tests {
 
+using base::Progress;
+
 using f64::Number3;
 namespace {
 
@@ -87,26 +89,25 @@ TEST_CASE("TransferEffort, TellsOfItsRaysAndEndsWithinAProbe") {
   const geometry::Tracer tracer(level);
   for (const std::size_t rays : {std::size_t{1024}, std::size_t{1} << 16}) {
     transfer::TransferSettings settings = settingsWith(rays);
-    std::uint64_t told = 0;
     std::size_t calls = 0;
-    const auto add = [&](std::uint64_t since) {
-      told += since;
-      ++calls;
+    const Progress::Listener count = [&](const Progress::Stage&, Progress::Event event) {
+      calls += event == Progress::Event::went_on ? 1 : 0;
+      return true;
     };
+    const Progress add(count);
     const transfer::TracedProbe probe = transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add);
-    CHECK(told == probe.effort.rays);
+    CHECK(add.done() == probe.effort.rays);
     CHECK(calls >= rays / 2048);
     CHECK(calls <= rays / 1024);
     CHECK(sameBits(probe, transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0)));
     settings.max_error = 1e-6;  // all rays are spent, in rounds
-    told = 0;
-    CHECK(transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, add).effort.rays == told);
+    const Progress rounds(count);
+    CHECK(transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, rounds).effort.rays == rounds.done());
   }
   const transfer::TransferTracer endless(tracer, settingsWith(transfer::kMostRays));
   std::size_t calls = 0;
-  const auto third = [&](std::uint64_t) {
-    if (++calls == 3) throw base::Error(base::ExitStatus::interrupted, "enough");
-  };
+  const Progress third(
+      [&](const Progress::Stage&, Progress::Event event) { return event != Progress::Event::went_on || ++calls < 3; });
   CHECK_THROWS_AS(endless.trace({0, 1, 0}, {0, 0}, 0, third), base::Error);
   CHECK(calls == 3);
 }

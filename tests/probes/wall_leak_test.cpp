@@ -43,7 +43,7 @@ Leak leakOf(const Hall& hall, bool as_room) {
   if (as_room) section.probes.room = {hall.inside};
   const model::Sky sky = uniformSky(1.0);
   const build::LevelBake level(levelOf(hall), section, sky, std::nullopt);
-  const std::vector<sectors::SectorFile> sectors = {level.bake({0, 0}, [](std::uint64_t) { return true; })};
+  const std::vector<sectors::SectorFile> sectors = {level.bake({0, 0}, {})};
   const sectors::LevelLight light(sectors, sky, 12.0);
   const Number3 size = hall.inside.high - hall.inside.low;
   geometry::Random random(3);
@@ -94,7 +94,7 @@ TEST_CASE("WallLeak, ProbesOfSealedHallsAreUnlit") {
         addQuad(s, hall.inside.low + Number3(0.0, 0.95 * size.y, 0.0), {size.x, 0, 0}, {0, 0, size.z}, glow);
       }
       const build::LevelBake level(s, build::BakeSection{}, uniformSky(1.0), std::nullopt);
-      const sectors::SectorFile file = level.bake({0, 0}, [](std::uint64_t) { return true; });
+      const sectors::SectorFile file = level.bake({0, 0}, {});
       const auto places = transfer::decodedProbes(file.probes, file.id).position;
       const auto inside = static_cast<std::size_t>(std::count_if(
           places.begin(), places.end(), [&](const Number3& p) { return geometry::contains(hall.inside, p); }));

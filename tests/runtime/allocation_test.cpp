@@ -41,7 +41,7 @@ struct Opened {
   Opened(bake::SkyFile file, int bands, const std::vector<double>& key_time_h) {
     file.settings = "{}";
     file.bake.key_time_h = key_time_h;
-    bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, bands, key_time_h, [] { return true; }), {});
+    bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, bands, key_time_h, {}), {});
   }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;

@@ -26,8 +26,7 @@ const std::vector<std::byte>& smallFile() {
     file.bake.cubemap_time_h = {6.0, 18.0};
     const model::SkyInstant instant(file.sky, 0.0);
     const auto image = cubemap::renderCubemap(instant, det::Number3(0.1), 2, format::CubemapFormat::rgba16f);
-    return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }),
-                           {image, image});
+    return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, {}), {image, image});
   }();
   return kBytes;
 }

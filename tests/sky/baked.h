@@ -23,7 +23,7 @@ struct Baked {
     file.sky = model;
     file.settings = "{}";
     file.bake.key_time_h = key_time_h;
-    table = table::bakeDayTable(model, bands, key_time_h, [] { return true; });
+    table = table::bakeDayTable(model, bands, key_time_h, {});
     bytes = bake::encodeSky(file, table, {});
     const Status status = sky.open(bytes.data(), bytes.size());
     if (!status) throw std::runtime_error(std::string("the runtime refuses what was baked: ") + status.message);

@@ -41,7 +41,7 @@ cubemap::CubemapError denseCheck(const model::Sky& sky, const Rendered& rendered
   file.bake.key_time_h = {0.0};
   file.bake.cubemap_size = rendered.set.size;
   file.bake.cubemap_time_h = rendered.set.time_h;
-  const auto bytes = bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, [] { return true; }), rendered.cubemap);
+  const auto bytes = bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, {}), rendered.cubemap);
   welkin::Sky opened;
   REQUIRE(opened.open(bytes.data(), bytes.size()));
   struct AtTime {

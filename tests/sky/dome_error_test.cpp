@@ -21,7 +21,7 @@ std::vector<std::byte> bakedFile(const model::Sky& sky, model::GradientFormat fo
   file.bake.key_time_h = {0.0};
   file.bake.cubemap_size = 0;
   file.bake.gradient_format = format;
-  return bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, [] { return true; }), {});
+  return bake::encodeSky(file, table::bakeDayTable(sky, 2, {0.0}, {}), {});
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ constexpr double kUnit = std::numeric_limits<double>::denorm_min();
 /// Largest error of a coefficient, relative to c0, between a bake's rule and the rule that keeps 1e-12.
 double errorOfABake(const model::Sky& model, int bands) {
   const model::SkyInstant instant(model, 0.0);
-  const table::DayTable table = table::bakeDayTable(model, bands, {0.0}, [] { return true; });
+  const table::DayTable table = table::bakeDayTable(model, bands, {0.0}, {});
   const model::PolarMoments finest = model::SkyProjector(model.luminance, bands, 1e-12).projectPolar(instant);
   double largest = 0.0;
   for (std::size_t i = 0; i < finest.radiance_sh.size(); ++i)

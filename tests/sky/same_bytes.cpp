@@ -129,8 +129,7 @@ bake::SkyFile faded() {
 void bake(bake::SkyFile file, const std::string& name, Products& products) {
   file.settings = "{}";
   file.inputs = {{name + ".toml", {}, 1, 2}};
-  const table::DayTable table =
-      table::bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, [] { return true; });
+  const table::DayTable table = table::bakeDayTable(file.sky, file.bake.bands, file.bake.key_time_h, {});
   add(products.lines, name + ".day", table.number);
   for (const table::Encoding encoding : format::kEncodings)
     add(products.lines, name + "." + nameOf(encoding), table::encodeNumbers(table, encoding).numbers);
@@ -158,8 +157,7 @@ void bake(bake::SkyFile file, const std::string& name, Products& products) {
 
 /// Plans for a budget, from samples every hour.
 void plan(const model::Sky& sky, const std::string& name, Products& products) {
-  const table::DayFields fields =
-      table::sampleDay(sky, table::hoursOfInterest(sky, 1.0), table::brightestOf(sky), [] { return true; });
+  const table::DayFields fields = table::sampleDay(sky, table::hoursOfInterest(sky, 1.0), table::brightestOf(sky), {});
   const table::ErrorGrid grid;
   table::PlanRequest request;
   for (const auto& [reconstruction, of, budget] :

@@ -23,7 +23,7 @@ struct SampledDay {
 
   SampledDay(model::Sky sky_, const std::vector<double>& time_h)
       : sky(std::move(sky_)),
-        fields(table::sampleDay(sky, time_h, table::brightestOf(sky), [] { return true; })),
+        fields(table::sampleDay(sky, time_h, table::brightestOf(sky), {})),
         values(fields, grid) {}
   SampledDay(const SampledDay&) = delete;
   SampledDay& operator=(const SampledDay&) = delete;

@@ -109,7 +109,7 @@ TEST_CASE("VulkanDome, CubemapsAgreeWithTheFormulas", "[vulkan]") {
   file.bake.cubemap_time_h = {9.0};
   const model::SkyInstant instant(file.sky, 9.0);
   const auto cube = cubemap::renderCubemap(instant, Number3(0.0), 128, format::CubemapFormat::rgba16f);
-  const auto bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, 2, {0.0}, [] { return true; }), {cube});
+  const auto bytes = bake::encodeSky(file, table::bakeDayTable(file.sky, 2, {0.0}, {}), {cube});
   Sky sky;
   REQUIRE(sky.open(bytes.data(), bytes.size()));
   render::VulkanDevice device(true);

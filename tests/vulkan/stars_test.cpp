@@ -37,7 +37,7 @@ std::vector<std::byte> starrySky(int bright_column, int bright_row) {
   file.sky.stars = stars;
   file.settings = "{}";
   file.bake.key_time_h = {0.0};
-  return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, [] { return true; }), {});
+  return bake::encodeSky(file, table::bakeDayTable(file.sky, 2, file.bake.key_time_h, {}), {});
 }
 
 }  // namespace

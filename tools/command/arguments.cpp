@@ -93,25 +93,6 @@ std::string skyFileOf(const std::string& path) {
   return file.string();
 }
 
-void require(WelkinResult result, const std::string& path, const char* message) {
-  if (result == WELKIN_OK) return;
-  const std::string text = fmt::format("{}: {}", path, *message != '\0' ? message : welkin_result_string(result));
-  switch (result) {
-    case WELKIN_ERROR_FILE:
-    case WELKIN_ERROR_MEMORY:
-    case WELKIN_ERROR_DEVICE:
-      throw base::Error(base::ExitStatus::file, text);
-    case WELKIN_ERROR_FOREIGN:
-    case WELKIN_ERROR_VERSION:
-    case WELKIN_ERROR_TRUNCATED:
-    case WELKIN_ERROR_CHECKSUM:
-    case WELKIN_ERROR_CONTENT:
-      throw base::Error(base::ExitStatus::content, text);
-    default:
-      throw base::Error(base::ExitStatus::internal, text);
-  }
-}
-
 nlohmann::ordered_json vectorJson(const float v[3]) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }

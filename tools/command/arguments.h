@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shared.h"
+#include "sky/bake/runtime_error.h"
 
 namespace welkin::command {
 
@@ -32,8 +33,7 @@ std::vector<std::string> joinSignedValues(int argc, char** argv);
 /// The .welkin file of a path: itself, or DIR/sky.welkin. Throws Error(file) when neither is there.
 std::string skyFileOf(const std::string& path);
 
-/// Throws the Error that a failed runtime call stands for.
-void require(WelkinResult result, const std::string& path, const char* message);
+using bake::require;
 
 nlohmann::ordered_json vectorJson(const float v[3]);
 nlohmann::ordered_json lightJson(const WelkinLight& light);

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "command/sky_plan.h"
 #include "sky/bake/sky_domain.h"
+#include "sky/bake/sky_plan.h"
 
 namespace welkin::command {
 namespace {
@@ -25,9 +25,10 @@ void BudgetOption::addTo(CLI::App& command) {
   const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;
   std::vector<std::string> names;
   std::string meaning = "A named budget:";
-  for (const Quality& q : kQualities) {
+  for (const bake::Quality& q : bake::kQualities) {
     names.emplace_back(q.name);
-    meaning += fmt::format(" {} {:g} %{}", q.name, 100.0 * q.max_error, &q == std::end(kQualities) - 1 ? "" : ",");
+    meaning +=
+        fmt::format(" {} {:g} %{}", q.name, 100.0 * q.max_error, &q == std::end(bake::kQualities) - 1 ? "" : ",");
   }
   auto* error = command
                     .add_option("--max-error", max_error,
@@ -36,10 +37,10 @@ void BudgetOption::addTo(CLI::App& command) {
   command.add_option("--quality", quality, meaning)->check(CLI::IsMember(names))->excludes(error);
 }
 
-void BudgetOption::applyTo(bake::BakeSettings& bake) const {
-  if (max_error > 0.0) bake.max_error = max_error;
-  for (const Quality& q : kQualities)
-    if (quality == q.name) bake.max_error = q.max_error;
+std::optional<double> BudgetOption::value() const {
+  if (max_error > 0.0) return max_error;
+  if (!quality.empty()) return bake::errorOf(quality);
+  return std::nullopt;
 }
 
 }  // namespace welkin::command

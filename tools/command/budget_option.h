@@ -2,9 +2,8 @@
 // The options that state an error budget, of bake, plan and study alike.
 #pragma once
 
+#include <optional>
 #include <string>
-
-#include "sky/bake/sky_file.h"
 
 namespace CLI {
 class App;
@@ -18,8 +17,8 @@ struct BudgetOption {
   std::string quality;     ///< empty: not given
 
   void addTo(CLI::App& command);
-  /// In place of the sky file's own.
-  void applyTo(bake::BakeSettings& bake) const;
+  /// In place of the sky file's own; none when neither was given.
+  std::optional<double> value() const;
 };
 
 }  // namespace welkin::command

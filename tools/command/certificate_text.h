@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate for report.json, and the line that a bake says about it.
+// The lines that a bake says about its report.
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-
-#include "sky/cubemap/cubemap_error.h"
-#include "sky/table/certificate.h"
 
 namespace welkin::command {
 
-/// `cubemaps`: none when there are no cubemaps.
-nlohmann::ordered_json certificateJson(const table::Certificate& certificate,
-                                       const std::optional<cubemap::CubemapError>& cubemaps);
-
-/// What certificateJson made, for people, in one line.
+/// The certificate of a report, for people, in one line.
 std::string certificateText(const nlohmann::ordered_json& certificate);
+
+/// The warnings of a report as lines on stderr.
+void printWarnings(const nlohmann::ordered_json& list);
 
 }  // namespace welkin::command

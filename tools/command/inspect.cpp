@@ -8,10 +8,11 @@
 
 #include "command/arguments.h"
 #include "command/commands.h"
-#include "command/level_files.h"
 #include "command/sector_json.h"
+#include "command/sky_json.h"
 #include "command/welkin_file.h"
 #include "format/cubemap_format.h"
+#include "probes/build/level_files.h"
 #include "probes/geometry/sector_name.h"
 #include "sky/base/atomic_file.h"
 
@@ -19,91 +20,6 @@ namespace welkin::command {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* formatName(WelkinCubemapFormat format) {
-  return format::nameOf(static_cast<format::CubemapFormat>(format));
-}
-
-Json keyJson(const Sky& sky, std::uint32_t index) {
-  double time_h = 0.0;
-  welkin_sky_key_time(sky.get(), index, &time_h);
-  WelkinSkySample s{};
-  sky.sample(time_h, s);
-  Json key = {{"time_h", time_h}, {"sun", lightJson(s.sun)}};
-  if (sky.info().has_moon != 0) key["moon"] = lightJson(s.moon);
-  key["intensity"] = double{s.intensity};
-  key["ambient_saturation"] = double{s.ambient_saturation};
-  key["radiance_sh"] = coefficientsJson(s.radiance_sh, s.coefficient_count);
-  key["ambient_sh"] = coefficientsJson(s.ambient_sh, s.coefficient_count);
-  key["ground_radiance"] = vectorJson(s.ground_radiance);
-  key["polarising_tint"] = vectorJson(s.polarising_tint);
-  return key;
-}
-
-Json modesJson(const Sky& sky) {
-  WelkinModes m{};
-  welkin_sky_modes(sky.get(), &m);
-  return {{"count", m.count}, {"columns", m.columns}, {"rows", m.rows}};
-}
-
-/// Null when nothing was measured.
-Json certificateJson(const Sky& sky) {
-  WelkinCertificate c{};
-  welkin_sky_certificate(sky.get(), &c);
-  if (c.method == WELKIN_CERTIFICATE_NONE) return nullptr;
-  const char* channels[] = {"red", "green", "blue"};
-  return {{"method", c.method == WELKIN_CERTIFICATE_FULL ? "full" : "fast"},
-          {"max_error", c.max_error},
-          {"time_h", c.time_h},
-          {"normal", {c.normal[0], c.normal[1], c.normal[2]}},
-          {"channel", channels[c.channel]},
-          {"mean_error", c.mean_error},
-          {"parts",
-           {{"quadrature", c.quadrature}, {"truncation", c.truncation}, {"time", c.time}, {"encoding", c.encoding}}},
-          {"cubemaps",
-           {{"max_error", c.cubemap_error},
-            {"time_h", c.cubemap_time_h},
-            {"parts",
-             {{"resolution", c.cubemap_resolution}, {"time", c.cubemap_blend}, {"encoding", c.cubemap_encoding}}}}},
-          {"dome", {{"max_error", c.dome_error}}}};
-}
-
-Json skyJson(const Sky& sky) {
-  const WelkinSkyInfo info = sky.info();
-  WelkinLuminance l{};
-  welkin_sky_luminance(sky.get(), &l);
-  WelkinGradients g{};
-  welkin_sky_gradients(sky.get(), &g);
-  const char* settings = "";
-  welkin_sky_settings(sky.get(), &settings);
-  Json keys = Json::array();
-  for (std::uint32_t i = 0; i < info.key_count; ++i) keys.push_back(keyJson(sky, i));
-  Json cubemaps = Json::array();
-  for (std::uint32_t i = 0; i < info.cubemap_count; ++i) {
-    WelkinCubemap c{};
-    welkin_sky_cubemap(sky.get(), i, &c);
-    cubemaps.push_back({{"time_h", c.time_h}, {"size", c.size}, {"format", formatName(c.format)}, {"bytes", c.bytes}});
-  }
-  return {{"sky",
-           {{"bands", info.bands},
-            {"luminance",
-             {{"a", double{l.a}},
-              {"b", double{l.b}},
-              {"c", double{l.c}},
-              {"d", double{l.d}},
-              {"e", double{l.e}},
-              {"k", double{l.k}},
-              {"normalise", l.normalise_to_sun != 0 ? "sun" : "zenith"}}},
-            {"luminance_unit", double{info.luminance_unit}},
-            {"ground_albedo", vectorJson(info.ground_albedo)},
-            {"gradient_sun", {{"width", g.sun.width}, {"height", g.sun.height}}},
-            {"gradient_anti", {{"width", g.anti.width}, {"height", g.anti.height}}},
-            {"modes", modesJson(sky)},
-            {"cubemaps", cubemaps},
-            {"keys", keys},
-            {"certificate", certificateJson(sky)}}},
-          {"settings", Json::parse(settings, nullptr, false)}};
-}
 
 void inspectSector(const std::string& path, bool as_json) {
   const auto bytes = base::readFile(path);
@@ -130,7 +46,7 @@ void inspectSector(const std::string& path, bool as_json) {
 }
 
 void inspectLevel(const std::string& path, bool as_json) {
-  const sectors::LevelIndex index = readIndex(path);
+  const sectors::LevelIndex index = build::readIndex(path);
   if (as_json) {
     fmt::print("{}\n", indexJson(index).dump(2));
     return;
@@ -148,16 +64,17 @@ void inspect(const std::string& path, bool as_json) {
   const Sky sky = openSky(file);
   if (as_json) {
     Json json = skyJson(sky);
-    if (isLevelFolder(path)) json["level"] = indexJson(readIndex(indexPath(path)))["level"];
+    if (build::isLevelFolder(path)) json["level"] = indexJson(build::readIndex(build::indexPath(path)))["level"];
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  if (isLevelFolder(path)) inspectLevel(indexPath(path).string(), false);
+  if (build::isLevelFolder(path)) inspectLevel(build::indexPath(path).string(), false);
   const WelkinSkyInfo info = sky.info();
   fmt::print("{}: sky, {} keys x {} bands{}, {} cubemaps of {}{}{}, {}moon\n", file, info.key_count, info.bands,
              info.mode_count > 0 ? fmt::format(", {} modes", info.mode_count) : "", info.cubemap_count,
              info.cubemap_size, info.cubemap_count > 0 ? " " : "",
-             info.cubemap_count > 0 ? formatName(info.cubemap_format) : "", info.has_moon != 0 ? "" : "no ");
+             info.cubemap_count > 0 ? format::nameOf(static_cast<format::CubemapFormat>(info.cubemap_format)) : "",
+             info.has_moon != 0 ? "" : "no ");
   WelkinCertificate c{};
   welkin_sky_certificate(sky.get(), &c);
   if (c.method != WELKIN_CERTIFICATE_NONE)

@@ -5,18 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "command/bake_level.h"
 #include "command/budget_option.h"
+#include "command/certificate_text.h"
 #include "command/commands.h"
 #include "command/shared_options.h"
-#include "command/sky_plan_json.h"
-#include "command/sky_record.h"
-#include "command/subject.h"
-#include "command/warnings.h"
 #include "picture/probe_picture.h"
-#include "probes/geometry/sector_name.h"
+#include "probes/build/plan_file.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 
@@ -25,51 +20,11 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-nlohmann::ordered_json highestJson(const model::LightPath& path) {
-  const auto top = model::culminationOf(path);
-  return {{"highest_deg", top.elevation_rad / kDegree}, {"highest_time_h", top.time_h}};
-}
-
 /// Where a light stands highest, and whether that is above the horizon.
 std::string highestText(const model::LightPath& path) {
   const auto top = model::culminationOf(path);
   return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "",
                      top.time_h, top.elevation_rad / kDegree);
-}
-
-/// Bytes of a sector's local transfer, at most: it may have as many virtual lights as nine sectors like it have probes.
-std::size_t localBytes(std::size_t count) {
-  const std::size_t lights = 9 * count;
-  const std::size_t most = transfer::kVirtualLightBytes * lights +
-                           count * (1 + transfer::kLocalTransferBytes * std::min(lights, transfer::kMostLocalLights));
-  return std::min(most, transfer::kMostLocalBytes);
-}
-
-/// About the bytes of a sector's file.
-std::size_t sectorBytes(const build::SectorPlan& plan) {
-  constexpr std::size_t kProbeBytes = 152;
-  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
-  return kOtherBytes + kProbeBytes * plan.probes + (plan.has_local ? localBytes(plan.probes) : 0);
-}
-
-/// What a bake into `folder` (none: a new one) would do with every sector. Bytes of one that is out of date are about
-/// those that it will have.
-nlohmann::ordered_json sectorsJson(const LevelInput& level, const std::string& folder) {
-  auto sectors = nlohmann::ordered_json::array();
-  for (const geometry::SectorId sector : level.bake.sectors()) {
-    endIfInterrupted();
-    const build::SectorState state = level.bake.state(folder, sector);
-    const bool fresh = state.stale.empty();
-    const build::SectorPlan plan = fresh ? build::SectorPlan{state.file->probes.probes(), state.file->local.has_value()}
-                                         : level.bake.plan(sector, endIfInterrupted);
-    sectors.push_back({{"sector", nameOf(sector)},
-                       {"bake", !fresh},
-                       {"why", fresh ? "up to date" : state.stale},
-                       {"probes", plan.probes},
-                       {"local", plan.has_local},
-                       {"bytes", fresh ? state.bytes.size() : sectorBytes(plan)}});
-  }
-  return sectors;
 }
 
 void printSectors(const nlohmann::ordered_json& sectors) {
@@ -87,12 +42,13 @@ void printSectors(const nlohmann::ordered_json& sectors) {
 }
 
 /// Placement and grid from above, and in section through the middle of the sector with the most probes.
-void drawPictures(const std::optional<LevelInput>& level, const std::filesystem::path& folder) {
+void drawPictures(const std::optional<build::LevelInput>& level, const std::filesystem::path& folder,
+                  const base::Progress& progress) {
   if (!level) throw base::Error(base::ExitStatus::usage, "--pictures: needs a level.toml: a sky has no probes");
   std::vector<geometry::PlacedSector> placed;
   for (const geometry::SectorId sector : level->bake.sectors()) {
-    endIfInterrupted();
-    placed.push_back(level->bake.place(sector, endIfInterrupted));
+    progress.check();
+    placed.push_back(level->bake.place(sector, progress));
   }
   const auto most = std::max_element(placed.begin(), placed.end(),
                                      [](const auto& a, const auto& b) { return a.probe.size() < b.probe.size(); });
@@ -111,32 +67,6 @@ struct Options {
   bool json = false;
   BudgetOption budget;
 };
-
-/// What a bake into the folder would do with the sky. One that is up to date is not planned: its record has its plan.
-nlohmann::ordered_json skyJson(const Options& options, const Subject& subject) {
-  const bake::SkyFile& file = subject.sky;
-  auto inputs = nlohmann::ordered_json::array();
-  for (const auto& input : subject.inputs()) inputs.push_back(input.name);
-  nlohmann::ordered_json json = {{"inputs", inputs}};
-  const SkyState state = skyState(options.folder, file, options.certify.value());
-  const bool fresh = state.stale.empty();
-  const auto style = options.json ? ProgressReport::Style::none : options.progress.style();
-  const nlohmann::ordered_json plan =
-      fresh ? state.made
-            : planJson(SkyPlanner(file, style).plan(file.bake.max_error.value_or(0.0)), file.bake.max_error);
-  for (const char* part : {"table", "gradients", "cubemaps", "left_out"}) json[part] = plan[part];
-  const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
-  json["stars"] = {{"bytes", star_bytes}};
-  json["moon"] = file.sky.moon.has_value();
-  json["sun_path"] = highestJson(file.sky.sun.path);
-  json["moon_path"] = file.sky.moon ? highestJson(file.sky.moon->path) : nullptr;
-  std::size_t bytes = star_bytes;
-  for (const char* part : {"table", "gradients", "cubemaps"}) bytes += plan[part]["bytes"].get<std::size_t>();
-  json["bytes"] = bytes;
-  json["sky"] = {{"bake", !fresh}, {"why", fresh ? "up to date" : state.stale}};
-  json["warnings"] = warningsJson(file);
-  return json;
-}
 
 void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
   const auto text = [](const nlohmann::ordered_json& value) { return value.get<std::string>(); };
@@ -165,22 +95,23 @@ void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
 
 void plan(const Options& options) {
   catchInterrupts();
-  Subject subject = readSubject(options.file);
-  bake::SkyFile& file = subject.sky;
-  options.budget.applyTo(file.bake);
-  std::optional<LevelInput> level;
-  if (subject.level) level.emplace(readLevel(*subject.level, file.sky, file.bake.max_error));
-  nlohmann::ordered_json json = skyJson(options, subject);
-  if (level) addLevelWarnings(*level, json["warnings"]);
-  if (level) json["sectors"] = sectorsJson(*level, options.folder);
-  if (!options.pictures.empty()) drawPictures(level, options.pictures);
+  build::BakeRequest request;
+  request.file = options.file;
+  request.folder = options.folder;
+  request.max_error = options.budget.value();
+  request.certify = options.certify.value();
+  ProgressReport shown(options.json ? ProgressReport::Style::none : options.progress.style());
+  const base::Progress progress = shown.progress();
+  const build::BakeInput read = build::readInput(request, progress);
+  const nlohmann::ordered_json json = build::planFile(request, read, progress);
+  if (!options.pictures.empty()) drawPictures(read.level, options.pictures, progress);
   printWarnings(json["warnings"]);
   if (options.json) {
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}", build::reportText(json));
     return;
   }
-  printSky(json, file);
-  if (level) printSectors(json["sectors"]);
+  printSky(json, read.subject.sky);
+  if (read.level) printSectors(json["sectors"]);
 }
 
 }  // namespace

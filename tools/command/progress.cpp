@@ -24,7 +24,7 @@ extern "C" void onInterrupt(int signal) {
 }
 
 /// fmt::print throws when stderr is full; progress must not end a bake.
-void show(const std::string& text) {
+void write(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
@@ -40,10 +40,6 @@ void catchInterrupts() {
   std::signal(SIGTERM, onInterrupt);
 }
 
-bool interrupted() {
-  return stop_wanted;
-}
-
 ProgressReport::Style ProgressReport::styleOf(const std::string& name) {
   if (name == "bar") return Style::bar;
   if (name == "plain") return Style::plain;
@@ -52,59 +48,78 @@ ProgressReport::Style ProgressReport::styleOf(const std::string& name) {
   return isatty(STDERR_FILENO) != 0 ? Style::bar : Style::plain;
 }
 
-ProgressReport::ProgressReport(Style style, std::string what, std::size_t total)
-    : style_(style), what_(std::move(what)), total_(total), start_(Clock::now()), printed_(start_) {}
-
-ProgressReport::~ProgressReport() {
-  print(done_, true);
+base::Progress ProgressReport::progress() {
+  return base::Progress([this](const Stage& stage, base::Progress::Event event) {
+    const bool is_inner = stage.around() != nullptr && stage.around()->around() != nullptr;
+    if (is_inner && stage.around()->name() == "sectors")
+      countRays(stage, event);
+    else if (!is_inner && stage.around() != nullptr) {
+      if (event == base::Progress::Event::began) begin(stage);
+      if (event == base::Progress::Event::went_on) show(stage);
+      if (event == base::Progress::Event::ended) print(stage, true);
+    }
+    return !stop_wanted;
+  });
 }
 
-bool ProgressReport::step(std::size_t pieces) {
-  const std::size_t done = done_ += pieces;
+void ProgressReport::begin(const Stage&) {
+  start_ = printed_ = Clock::now();
+  rays_ = 0;
+  note_.clear();
+  members_.clear();
+}
+
+void ProgressReport::show(const Stage& stage) {
   const auto now = Clock::now();
   const double pause = style_ == Style::bar ? 0.1 : 2.0;
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (lock.owns_lock() && done < total_ && seconds(now - printed_) > pause) {
+  if (lock.owns_lock() && stage.done() < stage.total() && seconds(now - printed_) > pause) {
     printed_ = now;
-    print(done, false);
+    print(stage, false);
   }
-  return !stop_wanted;
 }
 
-void ProgressReport::note(std::string text, nlohmann::ordered_json members) {
-  const std::lock_guard lock(mutex_);
-  note_ = std::move(text);
-  members_ = std::move(members);
+void ProgressReport::countRays(const Stage& sector, base::Progress::Event event) {
+  if (sector.done() > 0) {
+    const std::lock_guard lock(mutex_);
+    const std::uint64_t rays = rays_ + sector.done();
+    if (event == base::Progress::Event::ended) rays_ = rays;
+    const double per_s = static_cast<double>(rays) / std::max(seconds(Clock::now() - start_), 1e-9);
+    note_ = fmt::format("sector {}, {:.2f} Mrays/s", sector.name(), 1e-6 * per_s);
+    members_ = {{"sector", sector.name()}, {"rays_per_s", std::round(per_s)}};
+  }
+  show(*sector.around());
 }
 
-void ProgressReport::print(std::size_t done, bool last) {
+void ProgressReport::print(const Stage& stage, bool last) {
+  const std::uint64_t done = stage.done();
   const double elapsed = seconds(Clock::now() - start_);
-  const std::size_t total = std::max(total_, done);  // work whose extent shows as it goes has 0
-  std::optional<double> left;                        // nobody knows before a piece is done
+  const std::uint64_t total = std::max(stage.total(), done);  // work whose extent shows as it goes has 0
+  std::optional<double> left;                                 // nobody knows before a piece is done
   if (done > 0 || total == 0)
     left = total > done ? elapsed * static_cast<double>(total - done) / static_cast<double>(done) : 0.0;
   const std::string left_text = left ? fmt::format("{:.1f} s left", *left) : "";
   switch (style_) {
     case Style::bar: {
-      const std::size_t filled = total > 0 ? done * 30 / total : 30;
-      show(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {}  {} {}", what_, "", filled, "", 30 - filled, done, total,
-                       left_text, note_, last ? "\n" : ""));
+      const std::uint64_t filled = total > 0 ? done * 30 / total : 30;
+      write(fmt::format("\r{:10} [{:=<{}}{: <{}}] {}/{}  {}  {} {}", stage.name(), "", filled, "", 30 - filled, done,
+                        total, left_text, note_, last ? "\n" : ""));
       break;
     }
     case Style::plain:
-      show(fmt::format("{}: {}/{}, {:.1f} s{}{}{}{}\n", what_, done, total, elapsed, last || !left ? "" : ", ",
-                       last ? "" : left_text, note_.empty() ? "" : ", ", note_));
+      write(fmt::format("{}: {}/{}, {:.1f} s{}{}{}{}\n", stage.name(), done, total, elapsed, last || !left ? "" : ", ",
+                        last ? "" : left_text, note_.empty() ? "" : ", ", note_));
       break;
     case Style::json: {
       const auto toMilliseconds = [](double time_s) { return std::round(time_s * 1000.0) / 1000.0; };
-      nlohmann::ordered_json line = {{"progress", what_},
+      nlohmann::ordered_json line = {{"progress", stage.name()},
                                      {"done", done},
                                      {"total", total},
                                      {"elapsed_s", toMilliseconds(elapsed)},
                                      {"left_s", nullptr}};
       if (left) line["left_s"] = toMilliseconds(*left);
       line.update(members_);
-      show(line.dump() + "\n");
+      write(line.dump() + "\n");
       break;
     }
     case Style::none:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a bake is, on stderr, and whether someone asked it to stop.
+// How far work is, on stderr, and whether someone asked it to stop.
 #pragma once
 
 #include <atomic>
@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "sky/base/progress.h"
+
 namespace welkin::command {
 
 /// Turns the first SIGINT or SIGTERM into a wish to stop; a second one ends the process.
 void catchInterrupts();
-bool interrupted();
 
+/// Shows the stages of some work, one after the other. Of the stages within one it shows the rays of sectors.
 class ProgressReport {
  public:
   enum class Style { bar, plain, json, none };
@@ -21,24 +23,22 @@ class ProgressReport {
   /// "bar", "plain", "json", "none", or "auto": a bar on a terminal, plain lines elsewhere.
   static Style styleOf(const std::string& name);
 
-  /// `total`: pieces; 0 when nobody knows.
-  ProgressReport(Style style, std::string what, std::size_t total);
-  ~ProgressReport();
+  explicit ProgressReport(Style style) : style_(style) {}
 
-  /// So many more pieces are done; from any thread. False when the work should stop.
-  bool step(std::size_t pieces = 1);
-  /// Shown beside the counts: text, and members that the JSON line gets.
-  void note(std::string text, nlohmann::ordered_json members);
+  /// The progress to give to the work, which this object must outlive. Stops the work when the user asks for it.
+  base::Progress progress();
 
  private:
-  void print(std::size_t done, bool last);
+  using Stage = base::Progress::Stage;
+  void begin(const Stage& stage);
+  void show(const Stage& stage);
+  void countRays(const Stage& sector, base::Progress::Event event);
+  void print(const Stage& stage, bool last);
 
   Style style_;
-  std::string what_;
-  std::size_t total_;
-  std::atomic<std::size_t> done_ = 0;
-  std::chrono::steady_clock::time_point start_, printed_;
+  std::chrono::steady_clock::time_point start_, printed_;  ///< of the stage
   std::mutex mutex_;
+  std::uint64_t rays_ = 0;  ///< of the stage's finished sectors
   std::string note_;
   nlohmann::ordered_json members_ = nlohmann::ordered_json::object();
 };

@@ -65,9 +65,10 @@ void reference(const Options& options) {
   const reference::ReferenceSettings settings{options.samples, bounces, options.seed};
   reference::ReferenceIrradiance result;
   {
-    ProgressReport progress(options.progress.style(), "paths", reference::referenceBatches(settings));
-    result = reference::traceReference(tracer, reference::DistantLight(sky.sky, time_h), lights, position, normal,
-                                       settings, [&] { return progress.step(); });
+    ProgressReport shown(options.progress.style());
+    result =
+        reference::traceReference(tracer, reference::DistantLight(sky.sky, time_h), lights, position, normal, settings,
+                                  shown.progress().stage("paths", reference::referenceBatches(settings)));
   }
   const auto json = [](const f64::Number3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
   if (options.json) {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "command/sector_report.h"
 #include "format/container.h"
 #include "format/sector_check.h"
 #include "probes/build/bake_section.h"
+#include "probes/build/sector_report.h"
 #include "probes/geometry/sector_name.h"
 #include "probes/sectors/occlusion_tile.h"
 
@@ -163,9 +163,9 @@ Json sectorJson(const sectors::SectorFile& s, std::size_t total) {
       {"sun", build::nameOf(s.sun)},
       {"bytes", bytesJson(s, total)},
       {"rays", s.rays},
-      {"error", errorJson(s)},
-      {"placement", placementJson(s.placement)},
-      {"baked_from", fromJson(s.baked_from)},
+      {"error", build::errorJson(s)},
+      {"placement", build::placementJson(s.placement)},
+      {"baked_from", build::fromJson(s.baked_from)},
       {"light", modesJson(decoded.modes)},
       {"virtual_lights", lightsJson(s)},
       {"probes", list},

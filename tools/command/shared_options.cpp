@@ -29,20 +29,8 @@ void CertifyOption::addTo(CLI::App& command) {
 
 bake::Certify CertifyOption::value() const {
   for (const bake::Certify certify : {bake::Certify::none, bake::Certify::full})
-    if (name == nameOf(certify)) return certify;
+    if (name == bake::nameOf(certify)) return certify;
   return bake::Certify::fast;
-}
-
-const char* nameOf(bake::Certify certify) {
-  switch (certify) {
-    case bake::Certify::none:
-      return "none";
-    case bake::Certify::full:
-      return "full";
-    case bake::Certify::fast:
-      break;
-  }
-  return "fast";
 }
 
 }  // namespace welkin::command

@@ -42,7 +42,4 @@ struct CertifyOption {
   bake::Certify value() const;
 };
 
-/// "none", "fast" or "full".
-const char* nameOf(bake::Certify certify);
-
 }  // namespace welkin::command

@@ -26,8 +26,8 @@ void study(const Options& options) {
   const auto limit = options.threads.limit();
   const bake::SkyFile file = bake::readSkyFile(options.file);
   base::makeFolder(options.folder);  // a minute before it is needed: who asked is still there
-  ProgressReport progress(options.progress.style(), "study", study::kAxes);
-  const study::StudyOptions how{options.quick, [&] { return progress.step(); }, [] { return !interrupted(); }};
+  ProgressReport shown(options.progress.style());
+  const study::StudyOptions how{options.quick, shown.progress().stage("study", study::kAxes)};
   const study::StudyReport report = study::studySky(file, how);
   if (const std::size_t left_out = study::writeReport(report, options.folder); left_out > 0)
     fmt::print(stderr, "welkin: warning: {} charts are left out: gnuplot is not installed\n", left_out);

@@ -7,14 +7,15 @@
 #include <memory>
 
 #include "command/arguments.h"
+#include "command/certificate_text.h"
 #include "command/commands.h"
-#include "command/level_files.h"
-#include "command/subject.h"
-#include "command/warnings.h"
 #include "command/welkin_file.h"
 #include "probes/build/bake_section.h"
+#include "probes/build/level_files.h"
+#include "probes/build/subject.h"
 #include "probes/loader/surfaces_of.h"
 #include "probes/sectors/sector_file.h"
+#include "sky/bake/warnings.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 
@@ -25,8 +26,8 @@ using Json = nlohmann::ordered_json;
 
 void validateFile(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") {
-    const Subject subject = readSubject(path);
-    Json warnings = warningsJson(subject.sky);
+    const build::Subject subject = build::readSubject(path);
+    Json warnings = bake::warningsJson(subject.sky);
     if (subject.level) {
       build::readBakeSection(*subject.level);
       for (const std::string& warning : loader::readSurfaces(level::readLevelFile(*subject.level)).warning)
@@ -38,7 +39,7 @@ void validateFile(const std::string& path) {
   if (holds == Holds::sector)
     sectors::decodeSector(base::readFile(path), path);
   else if (holds == Holds::level)
-    readIndex(path);
+    build::readIndex(path);
   else
     openSky(path);
 }
@@ -56,8 +57,8 @@ void requireNoSectors(const std::filesystem::path& folder) {
 /// A folder is its sky and, where it has sectors, the level that the index names.
 void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    if (isLevelFolder(path))
-      checkLevel(path, readIndex(indexPath(path)));
+    if (build::isLevelFolder(path))
+      build::checkLevel(path, build::readIndex(build::indexPath(path)));
     else
       requireNoSectors(path);
     const std::string file = skyFileOf(path);

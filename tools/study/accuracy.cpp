@@ -18,9 +18,9 @@ std::string share(double value) {
 }
 
 ModelRow measureModel(const std::string& name, const model::Sky& sky, bool grey, double step_h,
-                      const table::Progress& interrupt) {
+                      const base::Progress& progress) {
   ModelRow row{name, grey};
-  const StudyDay day(sky, step_h, interrupt);
+  const StudyDay day(sky, step_h, progress);
   for (std::size_t b = 0; b < std::size(kBandCounts); ++b) {
     row.bands[b] = bandsCandidate(day, kBandCounts[b], Fit::projected).error;
     row.fitted_bands[b] = bandsCandidate(day, kBandCounts[b], Fit::fitted).error;
@@ -153,9 +153,9 @@ std::vector<ModelRow> measureModels(const model::Sky& example, double step_h, co
   std::vector<ModelRow> rows;
   for (const bool grey : {false, true})
     for (const auto& [name, model] : model::namedLuminances()) {
-      const table::Progress interrupt = [&] { return !options.interrupt || options.interrupt(); };
-      rows.push_back(measureModel(std::string(name), modelSky(model, example, grey), grey, step_h, interrupt));
-      if (options.progress && !options.progress()) throw base::Error(base::ExitStatus::interrupted, "interrupted");
+      rows.push_back(measureModel(std::string(name), modelSky(model, example, grey), grey, step_h,
+                                  options.progress.stage("day", 0)));
+      options.progress.step();
     }
   return rows;
 }

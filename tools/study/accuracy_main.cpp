@@ -22,14 +22,15 @@ int run(const std::string& sky_file, const std::string& page_file, const std::st
     throw base::Error(base::ExitStatus::usage, fmt::format("STEP_MINUTES: {} is not in 0.5 to 60", step));
   const bake::SkyFile file = bake::readSkyFile(sky_file);
   study::StudyOptions options;
-  std::size_t done = 0;
-  options.progress = [&] {
-    std::fputs(fmt::format("accuracy: {} of {} skies\n", ++done, 2 * model::namedLuminances().size()).c_str(), stderr);
+  options.progress = base::Progress([](const base::Progress::Stage& stage, base::Progress::Event event) {
+    if (stage.around() == nullptr && event == base::Progress::Event::went_on)
+      std::fputs(fmt::format("accuracy: {} of {} skies\n", stage.done(), 2 * model::namedLuminances().size()).c_str(),
+                 stderr);
     return true;
-  };
+  });
   const auto models = study::measureModels(file.sky, step_min / 60.0, options);
   options.progress = {};
-  const study::StudyDay day(file.sky, kIslandStep_h, [] { return true; });
+  const study::StudyDay day(file.sky, kIslandStep_h, {});
   std::string command = fmt::format("build/release/tools/study/accuracy {} {}", sky_file, page_file);
   if (!step.empty()) command += " " + step;
   const std::string page = accuracyPage(models, study::measureSky(day, options), step_min / 60.0, command);

@@ -23,19 +23,20 @@ double CubemapSizeRow::error() const {
 
 CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& options) {
   CubemapStudy study;
+  const base::Progress within = options.progress.stage("cubemaps", 0);
   // Weighed by the light of the day: the horizon cuts a low sun's halo.
   const std::vector<double> hours = {0.0, 5.0, 5.5, 6.0, 7.0, 9.0, 12.0, 15.0, 17.0, 18.0, 18.5, 19.0};
   for (int size = 16; size <= (options.quick ? 64 : 256); size *= 2)
     for (const CubemapFormat format : kFormats) {
       CubemapSizeRow row{size, format,
                          static_cast<double>(format::bytesOfCubemaps(format, static_cast<std::uint64_t>(size)))};
-      for (const auto& parts : cubemap::partsAt(sky, {size, format, hours, {}}, options.interrupt)) {
+      for (const auto& parts : cubemap::partsAt(sky, {size, format, hours, {}}, within)) {
         row.resolution = std::max(row.resolution, parts.resolution);
         row.encoding = std::max(row.encoding, parts.encoding);
       }
       study.sizes.push_back(row);
     }
-  const cubemap::DomeDay day(sky, options.interrupt);
+  const cubemap::DomeDay day(sky, within);
   for (const double error : {0.3, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01}) {
     if (options.quick && error < 0.03) break;
     const std::vector<double> tolerance(day.time_h().size(), error);
@@ -44,7 +45,7 @@ CubemapStudy measureCubemapAxis(const model::Sky& sky, const StudyOptions& optio
   for (const double budget : {0.1, 0.03, 0.01}) {
     if (options.quick && budget < 0.1) break;
     const auto start = std::chrono::steady_clock::now();
-    CubemapBudgetRow row{budget, cubemap::planCubemaps(sky, budget, {}, options.interrupt)};
+    CubemapBudgetRow row{budget, cubemap::planCubemaps(sky, budget, {}, within)};
     row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     study.budgets.push_back(std::move(row));
   }

@@ -40,7 +40,7 @@ KeyStudy measureKeys(const StudyDay& day, const std::vector<Candidate>& candidat
            std::max<std::size_t>(1, placeHermiteKeys(day.values(), candidate.representation, error).size()),
            catmullRomError(day.values(), candidate.representation, placed)});
     }
-    if (options.interrupt && !options.interrupt()) break;
+    options.progress.check();
   }
   return study;
 }

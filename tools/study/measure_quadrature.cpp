@@ -106,7 +106,7 @@ QuadratureStudy measureQuadrature(const StudyDay& day, const StudyOptions& optio
   const auto instants = instantsOf(day.sky(), options.quick ? 6 : 12);
   QuadratureStudy study;
   study.quadrature = measureProjector(day.sky(), instants);
-  if (options.interrupt && !options.interrupt()) return study;
+  options.progress.check();
   study.irradiance = measureIrradiance(day, instants);
   return study;
 }

@@ -87,7 +87,7 @@ std::vector<Candidate> collectCandidates(const StudyDay& day, const StudyOptions
     for (const MapSize map : maps) candidates.push_back(modesCandidate(day, weights, map, Fit::projected));
     if ((count >= 4 && count <= 8) || count == table::DayModes::kMost)
       candidates.push_back(modesCandidate(day, weights, kLargestMap, Fit::fitted));
-    if (options.interrupt && !options.interrupt()) break;
+    options.progress.check();
   }
   return candidates;
 }

@@ -52,7 +52,7 @@ std::vector<MeasuredTable> measureTables(const StudyDay& day, const std::vector<
                           table::errorOf(day.values(), candidate.representation, table, encoding).value,
                           candidate.isModes(), candidate.fit == Fit::fitted});
     }
-    if (options.interrupt && !options.interrupt()) break;
+    options.progress.check();
   }
   return tables;
 }
@@ -67,7 +67,7 @@ std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& o
     BudgetRow row{budget, table::planDay(day.values(), request), 0.0};
     row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     rows.push_back(std::move(row));
-    if (options.interrupt && !options.interrupt()) break;
+    options.progress.check();
   }
   return rows;
 }

@@ -42,7 +42,7 @@ double applyMildestWindow(const StudyDay& day, table::Representation& r) {
 
 }  // namespace
 
-StudyDay::StudyDay(const model::Sky& sky, double step_h, const table::Progress& progress)
+StudyDay::StudyDay(const model::Sky& sky, double step_h, const base::Progress& progress)
     : fields_(table::sampleDay(sky, table::hoursOfInterest(sky, step_h), table::brightestOf(sky), progress)),
       values_(fields_, grid_) {}
 

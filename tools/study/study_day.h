@@ -12,15 +12,14 @@ namespace welkin::study {
 
 /// The extent of a study, and its listeners.
 struct StudyOptions {
-  bool quick = false;              ///< fewer instants, candidates and cubemaps
-  table::Progress progress = {};   ///< told after every axis; false stops with Error(interrupted)
-  table::Progress interrupt = {};  ///< asked often within an axis
+  bool quick = false;            ///< fewer instants, candidates and cubemaps
+  base::Progress progress = {};  ///< steps after every axis
 };
 
 /// Irradiance at every few minutes and wherever the sun's path bends. Neither copied nor moved: parts point at others.
 class StudyDay {
  public:
-  StudyDay(const model::Sky& sky, double step_h, const table::Progress& progress);
+  StudyDay(const model::Sky& sky, double step_h, const base::Progress& progress);
   StudyDay(const StudyDay&) = delete;
   StudyDay& operator=(const StudyDay&) = delete;
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/bake_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "probes/build/bake_sectors.h"
+#include "probes/build/level_files.h"
+#include "probes/build/merged_report.h"
+#include "sky/bake/bake_sky.h"
+#include "sky/bake/sky_domain.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
+
+namespace welkin::build {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A path in a make rule.
+std::string escaped(const std::filesystem::path& path) {
+  std::string out;
+  for (const char c : path.string()) {
+    if (c == ' ' || c == '#') out += '\\';
+    if (c == '$') out += '$';
+    out += c;
+  }
+  return out;
+}
+
+void requireLevel(const BakeRequest& request) {
+  for (const auto& [name, given] :
+       {std::pair("--shard", request.shard.has_value()), {"--sectors", !request.sectors.empty()}})
+    if (given)
+      throw base::Error(base::ExitStatus::usage,
+                        fmt::format("{}: {} is no level file: it has no sectors", name, request.file.string()));
+}
+
+/// The output whose date says that the bake ran to its end: of a level its index, or a shard's part of it.
+std::filesystem::path ruleTarget(const std::filesystem::path& folder, const std::optional<Shard>& shard,
+                                 bool of_level) {
+  if (shard) return partPath(folder, *shard);
+  return of_level ? indexPath(folder) : folder / "sky.welkin";
+}
+
+void writeRule(const BakeRequest& request, const BakeInput& read) {
+  base::makeFolder(request.folder);
+  std::vector<std::filesystem::path> inputs;
+  for (const auto& input : read.subject.inputs()) inputs.push_back(input.path);
+  if (read.level)
+    for (const auto& file : read.level->files)
+      if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
+  std::string rule = escaped(ruleTarget(request.folder, request.shard, read.level.has_value()));
+  rule += ':';
+  for (const auto& input : inputs) rule.append(1, ' ').append(escaped(input));
+  rule += '\n';
+  base::writeFile(request.depfile, rule);
+}
+
+}  // namespace
+
+BakeInput readInput(const BakeRequest& request, const base::Progress& progress) {
+  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;
+  if (request.max_error && !(*request.max_error >= range.low && *request.max_error <= range.high))
+    throw base::Error(base::ExitStatus::usage,
+                      fmt::format("max_error: {} is not in {} to {}", *request.max_error, range.low, range.high));
+  BakeInput read{readSubject(request.file), std::nullopt};
+  bake::SkyFile& sky = read.subject.sky;
+  if (request.max_error) sky.bake.max_error = request.max_error;
+  if (!read.subject.level) requireLevel(request);
+  if (read.subject.level) read.level.emplace(readLevel(*read.subject.level, sky.sky, sky.bake.max_error, progress));
+  return read;
+}
+
+std::string reportText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const BakeInput read = readInput(request, progress);
+  LevelOptions wanted{request.folder, request.shard, {}, request.force};
+  if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->bake.sectors());
+  // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
+  // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
+  if (!request.depfile.empty()) writeRule(request, read);
+  Json timing;
+  Json report = {{"warnings", Json::array()}};
+  if (!request.shard || request.shard->index == 0)  // else another shard bakes it
+    report = bake::bakeSky(read.subject.sky, read.subject.inputs(), request.folder, {request.certify, request.force},
+                           progress, timing);
+  if (read.level) bakeSectors(*read.level, wanted, progress, report, timing);
+  timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  base::writeFile(timingPath(request.folder, request.shard), reportText(timing));
+  base::writeFile(request.report.empty() ? reportPath(request.folder, request.shard) : request.report,
+                  reportText(report));
+  return report;
+}
+
+}  // namespace welkin::build

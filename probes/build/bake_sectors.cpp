@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/bake_sectors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "probes/build/level_files.h"
+#include "probes/build/sector_report.h"
+#include "probes/build/sector_warnings.h"
+#include "probes/geometry/sector_name.h"
+#include "sky/base/atomic_file.h"
+
+namespace welkin::build {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using geometry::SectorId;
+
+/// The sectors of a level that a bake is asked for.
+std::vector<SectorId> wantedOf(const std::vector<SectorId>& all, const LevelOptions& options) {
+  std::vector<SectorId> wanted = options.sectors.empty() ? all : options.sectors;
+  if (!options.shard) return wanted;
+  std::vector<SectorId> mine;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (i % static_cast<std::size_t>(options.shard->count) == static_cast<std::size_t>(options.shard->index))
+      mine.push_back(wanted[i]);
+  return mine;
+}
+
+/// Bakes sectors and tells how far it is.
+class SectorBaker {
+ public:
+  SectorBaker(const LevelInput& level, const LevelOptions& options, base::Progress progress)
+      : level_(level), options_(options), progress_(std::move(progress)) {}
+
+  /// The sector's file, which is baked and written where it is out of date.
+  SectorState bring(SectorId sector) {
+    SectorState state = level_.bake.state(options_.folder, sector);
+    if (!state.stale.empty() || options_.force) {
+      const base::Progress rays = progress_.stage(nameOf(sector), 0);
+      state.file = level_.bake.bake(sector, rays);
+      state.bytes = sectors::encodeSector(*state.file);
+      base::writeFile(sectorPath(options_.folder, sector), state.bytes);
+      rays_ += state.file->rays;
+      ++baked_;
+    }
+    progress_.step();
+    return state;
+  }
+
+  Json timing() const {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return {{"sectors_s", seconds},
+            {"sectors_baked", baked_},
+            {"rays", rays_},
+            {"rays_per_s", seconds > 0.0 ? static_cast<double>(rays_) / seconds : 0.0}};
+  }
+
+ private:
+  const LevelInput& level_;
+  const LevelOptions& options_;
+  base::Progress progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::uint64_t rays_ = 0;
+  std::size_t baked_ = 0;
+};
+
+/// The entries of all sectors; nothing when one that was not brought up to date now is out of date.
+std::optional<std::vector<sectors::SectorEntry>> completed(const LevelInput& level, const LevelOptions& options,
+                                                           const base::Progress& progress,
+                                                           std::vector<sectors::SectorEntry> entries, Json& warnings) {
+  constexpr std::size_t kNamed = 8;
+  std::string stale;
+  std::size_t count = 0;
+  for (const SectorId sector : level.bake.sectors()) {
+    const auto is = [&](const sectors::SectorEntry& e) { return e.id == sector; };
+    if (std::any_of(entries.begin(), entries.end(), is)) continue;
+    progress.check();
+    const SectorState state = level.bake.state(options.folder, sector);
+    if (state.stale.empty())
+      entries.push_back(entryOf(*state.file, state.bytes));
+    else if (++count <= kNamed)
+      stale += (stale.empty() ? "" : ", ") + nameOf(sector);
+  }
+  if (count > 0) {
+    warnings.push_back(
+        {{"id", "no-index"},
+         {"count", count},
+         {"message", fmt::format("level.welkin was not written: out of date {} {}{}", count == 1 ? "is" : "are", stale,
+                                 count > kNamed ? fmt::format(" and {} more", count - kNamed) : "")}});
+    return std::nullopt;
+  }
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return entries;
+}
+
+/// What every sector must be baked from, as shards must agree on.
+base::Hash128 hashOfAll(const LevelInput& level, const LevelOptions& options, const base::Progress& progress) {
+  std::vector<sectors::SectorEntry> entries;
+  for (const SectorId sector : level.bake.sectors()) {
+    progress.check();
+    entries.push_back({sector, 0, 0, {}, level.bake.state(options.folder, sector).from.all});
+  }
+  return hashOf(entries);
+}
+
+}  // namespace
+
+void bakeSectors(const LevelInput& level, const LevelOptions& options, const base::Progress& progress, Json& report,
+                 Json& timing) {
+  const auto wanted = wantedOf(level.bake.sectors(), options);
+  Json& warnings = report["warnings"];
+  addLevelWarnings(level, warnings);
+  base::makeFolder(options.folder / "sectors");
+  std::vector<sectors::SectorEntry> entries;
+  Json sectors = Json::array();
+  {
+    SectorBaker baker(level, options, progress.stage("sectors", wanted.size()));
+    for (const SectorId sector : wanted) {
+      const SectorState state = baker.bring(sector);
+      entries.push_back(entryOf(*state.file, state.bytes));
+      sectors.push_back(reportJson(*state.file, entries.back()));
+      addWarnings(*state.file, level.bake.budget(), warnings);
+    }
+    timing.update(baker.timing());
+  }
+  report["sectors"] = std::move(sectors);
+  sectors::LevelIndex index = level.bake.index();
+  if (options.shard) {
+    removeParts(options.folder, options.shard->count);
+    index.sector = std::move(entries);
+    index.all_sectors = hashOfAll(level, options, progress);
+    base::writeFile(partPath(options.folder, *options.shard), sectors::encodeLevel(index));
+    return;
+  }
+  auto all = completed(level, options, progress, std::move(entries), warnings);
+  if (!all) return;
+  index.sector = std::move(*all);
+  index.all_sectors = hashOf(index.sector);
+  writeIndex(options.folder, index);
+  removeOtherSectors(options.folder, index);
+  removeParts(options.folder, std::nullopt);
+}
+
+}  // namespace welkin::build

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/build/plan_file.h"
+
+#include "probes/geometry/sector_name.h"
+#include "sky/bake/sky_plan_json.h"
+#include "sky/bake/sky_record.h"
+#include "sky/bake/warnings.h"
+
+namespace welkin::build {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+Json highestJson(const model::LightPath& path) {
+  const auto top = model::culminationOf(path);
+  return {{"highest_deg", top.elevation_rad / kDegree}, {"highest_time_h", top.time_h}};
+}
+
+/// Bytes of a sector's local transfer, at most: it may have as many virtual lights as nine sectors like it have probes.
+std::size_t localBytes(std::size_t count) {
+  const std::size_t lights = 9 * count;
+  const std::size_t most = transfer::kVirtualLightBytes * lights +
+                           count * (1 + transfer::kLocalTransferBytes * std::min(lights, transfer::kMostLocalLights));
+  return std::min(most, transfer::kMostLocalBytes);
+}
+
+/// About the bytes of a sector's file.
+std::size_t sectorBytes(const SectorPlan& plan) {
+  constexpr std::size_t kProbeBytes = 152;
+  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
+  return kOtherBytes + kProbeBytes * plan.probes + (plan.has_local ? localBytes(plan.probes) : 0);
+}
+
+Json sectorsJson(const LevelInput& level, const std::filesystem::path& folder, const base::Progress& progress) {
+  Json sectors = Json::array();
+  for (const geometry::SectorId sector : level.bake.sectors()) {
+    progress.check();
+    const SectorState state = level.bake.state(folder, sector);
+    const bool fresh = state.stale.empty();
+    const SectorPlan plan = fresh ? SectorPlan{state.file->probes.probes(), state.file->local.has_value()}
+                                  : level.bake.plan(sector, progress);
+    sectors.push_back({{"sector", nameOf(sector)},
+                       {"bake", !fresh},
+                       {"why", fresh ? "up to date" : state.stale},
+                       {"probes", plan.probes},
+                       {"local", plan.has_local},
+                       {"bytes", fresh ? state.bytes.size() : sectorBytes(plan)}});
+  }
+  return sectors;
+}
+
+/// What a bake into the folder would do with the sky. One that is up to date is not planned: its record has its plan.
+Json skyJson(const BakeRequest& request, const Subject& subject, const base::Progress& progress) {
+  const bake::SkyFile& file = subject.sky;
+  Json inputs = Json::array();
+  for (const auto& input : subject.inputs()) inputs.push_back(input.name);
+  Json json = {{"inputs", inputs}};
+  const bake::SkyState state = bake::skyState(request.folder, file, request.certify);
+  const bool fresh = state.stale.empty();
+  const Json plan = fresh ? state.made
+                          : bake::planJson(bake::SkyPlanner(file, progress).plan(file.bake.max_error.value_or(0.0)),
+                                           file.bake.max_error);
+  for (const char* part : {"table", "gradients", "cubemaps", "left_out"}) json[part] = plan[part];
+  const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
+  json["stars"] = {{"bytes", star_bytes}};
+  json["moon"] = file.sky.moon.has_value();
+  json["sun_path"] = highestJson(file.sky.sun.path);
+  json["moon_path"] = file.sky.moon ? highestJson(file.sky.moon->path) : nullptr;
+  std::size_t bytes = star_bytes;
+  for (const char* part : {"table", "gradients", "cubemaps"}) bytes += plan[part]["bytes"].get<std::size_t>();
+  json["bytes"] = bytes;
+  json["sky"] = {{"bake", !fresh}, {"why", fresh ? "up to date" : state.stale}};
+  json["warnings"] = bake::warningsJson(file);
+  return json;
+}
+
+}  // namespace
+
+Json planFile(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
+  Json json = skyJson(request, read.subject, progress);
+  if (!read.level) return json;
+  addLevelWarnings(*read.level, json["warnings"]);
+  json["sectors"] = sectorsJson(*read.level, request.folder, progress);
+  return json;
+}
+
+}  // namespace welkin::build

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/bake/checked_file.h"
+
+#include <fmt/format.h>
+
+#include "sky/base/error.h"
+
+namespace welkin::bake {
+namespace {
+
+std::string reasonOf(const format::Opened& opened, std::size_t size) {
+  using format::Refusal;
+  switch (opened.refusal) {
+    case Refusal::misaligned:
+      return "is not aligned in memory";
+    case Refusal::foreign:
+      return "is not a .welkin file";
+    case Refusal::version:
+      return fmt::format("has version {}; this program reads {}", opened.found_version, format::kVersion);
+    case Refusal::truncated:
+      return fmt::format("has {} bytes where {} are expected", size, opened.expected_size);
+    case Refusal::checksum:
+      return "is damaged: its checksum does not fit";
+    case Refusal::structure:
+    case Refusal::none:
+      break;
+  }
+  return "is damaged: its structure is not one";
+}
+
+}  // namespace
+
+const format::File& openChecked(std::span<const std::byte> bytes, const std::string& name,
+                                format::Fault (*faultOf)(const format::File&)) {
+  const format::Opened opened = format::openContainer(bytes);
+  if (opened.file == nullptr)
+    throw base::Error(base::ExitStatus::content, fmt::format("{} {}", name, reasonOf(opened, bytes.size())));
+  if (const format::Fault fault = faultOf(*opened.file); fault.what != nullptr)
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: {} {}", name, fault.what, fault.must));
+  return *opened.file;
+}
+
+}  // namespace welkin::bake

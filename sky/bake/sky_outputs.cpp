@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/bake/sky_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "sky/base/atomic_file.h"
+#include "sky/base/hash.h"
+#include "sky/cubemap/cubemap.h"
+
+namespace welkin::bake {
+
+using Json = nlohmann::ordered_json;
+
+std::string cubemapName(double time_h) {
+  const long ms = cubemap::millisecondOf(time_h);
+  return fmt::format("sky_{:02}{:02}{:02}{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
+}
+
+void SkyOutputs::add(const std::string& name, std::span<const std::byte> bytes) {
+  list_.push_back({{"file", name}, {"bytes", bytes.size()}, {"xxh3_128", base::textOf(base::hashOf(bytes))}});
+}
+
+void SkyOutputs::write(const std::string& name, std::span<const std::byte> bytes) {
+  base::writeFile(folder_ / name, bytes);
+  add(name, bytes);
+}
+
+void removeLeftovers(const std::filesystem::path& folder, const Json& outputs) {
+  static const std::regex kOurs("sky_[0-9]{9}(_latlong)?\\.exr(\\.tmp)?");
+  const auto isOutput = [&](const std::string& name) {
+    return std::any_of(outputs.begin(), outputs.end(), [&](const Json& o) { return o["file"] == "cubemaps/" + name; });
+  };
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cubemaps", error)) {
+    const std::string name = entry.path().filename().string();
+    if (std::regex_match(name, kOurs) && !isOutput(name)) std::filesystem::remove(entry.path(), error);
+  }
+  for (const char* name : {"sky.welkin.tmp", "sky.json.tmp"}) std::filesystem::remove(folder / name, error);
+}
+
+}  // namespace welkin::bake

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/bake/sky_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sh/spiral.h"
+#include "sh/window.h"
+#include "sky/bake/left_out.h"
+#include "sky/base/error.h"
+#include "sky/cubemap/dome_error.h"
+
+namespace welkin::bake {
+namespace {
+
+/// Hours between the instants that a plan looks at: as fine as the error is small.
+double samplingStep_h(double max_error) {
+  constexpr double kFine = 0.005;
+  return (max_error < kFine ? 1.25 : 2.5) / 60.0;
+}
+
+std::vector<double> instantsFor(const SkyFile& file, double step_h) {
+  std::vector<double> hours = table::hoursOfInterest(file.sky, step_h);
+  if (file.bake.fixed.keys || !file.bake.max_error)
+    hours.insert(hours.end(), file.bake.key_time_h.begin(), file.bake.key_time_h.end());
+  std::sort(hours.begin(), hours.end());
+  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
+  return hours;
+}
+
+/// Lessens the bands of a table of coefficients by the mildest window that keeps irradiance from being negative.
+double applyMildestWindow(table::DayTable& table) {
+  constexpr int kNormals = 642;
+  std::vector<det::Number3> normals;
+  for (int i = 0; i < kNormals; ++i) {
+    const det::Number3 d = sh::onSpiral(1.0 - (2.0 * i + 1.0) / kNormals, i);
+    normals.push_back({d.z, d.x, d.y});
+  }
+  const auto channels = static_cast<std::size_t>(table.channels);
+  const auto count = static_cast<std::size_t>(table.bands * table.bands);
+  std::vector<double> sets;  // the frame's pole as the basis' own: a rotation changes no irradiance
+  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
+    for (std::size_t c = 0; c < channels; ++c) {
+      std::vector<double> set(count);
+      for (int l = 0; l < table.bands; ++l)
+        for (int m = 0; m <= l; ++m)
+          set[static_cast<std::size_t>(sh::indexOf(l, m))] =
+              table.number[key * table.numbersOfKey() + model::polarIndex(l, m) * channels + c];
+      sets.insert(sets.end(), set.begin(), set.end());
+    }
+  const sh::Window window = sh::mildestWindow(sets, table.bands, normals);
+  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
+    for (int l = 0; l < table.bands; ++l)
+      for (int m = 0; m <= l; ++m)
+        for (std::size_t c = 0; c < channels; ++c)
+          table.number[key * table.numbersOfKey() + model::polarIndex(l, m) * channels + c] *=
+              window.factor[static_cast<std::size_t>(l)];
+  return window.strength;
+}
+
+base::Error cannotMeet(const SkyFile& file, const std::string& best) {
+  return {base::ExitStatus::content, fmt::format("{}: max_error = {}: cannot be met: {}",
+                                                 file.inputs.front().path.string(), *file.bake.max_error, best)};
+}
+
+}  // namespace
+
+double errorOf(const std::string& quality) {
+  for (const Quality& q : kQualities)
+    if (quality == q.name) return q.max_error;
+  throw base::Error(base::ExitStatus::usage, fmt::format("quality: \"{}\" is not draft, preview or final", quality));
+}
+
+/// The quadrature may take a hundredth of a budget: the rest is worth more to keys and modes than panels are to time.
+const model::IrradianceRule& ruleFor(const SkyFile& file) {
+  constexpr double kShare = 0.01;
+  return model::irradianceRuleFor(kShare * file.bake.max_error.value_or(0.0));
+}
+
+/// The day as plans look at it.
+struct SkyPlanner::Day {
+  table::ErrorGrid grid;
+  table::DayFields fields;
+  table::DayValues values;
+
+  Day(const SkyFile& file, double step_h, const base::Progress& progress)
+      : fields(table::sampleDay(file.sky, instantsFor(file, step_h), table::brightestOf(file.sky), progress,
+                                ruleFor(file))),
+        values(fields, grid) {}
+};
+
+SkyPlanner::SkyPlanner(const SkyFile& file, base::Progress progress) : file_(file), progress_(std::move(progress)) {}
+SkyPlanner::~SkyPlanner() = default;
+
+SkyPlan SkyPlanner::plan(double aim) {
+  SkyPlan plan;
+  planTable(aim, plan);
+  planCubemaps(plan);
+  planGradients(plan);
+  plan.left_out = leftOut(file_, plan);
+  return plan;
+}
+
+void SkyPlanner::planTable(double aim, SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  const bool fits = bake.reconstruction != table::Reconstruction::projected;
+  if (bake.mildest_window && bake.reconstruction == table::Reconstruction::modes)
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: bake.window = 'mildest': must be \"off\" with modes: it is one of coefficients",
+                                  file_.inputs.front().path.string()));
+  if (!bake.max_error && bake.reconstruction == table::Reconstruction::modes)
+    throw base::Error(
+        base::ExitStatus::content,
+        fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
+                    file_.inputs.front().path.string()));
+  if ((bake.max_error || fits) && !day_) {
+    const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
+    day_ = std::make_unique<Day>(file_, step_h, progress_.stage("plan", instantsFor(file_, step_h).size()));
+  }
+  if (bake.max_error) {
+    table::PlanRequest request;
+    request.max_error = aim;
+    if (bake.fixed.bands) request.bands = bake.bands;
+    if (bake.fixed.reconstruction) request.reconstruction = bake.reconstruction;
+    if (bake.mildest_window) request.reconstruction = table::Reconstruction::projected;
+    if (bake.fixed.encoding) request.encoding = bake.encoding;
+    if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
+    table::DayPlan day = table::planDay(day_->values, request, progress_);
+    if (!day.met)
+      throw cannotMeet(file_, fmt::format("the least error of the irradiance is {:.3g}, by {}, {} keys and {} numbers: "
+                                          "{} bytes",
+                                          day.predicted_error, day.representation.name(), day.table.key_time_h.size(),
+                                          nameOf(day.encoding), day.bytes));
+    plan.representation = std::move(day.representation);
+    plan.table = std::move(day.table);
+    plan.encoding = day.encoding;
+    plan.quadrature.circles = &ruleFor(file_);
+    plan.predicted_error = day.predicted_error;
+    plan.considered = std::move(day.considered);
+  } else {
+    plan.table =
+        table::bakeDayTable(file_.sky, bake.bands, bake.key_time_h, progress_.stage("table", bake.key_time_h.size()));
+    plan.encoding = bake.encoding;
+    plan.representation.bands = bake.bands;
+    plan.representation.fitted = fits;
+    if (fits) {
+      const auto& hours = day_->fields.instant;
+      std::vector<std::size_t> keys;
+      for (std::size_t i = 0; i < hours.size(); ++i)
+        if (std::binary_search(bake.key_time_h.begin(), bake.key_time_h.end(), hours[i].time_h)) keys.push_back(i);
+      plan.table = table::tableAt(day_->values, table::coefficientsOf(day_->values, bake.bands, true), keys);
+      plan.quadrature.circles = &ruleFor(file_);
+    }
+  }
+  if (bake.mildest_window) plan.window_strength = applyMildestWindow(plan.table);
+  plan.table_bytes = table::bytesOf(plan.representation, plan.table, plan.encoding);
+}
+
+void SkyPlanner::planCubemaps(SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  plan.cubemap_size = bake.cubemap_time_h.empty() ? 0 : bake.cubemap_size;
+  plan.cubemap_format = bake.cubemap_format;
+  plan.cubemap_time_h = bake.cubemap_time_h;
+  if (bake.max_error && !bake.fixed.cubemaps) {
+    if (!cubemaps_)
+      cubemaps_ = cubemap::planCubemaps(file_.sky, *bake.max_error, {}, progress_.stage("cubemap plan", 0));
+    if (!cubemaps_->met)
+      throw cannotMeet(file_, fmt::format("cubemaps: {}; the least error is {:.3g}, by {} cubemaps of {} in {}: {:.0f} "
+                                          "bytes; cubemap_size = 0 leaves them out",
+                                          cubemaps_->reason, cubemaps_->measured.error, cubemaps_->time_h.size(),
+                                          cubemaps_->size, format::nameOf(cubemaps_->format), cubemaps_->bytes));
+    plan.cubemap_size = cubemaps_->size;
+    plan.cubemap_format = cubemaps_->format;
+    plan.cubemap_time_h = cubemaps_->time_h;
+  }
+  plan.cubemap_bytes = format::bytesOfCubemaps(plan.cubemap_format, static_cast<std::uint64_t>(plan.cubemap_size),
+                                               plan.cubemap_time_h.size());
+}
+
+void SkyPlanner::planGradients(SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  const auto errorOf = [&](model::GradientFormat format) {
+    return cubemap::measureGradients(file_.sky, format, cubemap::Effort::fast).error;
+  };
+  plan.gradient_format = bake.gradient_format;
+  if (bake.max_error && !bake.fixed.gradients) {
+    if (!dome_error_) dome_error_ = errorOf(model::GradientFormat::rgb9e5);
+    if (*dome_error_ <= *bake.max_error) plan.gradient_format = model::GradientFormat::rgb9e5;
+  }
+  const bool is_small = plan.gradient_format == model::GradientFormat::rgb9e5;
+  if (is_small && !dome_error_) dome_error_ = errorOf(plan.gradient_format);
+  plan.dome_error = is_small ? *dome_error_ : 0.0;
+  if (bake.max_error && plan.dome_error > *bake.max_error)
+    throw cannotMeet(file_, fmt::format("gradient_format = \"rgb9e5\" makes an error of the dome of {:.3g}; \"rgb32f\" "
+                                        "makes none",
+                                        plan.dome_error));
+  plan.gradient_bytes =
+      (is_small ? 4 : 12) * (file_.sky.gradient_sun.rgb.size() + file_.sky.gradient_anti.rgb.size()) / 3;
+}
+
+}  // namespace welkin::bake

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a bake of a sky makes: as its file says, or what an error budget takes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sky/bake/sky_file.h"
+#include "sky/base/progress.h"
+#include "sky/cubemap/cubemap_plan.h"
+#include "sky/table/plan.h"
+
+namespace welkin::bake {
+
+/// The named budgets, fractions: draft 10 %, preview 3 %, final 1 %.
+struct Quality {
+  const char* name;
+  double max_error;
+};
+inline constexpr Quality kQualities[] = {{"draft", 0.1}, {"preview", 0.03}, {"final", 0.01}};
+
+/// The budget of a name. Throws Error(usage) for any other name.
+double errorOf(const std::string& quality);
+
+/// Something that was not made, and what that saves.
+struct LeftOut {
+  std::string what, why;
+  std::size_t bytes = 0;   ///< of sky.welkin
+  double evaluations = 0;  ///< of the sky's radiance: what a bake's time goes into
+};
+
+struct SkyPlan {
+  table::Representation representation;
+  table::DayTable table;
+  table::Encoding encoding = table::Encoding::float32;
+  model::Quadrature quadrature;  ///< of the table's moments
+  double window_strength = 0.0;  ///< sh/window.h
+  double predicted_error = 0.0;  ///< of the irradiance; 0 without a budget
+  std::size_t table_bytes = 0;   ///< with modes
+  std::vector<table::PlanChoice> considered;
+  int cubemap_size = 0;
+  format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
+  std::vector<double> cubemap_time_h;
+  std::size_t cubemap_bytes = 0;
+  model::GradientFormat gradient_format = model::GradientFormat::rgb32f;
+  std::size_t gradient_bytes = 0;
+  double dome_error = 0.0;  ///< of the gradients' format
+  std::vector<LeftOut> left_out;
+};
+
+/// Plans one sky file, perhaps more than once.
+class SkyPlanner {
+ public:
+  SkyPlanner(const SkyFile& file, base::Progress progress);
+  ~SkyPlanner();
+
+  /// Under the file's budget for cubemaps, and `aim`, at most that, for irradiance; without a budget, as the file says.
+  /// Throws Error(content) when the budget cannot be met, with the best that can be had and its cost;
+  /// Error(interrupted).
+  SkyPlan plan(double aim);
+
+ private:
+  struct Day;
+  void planTable(double aim, SkyPlan& plan);
+  void planCubemaps(SkyPlan& plan);
+  void planGradients(SkyPlan& plan);
+
+  const SkyFile& file_;
+  base::Progress progress_;
+  std::unique_ptr<Day> day_;                      ///< sampled for the first plan under a budget
+  std::optional<cubemap::CubemapPlan> cubemaps_;  ///< the same for every aim
+  std::optional<double> dome_error_;              ///< of RGB9E5
+};
+
+}  // namespace welkin::bake

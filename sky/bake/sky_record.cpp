@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/bake/sky_record.h"
+
+#include <algorithm>
+
+#include "sky/bake/checked_file.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
+#include "sky/base/hash.h"
+
+namespace welkin::bake {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargestRecord = std::size_t{64} << 20;
+const char* const kChecksum = "xxh3_128";
+
+bool isThere(const fs::path& path) {
+  std::error_code none;
+  return fs::exists(path, none);
+}
+
+Json requestJson(const BakeSettings& bake, Certify certify) {
+  return {{"method", kSkyBakeVersion},
+          {"max_error", bake.max_error ? Json(*bake.max_error) : Json()},
+          {"certify", nameOf(certify)},
+          {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
+}
+
+std::string checksumOf(Json record) {
+  record.erase(kChecksum);
+  const std::string text = record.dump();
+  return base::textOf(base::hashOf(std::as_bytes(std::span(text))));
+}
+
+/// Null where it is not a whole record.
+Json readRecord(const fs::path& path) {
+  const auto bytes = base::readFile(path, kLargestRecord);
+  const char* text = reinterpret_cast<const char*>(bytes.data());
+  Json record = Json::parse(text, text + bytes.size(), nullptr, false);
+  for (const char* key : {kChecksum, "request", "made"})
+    if (!record.is_object() || !record.contains(key)) return {};
+  return record[kChecksum] == checksumOf(record) ? record : Json();
+}
+
+/// Names in a list, each once.
+class Names {
+ public:
+  void add(const std::string& name) {
+    if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+  }
+  std::string text() const {
+    std::string text;
+    for (const std::string& name : names_) text += (text.empty() ? "" : ", ") + name;
+    return text;
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// Inputs that are in one list and, with this content and in this place, not in the other.
+void addChanged(const std::vector<Input>& now, const flatbuffers::Vector<flatbuffers::Offset<format::Input>>* then,
+                Names& changed) {
+  const std::size_t there = then != nullptr ? then->size() : 0;
+  for (std::size_t i = 0; i < std::max(now.size(), there); ++i) {
+    const format::Input* old = i < there ? then->Get(static_cast<flatbuffers::uoffset_t>(i)) : nullptr;
+    const std::string old_name = old != nullptr && old->name() != nullptr ? old->name()->str() : "";
+    if (i < now.size() && old != nullptr && now[i].name == old_name && now[i].xxh3_low == old->xxh3_low() &&
+        now[i].xxh3_high == old->xxh3_high())
+      continue;
+    if (i < now.size()) changed.add(now[i].name);
+    if (old != nullptr) changed.add(old_name);
+  }
+}
+
+/// How the outputs that are there differ from those of the record.
+std::string differenceOf(const fs::path& folder, const Json& outputs) {
+  Names missing, changed;
+  for (const Json& output : outputs) {
+    const std::string name = output["file"];
+    if (!isThere(folder / name))
+      missing.add(name);
+    else if (base::textOf(base::hashOf(base::readFile(folder / name))) != output[kChecksum])
+      changed.add(name);
+  }
+  if (!missing.text().empty()) return "missing: " + missing.text();
+  return changed.text().empty() ? "" : "changed: " + changed.text();
+}
+
+format::Fault noSky(const format::File& file) {
+  return file.sky() != nullptr ? format::Fault{} : format::Fault{"sky", "must be there"};
+}
+
+}  // namespace
+
+SkyState skyState(const fs::path& folder, const SkyFile& file, Certify certify) {
+  if (folder.empty() || !isThere(folder / "sky.welkin")) return {"missing", {}};
+  Names changed;
+  try {
+    const auto bytes = base::readFile(folder / "sky.welkin");
+    addChanged(file.inputs, openChecked(bytes, "it", noSky).inputs(), changed);
+  } catch (const base::Error& e) {
+    if (e.status() != base::ExitStatus::content) throw;
+    return {std::string("unreadable: ") + e.what(), {}};
+  }
+  if (!isThere(folder / "sky.json")) return {"missing: sky.json", {}};
+  Json record = readRecord(folder / "sky.json");
+  if (record.is_null()) return {"unreadable: sky.json", {}};
+  const Json request = requestJson(file.bake, certify);
+  for (const auto& [key, value] : request.items())
+    if (record["request"].value(key, Json("")) != value) changed.add(key);
+  if (!changed.text().empty()) return {"changed: " + changed.text(), {}};
+  std::string difference = differenceOf(folder, record["made"]["outputs"]);
+  if (!difference.empty()) return {std::move(difference), {}};
+  return {"", std::move(record["made"])};
+}
+
+std::string recordText(const BakeSettings& bake, Certify certify, const Json& made) {
+  Json record = {{"request", requestJson(bake, certify)}, {"made", made}};
+  record[kChecksum] = checksumOf(record);
+  return record.dump(2) + "\n";
+}
+
+}  // namespace welkin::bake

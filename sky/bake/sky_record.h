@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record of a sky's bake, DIR/sky.json: what it was asked for and what it made. By it the next bake sees that there
+// is nothing to do, and reports the same. It is no part of sky.welkin, which games load.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sky/bake/certify.h"
+#include "sky/bake/sky_file.h"
+
+namespace welkin::bake {
+
+/// Version of the method. It grows by one whenever the same input gives other bytes, as tests/golden/same_bytes.txt
+/// shows, or another report.
+inline constexpr int kSkyBakeVersion = 2;
+
+/// What a sky's bake is asked for besides its inputs.
+struct SkyRequest {
+  Certify certify = Certify::fast;
+  bool force = false;  ///< bake what is up to date as well
+};
+
+/// What a bake finds in a sky's place.
+struct SkyState {
+  std::string stale;            ///< why it is to be baked; empty: it is up to date
+  nlohmann::ordered_json made;  ///< when it is up to date: what recordText was told of it
+};
+
+/// Compares sky.welkin, its inputs and checksum, what its bake was asked for, and every output that the record has the
+/// checksum of, with what a bake into `folder` (none: a new one) of `file` would be. Throws Error(file) for what is
+/// there and cannot be read.
+SkyState skyState(const std::filesystem::path& folder, const SkyFile& file, Certify certify);
+
+/// The content of sky.json, with a checksum of itself. `made` has "outputs": of each "file" and "xxh3_128".
+std::string recordText(const BakeSettings& bake, Certify certify, const nlohmann::ordered_json& made);
+
+}  // namespace welkin::bake
