@@ -47,6 +47,7 @@ run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --confi
 set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
+    include/welkin/bake.hpp
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
     share/welkin/shaders/welkin/sky_constants.h
     share/welkin/shaders/shared/formulas.glsl)
@@ -107,6 +108,9 @@ run("run the game again" ${build}/game ${build}/data/sky.welkin 6)
 file(REMOVE ${build}/baked/sky.welkin)
 run("build after a removed output" ${CMAKE_COMMAND} --build ${build})
 expect("build after a removed output" "Baking")
+run("bake with the installed tool" ${prefix}/bin/welkin bake "${game}/sky/sky.toml" -o ${WORK}/baked --progress none)
+run("bake in process" ${build}/editor "${game}/sky/sky.toml" ${WORK}/in_process ${WORK}/stopped)
+run("compare with the tool" ${CMAKE_COMMAND} -E compare_files ${WORK}/in_process/sky.welkin ${WORK}/baked/sky.welkin)
 run("clean" ${CMAKE_COMMAND} --build ${build} --target clean)
 if(EXISTS ${build}/baked/sky.welkin OR EXISTS ${build}/baked/cubemaps OR EXISTS ${build}/baked_level/level.welkin
    OR EXISTS ${build}/baked_level/sectors)
@@ -119,7 +123,6 @@ list(JOIN pc ":" pc)
 set(ENV{PKG_CONFIG_PATH} ${pc})
 run("compile C with pkg-config" sh -c "cc -std=c11 -Wall -Wextra -pedantic -Werror '${game}/pkg_config.c' \
   -o '${WORK}/c_game' $(pkg-config --cflags --libs welkin-runtime)")
-run("bake with the installed tool" ${prefix}/bin/welkin bake "${game}/sky/sky.toml" -o ${WORK}/baked --progress none)
 run("run the C program" ${WORK}/c_game ${WORK}/baked/sky.welkin)
 run("pkg-config of the shaders" pkg-config --variable=shader_includedir welkin-vulkan)
 string(STRIP "${output}" shaders)
@@ -151,6 +154,6 @@ set(find ${configure} -S ${WORK}/find -B ${WORK}/find_build -DCMAKE_PREFIX_PATH=
 run("find the libraries" ${find} -DWANTED=vulkan -DWANTED_VERSION=0.1)
 refused("component that is not installed" "component 'bake' is not in this installation, which has: runtime, vulkan"
   ${find} -DWANTED=bake -DWANTED_VERSION=0.1)
-refused("component that is none" "there is no component 'vulcan', only runtime, vulkan, bake"
+refused("component that is none" "there is no component 'vulcan', only runtime, vulkan, bake, baker"
   ${find} -DWANTED=vulcan -DWANTED_VERSION=0.1)
 refused("another minor version" "version: 0.1." ${find} -DWANTED=runtime -DWANTED_VERSION=0.99)

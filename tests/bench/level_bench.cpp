@@ -81,7 +81,7 @@ void run(const std::filesystem::path& file) {
           geometry::withTexels(geometry::surfacesWithin(bake.surfaces(), column), bake.surfaces());
       clock.time(kLocal, [&] {
         const build::SectorSettings wanted{build::sectionOf(id, section, column), 0.0, {}, {}, {}};
-        return build::bakeLocal(tracer, wide, placed, wanted, [](std::uint64_t) {});
+        return build::bakeLocal(tracer, wide, placed, wanted, {});
       });
     }
     const sectors::SectorFile baked = clock.time(kAll, [&] { return bake.bake(id, {}); });

@@ -26,14 +26,14 @@ TEST_CASE("Study, WritesAFolderAndSaysWhatItFound") {
 }
 
 TEST_CASE("Study, WithoutGnuplotHasTablesAndWarnsOnce") {
-  const tests::Folder folder;
-  const std::string sky = folder.write("sky.toml", tests::skyText(tests::kUniform));
-  tests::Setting setting;
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kUniform));
+  Setting setting;
   setting.environment = {{"PATH", folder / "empty"}};
-  const tests::Run run = tests::runTool({"study", sky, "-o", folder / "out", "--quick", "--progress", "none"}, setting);
+  const Run run = runTool({"study", sky, "-o", folder / "out", "--quick", "--progress", "none"}, setting);
   INFO(run.err);
   REQUIRE(run.status == 0);
-  const auto files = tests::filesUnder(folder / "out");
+  const auto files = filesUnder(folder / "out");
   const auto charts = std::ranges::count_if(
       files, [](const std::string& name) { return !name.ends_with(".csv") && !name.ends_with(".json"); });
   CHECK(charts == 1);  // conclusion.md

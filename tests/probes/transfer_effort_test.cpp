@@ -102,7 +102,8 @@ TEST_CASE("TransferEffort, TellsOfItsRaysAndEndsWithinAProbe") {
     CHECK(sameBits(probe, transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0)));
     settings.max_error = 1e-6;  // all rays are spent, in rounds
     const Progress rounds(count);
-    CHECK(transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, rounds).effort.rays == rounds.done());
+    const transfer::TracedProbe spent = transfer::TransferTracer(tracer, settings).trace({0, 1, 0}, {0, 0}, 0, rounds);
+    CHECK(spent.effort.rays == rounds.done());
   }
   const transfer::TransferTracer endless(tracer, settingsWith(transfer::kMostRays));
   std::size_t calls = 0;

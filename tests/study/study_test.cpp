@@ -29,13 +29,9 @@ bake::SkyFile clearSky() {
   return file;
 }
 
-bool goOn() {
-  return true;
-}
-
 TEST_CASE("StudyDay, MoreBandsAndModesLoseLess") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, kHalfHour, goOn);
+  const StudyDay day(file.sky, kHalfHour, {});
   const auto candidates = collectCandidates(day, {.quick = true});
   const auto errorOf = [&](const std::string& name) {
     for (const Candidate& candidate : candidates)
@@ -57,7 +53,7 @@ TEST_CASE("StudyDay, MoreBandsAndModesLoseLess") {
 TEST_CASE("StudyDay, BytesOfAWayAreThoseOfItsTable") {
   bake::SkyFile file = clearSky();
   file.sky.ground_albedo = det::Number3(0.1, 0.2, 0.3);
-  const StudyDay day(file.sky, kHalfHour, goOn);
+  const StudyDay day(file.sky, kHalfHour, {});
   const DayWeights modes = modeWeights(day, table::DayModes(day.fields(), day.grid()), 3);
   for (const Candidate& candidate :
        {bandsCandidate(day, 3, Fit::projected), modesCandidate(day, modes, kSmallMap, Fit::projected)})
@@ -71,7 +67,7 @@ TEST_CASE("StudyDay, BytesOfAWayAreThoseOfItsTable") {
 
 TEST_CASE("StudyKeys, MoreEvenKeysErrLessAndPlacedOnesLeast") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, 0.25, goOn);
+  const StudyDay day(file.sky, 0.25, {});
   const Candidate candidate = bandsCandidate(day, 5, Fit::projected);
   double before = 1e9;
   for (const std::size_t keys : {6, 12, 24, 48}) {
@@ -106,7 +102,7 @@ double errorBetween(const StudyDay& day, double (*value)(double time_h), bool cu
 
 TEST_CASE("CubicTime, FollowsASmoothDayAndNotABend") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, 0.25, goOn);
+  const StudyDay day(file.sky, 0.25, {});
   const auto smooth = [](double t) { return 2.0 + det::cos(det::kTwoPi * t / format::kDay_h); };
   CHECK(errorBetween(day, smooth, true) < 0.1 * errorBetween(day, smooth, false));
   const auto bent = [](double t) { return 2.0 + std::abs(t - 12.5); };  // between two keys
@@ -115,7 +111,7 @@ TEST_CASE("CubicTime, FollowsASmoothDayAndNotABend") {
 
 TEST_CASE("Pareto, TheFrontFallsAndNothingLiesBelowIt") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, kHalfHour, goOn);
+  const StudyDay day(file.sky, kHalfHour, {});
   TableStudy study;
   study.tables = measureTables(day, collectCandidates(day, {.quick = true}), {.quick = true});
   study.front = frontOf(study.tables);
@@ -134,7 +130,7 @@ TEST_CASE("Pareto, TheFrontFallsAndNothingLiesBelowIt") {
 
 TEST_CASE("Study, QuadratureKeepsItsTolerances") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, kHalfHour, goOn);
+  const StudyDay day(file.sky, kHalfHour, {});
   const QuadratureStudy study = measureQuadrature(day, {.quick = true});
   REQUIRE(study.quadrature.size() == 4);
   for (std::size_t i = 0; i + 1 < study.quadrature.size(); ++i) {
@@ -146,9 +142,9 @@ TEST_CASE("Study, QuadratureKeepsItsTolerances") {
 
 TEST_CASE("Study, WritesWhatItMeasured") {
   const tests::Folder folder;
-  std::size_t axes = 0;
-  const StudyReport report = studySky(clearSky(), {.quick = true, .progress = [&] { return ++axes > 0; }});
-  CHECK(axes == kAxes);
+  const base::Progress progress([](const base::Progress::Stage&, base::Progress::Event) { return true; });
+  const StudyReport report = studySky(clearSky(), {.quick = true, .progress = progress});
+  CHECK(progress.done() == kAxes);
   writeReport(report, folder / "out");
   const auto files = tests::filesUnder(folder / "out");
   CHECK(files.size() == 2 * report.tables.size() + 2 * report.charts.size() + 1);
@@ -166,10 +162,12 @@ TEST_CASE("Study, WritesWhatItMeasured") {
 
 TEST_CASE("Study, StopsWhenTold") {
   const bake::SkyFile file = clearSky();
-  const StudyDay day(file.sky, 2.0, goOn);
-  std::size_t axes = 0;
-  CHECK_THROWS_AS(measureSky(day, {.quick = true, .progress = [&] { return ++axes < 2; }}), base::Error);
-  CHECK(axes == 2);
+  const StudyDay day(file.sky, 2.0, {});
+  const base::Progress progress([](const base::Progress::Stage& stage, base::Progress::Event) {
+    return stage.around() != nullptr || stage.done() < 2;  // the second axis is the last
+  });
+  CHECK_THROWS_AS(measureSky(day, {.quick = true, .progress = progress}), base::Error);
+  CHECK(progress.done() == 2);
 }
 
 }  // namespace

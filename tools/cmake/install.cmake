@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Rules of `cmake --install` for three components. Each is usable alone, but vulkan needs runtime. No installed file
+# Rules of `cmake --install` for four components. Each is usable alone, but vulkan needs runtime. No installed file
 # names the folder of the build or of the installation.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -18,7 +18,13 @@ if(TARGET welkin)
   install(TARGETS welkin_image LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
   install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
-  list(APPEND components bake)
+  file(RELATIVE_PATH lib_to_modules /prefix/${CMAKE_INSTALL_LIBDIR} /prefix/${modules_folder})
+  set_target_properties(welkin_baker PROPERTIES EXPORT_NAME baker INSTALL_RPATH "$ORIGIN/${lib_to_modules}")
+  install(TARGETS welkin_image LIBRARY DESTINATION ${modules_folder} COMPONENT baker)
+  install(TARGETS welkin_baker EXPORT WelkinTargets-baker LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT baker
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(FILES tools/baker/include/welkin/bake.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/welkin COMPONENT baker)
+  list(APPEND components bake baker)
 endif()
 foreach(component runtime vulkan)
   install(TARGETS welkin_${component} EXPORT WelkinTargets-${component}
