@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shared formulas as C++, twice: welkin::f64 is the reference, welkin::f32 stands for the GPU. Both use the C++
-// library's functions, whose last bit may depend on the machine. Numbers in a baked file use sky/deterministic.h
+// library's functions, whose last bit may depend on the machine. Numbers in a baked file use sh/deterministic.h
 // instead.
 #pragma once
 

@@ -26,8 +26,8 @@ struct Baked {
 
 /// Measures `opened`, the file of `baked`, at every `step_h` hours of the day, every key, the middle between two keys,
 /// and the instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals on both sides
-/// of the sun's plane (sky/irradiance.h). `full` adds direct integration (sky/projection.h, 1e-5) at 642 evenly spread
-/// normals, which takes minutes. The numbers are the same for any number of threads. Throws
+/// of the sun's plane (sky/model/irradiance.h). `full` adds direct integration (sky/model/projection.h, 1e-5) at 642
+/// evenly spread normals, which takes minutes. The numbers are the same for any number of threads. Throws
 /// Error(interrupted).
 table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const base::Progress& progress,
                            double step_h = kMinute_h);

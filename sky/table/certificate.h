@@ -28,9 +28,9 @@ struct Certificate {
   double mean_error = 0.0;  ///< mean over normals, channels and instants
   ErrorParts parts;
   std::size_t instants = 0;
-  /// Estimated error of the reference in sky/irradiance.h, in the same measure; max_error may be wrong by this much.
-  /// The estimate is 1 to 4 times the error found. It is under 2e-4 for every named model, and hundredths for a lobe
-  /// one degree wide.
+  /// Estimated error of the reference in sky/model/irradiance.h, in the same measure; max_error may be wrong by this
+  /// much. The estimate is 1 to 4 times the error found. It is under 2e-4 for every named model, and hundredths for a
+  /// lobe one degree wide.
   double reference_error = 0.0;
 
   /// Error of the cubemaps; see docs/conventions.md, "Error of the cubemaps". All 0 without cubemaps.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stored numbers of the day's table: the errors stated in sky/day_encoding.h, from both sides, and the numbers that
-// the runtime reads.
+// The stored numbers of the day's table: the errors stated in sky/table/day_encoding.h, from both sides, and the
+// numbers that the runtime reads.
 #include "sky/table/day_encoding.h"
 
 #include <catch2/catch.hpp>

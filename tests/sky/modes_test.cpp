@@ -182,7 +182,7 @@ TEST_CASE("ModeMap, ItsCoefficientsAreThoseOfTheSky") {
   const table::Representation r = modesOf(day, 9, 9, 9, 5);
   const OpenedTable opened(day.sky, tableOf(day, r));
   const model::SkyProjector projector(day.sky.luminance, 5, 1e-9);
-  constexpr double kFieldTolerance = 2e-5;  // of c0: that of sky/irradiance.h, and floats
+  constexpr double kFieldTolerance = 2e-5;  // of c0: that of sky/model/irradiance.h, and floats
   for (const table::DayInstant& at : day.fields.instant) {
     const model::SkyMoments want = projector.project(model::SkyInstant(day.sky, at.time_h));
     const WelkinSkySample sample = opened.at(at.time_h);
