@@ -133,9 +133,9 @@ class Search {
     };
     std::vector<Candidate> candidates;
     for (Way& way : ways_)
-      for (const Encoding encoding : format::kEncodings | std::views::reverse)  // of equal bytes the coarser
-        if (wanted(way) && (!request_.encoding || encoding == *request_.encoding))
-          candidates.push_back({&way, encoding, leastBytes(way.representation, encoding)});
+      for (auto e = format::kEncodings.rbegin(); e != format::kEncodings.rend(); ++e)  // of equal bytes the coarser
+        if (wanted(way) && (!request_.encoding || *e == *request_.encoding))
+          candidates.push_back({&way, *e, leastBytes(way.representation, *e)});
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.least_bytes < b.least_bytes; });
     for (const Candidate& c : candidates)
