@@ -46,7 +46,7 @@ Minimax::Minimax(std::span<const double> basis, std::size_t columns, std::span<c
   made->unit.compute(made->weighted * made->length.cwiseInverse().asDiagonal());
   made->unit.setThreshold(kIndependent);
   made->orthonormal = Eigen::MatrixXd::Identity(rows.rows(), made->unit.rank());
-  made->orthonormal.applyOnTheLeft(made->unit.householderQ());
+  if (made->unit.rank() > 0) made->orthonormal.applyOnTheLeft(made->unit.householderQ());
   basis_ = std::move(made);
 }
 

@@ -28,6 +28,7 @@ Span spanOf(const Snapshots& snapshots) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns.array().rowwise() / scale.array());
   qr.setThreshold(kInside);
   const Eigen::Index rank = qr.rank();
+  if (rank == 0) return {};
   Span span;
   span.basis = Eigen::MatrixXd::Identity(columns.rows(), rank);
   span.basis.applyOnTheLeft(qr.householderQ());
