@@ -48,9 +48,9 @@ std::filesystem::path ruleTarget(const std::filesystem::path& folder, const std:
 void writeRule(const BakeRequest& request, const BakeInput& read) {
   base::makeFolder(request.folder);
   std::vector<std::filesystem::path> inputs;
-  for (const auto& input : read.subject.inputs()) inputs.push_back(input.path);
+  for (const auto& input : read.inputs) inputs.push_back(input.path);
   if (read.level)
-    for (const auto& file : read.level->files)
+    for (const auto& file : read.level->surfaces().file)
       if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
   std::string rule = escaped(ruleTarget(request.folder, request.shard, read.level.has_value()));
   rule += ':';
@@ -66,11 +66,13 @@ BakeInput readInput(const BakeRequest& request, const base::Progress& progress) 
   if (request.max_error && !(*request.max_error >= range.low && *request.max_error <= range.high))
     throw base::Error(base::ExitStatus::usage,
                       fmt::format("max_error: {} is not in {} to {}", *request.max_error, range.low, range.high));
-  BakeInput read{readSubject(request.file), std::nullopt};
-  bake::SkyFile& sky = read.subject.sky;
-  if (request.max_error) sky.bake.max_error = request.max_error;
-  if (!read.subject.level) requireLevel(request);
-  if (read.subject.level) read.level.emplace(readLevel(*read.subject.level, sky.sky, sky.bake.max_error, progress));
+  Subject subject = readSubject(request.file);
+  if (request.max_error) subject.sky.bake.max_error = request.max_error;
+  BakeInput read{std::move(subject.sky), std::move(subject.inputs), std::nullopt};
+  if (!subject.level) requireLevel(request);
+  if (subject.level)
+    read.level.emplace(std::move(subject.level->surfaces), subject.level->section, read.sky.sky,
+                       read.sky.bake.max_error, progress);
   return read;
 }
 
@@ -82,15 +84,14 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const BakeInput read = readInput(request, progress);
   LevelOptions wanted{request.folder, request.shard, {}, request.force};
-  if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->bake.sectors());
+  if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->sectors());
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
   if (!request.depfile.empty()) writeRule(request, read);
   Json timing;
   Json report = {{"warnings", Json::array()}};
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
-    report = bake::bakeSky(read.subject.sky, read.subject.inputs(), request.folder, {request.certify, request.force},
-                           progress, timing);
+    report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force}, progress, timing);
   if (read.level) bakeSectors(*read.level, wanted, progress, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   base::writeFile(timingPath(request.folder, request.shard), reportText(timing));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a file, a sky or a level, into a folder: from what is asked for to the report of what was made.
+// Bakes a file, a sky or a level, into a folder, and reports the result.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,14 @@
 #include <optional>
 #include <string>
 
-#include "probes/build/read_level.h"
+#include "probes/build/level_bake.h"
 #include "probes/build/shard.h"
 #include "probes/build/subject.h"
 #include "sky/bake/certify.h"
 
 namespace welkin::build {
 
-/// What is asked for. Empty paths and texts: not given.
+/// Options of a bake. An empty path or text stands for none.
 struct BakeRequest {
   std::filesystem::path file;       ///< a sky file or a level file
   std::filesystem::path folder;     ///< of the outputs; made when missing
@@ -27,10 +27,11 @@ struct BakeRequest {
   bool force = false;          ///< bake what is up to date as well
 };
 
-/// What was read for a request: the sky, under its budget, and the level where it is one.
+/// The input of a request as it was read.
 struct BakeInput {
-  Subject subject;
-  std::optional<LevelInput> level;
+  bake::SkyFile sky;                ///< under the request's budget
+  std::vector<bake::Input> inputs;  ///< the files of which sky.welkin and the sectors are made
+  std::optional<LevelBake> level;
 };
 
 /// Reads the request's file. Throws Error: usage for a budget outside its domain, or sectors asked of a sky.

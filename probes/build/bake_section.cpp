@@ -8,8 +8,6 @@
 
 #include "probes/geometry/sector_name.h"
 #include "probes/level/level_domain.h"
-#include "probes/level/level_file.h"
-#include "sky/base/atomic_file.h"
 #include "sky/base/section.h"
 
 namespace welkin::build {
@@ -139,11 +137,9 @@ const char* nameOf(transfer::SunTransfer sun) {
   return "directional";
 }
 
-BakeSection readBakeSection(const std::filesystem::path& path) {
-  const std::vector<std::byte> bytes = base::readFile(path, level::kLargestLevelFile);
-  const std::string name = path.string();
-  const toml::table root = base::parseToml(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  TomlTable top(name, &root, "");
+BakeSection bakeSectionOf(const base::TomlFile& toml) {
+  const std::string name = toml.path.string();
+  TomlTable top(name, &toml.root, "");
   BakeSection section;
   section.probes = readProbes(Section(top, "probes", level::levelDomain()));
   section.probes.room = readRooms(name, top);

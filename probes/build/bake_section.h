@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What level.toml says of its bake: [probes], [[room]], [transfer] and [scale]. docs/level_file.md describes every key.
+// The sections of level.toml for its bake: [probes], [[room]], [transfer] and [scale]. docs/level_file.md describes
+// every key.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "probes/placement/settings.h"
 #include "probes/transfer/relight.h"
+#include "sky/base/toml_file.h"
 
 namespace welkin::build {
 
-/// As in level.toml.
+/// The name in level.toml.
 const char* nameOf(transfer::SunTransfer sun);
 
 /// Where dynamic lights are provided for: near lights of the level, everywhere or nowhere, or in these sectors.
@@ -32,13 +33,13 @@ struct TransferSection {
 struct BakeSection {
   placement::PlacementSettings probes;  ///< [probes] and [[room]]
   TransferSection transfer;
-  transfer::RelightScale scale;  ///< which the runtime may change
+  transfer::RelightScale scale;  ///< the runtime may change it
 };
 
-/// Reads and checks these sections of a level file; what is absent has its default. Throws Error as readLevelFile.
-BakeSection readBakeSection(const std::filesystem::path& path);
+/// Reads and checks these sections of a level file. An absent key has its default. Throws Error(content).
+BakeSection bakeSectionOf(const base::TomlFile& toml);
 
-/// The settings as JSON, keys in a fixed order, without the scales: what a baked file holds of them.
+/// The settings as JSON for the baked files: keys in a fixed order, without the scales.
 std::string settingsText(const BakeSection& section);
 
 }  // namespace welkin::build

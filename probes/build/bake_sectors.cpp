@@ -32,15 +32,15 @@ std::vector<SectorId> wantedOf(const std::vector<SectorId>& all, const LevelOpti
 /// Bakes sectors and tells how far it is.
 class SectorBaker {
  public:
-  SectorBaker(const LevelInput& level, const LevelOptions& options, base::Progress progress)
+  SectorBaker(const LevelBake& level, const LevelOptions& options, base::Progress progress)
       : level_(level), options_(options), progress_(std::move(progress)) {}
 
   /// The sector's file, which is baked and written where it is out of date.
   SectorState bring(SectorId sector) {
-    SectorState state = level_.bake.state(options_.folder, sector);
+    SectorState state = level_.state(options_.folder, sector);
     if (!state.stale.empty() || options_.force) {
       const base::Progress rays = progress_.stage(nameOf(sector), 0);
-      state.file = level_.bake.bake(sector, rays);
+      state.file = level_.bake(sector, rays);
       state.bytes = sectors::encodeSector(*state.file);
       base::writeFile(sectorPath(options_.folder, sector), state.bytes);
       rays_ += state.file->rays;
@@ -59,7 +59,7 @@ class SectorBaker {
   }
 
  private:
-  const LevelInput& level_;
+  const LevelBake& level_;
   const LevelOptions& options_;
   base::Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -68,17 +68,17 @@ class SectorBaker {
 };
 
 /// The entries of all sectors; nothing when one that was not brought up to date now is out of date.
-std::optional<std::vector<sectors::SectorEntry>> completed(const LevelInput& level, const LevelOptions& options,
+std::optional<std::vector<sectors::SectorEntry>> completed(const LevelBake& level, const LevelOptions& options,
                                                            const base::Progress& progress,
                                                            std::vector<sectors::SectorEntry> entries, Json& warnings) {
   constexpr std::size_t kNamed = 8;
   std::string stale;
   std::size_t count = 0;
-  for (const SectorId sector : level.bake.sectors()) {
+  for (const SectorId sector : level.sectors()) {
     const auto is = [&](const sectors::SectorEntry& e) { return e.id == sector; };
     if (std::any_of(entries.begin(), entries.end(), is)) continue;
     progress.check();
-    const SectorState state = level.bake.state(options.folder, sector);
+    const SectorState state = level.state(options.folder, sector);
     if (state.stale.empty())
       entries.push_back(entryOf(*state.file, state.bytes));
     else if (++count <= kNamed)
@@ -97,22 +97,22 @@ std::optional<std::vector<sectors::SectorEntry>> completed(const LevelInput& lev
 }
 
 /// What every sector must be baked from, as shards must agree on.
-base::Hash128 hashOfAll(const LevelInput& level, const LevelOptions& options, const base::Progress& progress) {
+base::Hash128 hashOfAll(const LevelBake& level, const LevelOptions& options, const base::Progress& progress) {
   std::vector<sectors::SectorEntry> entries;
-  for (const SectorId sector : level.bake.sectors()) {
+  for (const SectorId sector : level.sectors()) {
     progress.check();
-    entries.push_back({sector, 0, 0, {}, level.bake.state(options.folder, sector).from.all});
+    entries.push_back({sector, 0, 0, {}, level.state(options.folder, sector).from.all});
   }
   return hashOf(entries);
 }
 
 }  // namespace
 
-void bakeSectors(const LevelInput& level, const LevelOptions& options, const base::Progress& progress, Json& report,
+void bakeSectors(const LevelBake& level, const LevelOptions& options, const base::Progress& progress, Json& report,
                  Json& timing) {
-  const auto wanted = wantedOf(level.bake.sectors(), options);
+  const auto wanted = wantedOf(level.sectors(), options);
   Json& warnings = report["warnings"];
-  addLevelWarnings(level, warnings);
+  addWarnings(level, warnings);
   base::makeFolder(options.folder / "sectors");
   std::vector<sectors::SectorEntry> entries;
   Json sectors = Json::array();
@@ -122,12 +122,12 @@ void bakeSectors(const LevelInput& level, const LevelOptions& options, const bas
       const SectorState state = baker.bring(sector);
       entries.push_back(entryOf(*state.file, state.bytes));
       sectors.push_back(reportJson(*state.file, entries.back()));
-      addWarnings(*state.file, level.bake.budget(), warnings);
+      addWarnings(*state.file, level.budget(), warnings);
     }
     timing.update(baker.timing());
   }
   report["sectors"] = std::move(sectors);
-  sectors::LevelIndex index = level.bake.index();
+  sectors::LevelIndex index = level.index();
   if (options.shard) {
     removeParts(options.folder, options.shard->count);
     index.sector = std::move(entries);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "probes/build/read_level.h"
+#include "probes/build/level_bake.h"
 #include "probes/build/shard.h"
 
 namespace welkin::build {
@@ -23,7 +23,7 @@ struct LevelOptions {
 /// must wait when a sector that was not asked for is out of date. Adds "sectors" to the report and to its warnings, and
 /// what it cost to `timing`. `progress` has a stage "sectors", and within it one of each sector that is baked, whose
 /// name is the sector's and whose pieces are rays. Throws Error; sectors that were finished before stay.
-void bakeSectors(const LevelInput& level, const LevelOptions& options, const base::Progress& progress,
+void bakeSectors(const LevelBake& level, const LevelOptions& options, const base::Progress& progress,
                  nlohmann::ordered_json& report, nlohmann::ordered_json& timing);
 
 }  // namespace welkin::build

@@ -57,8 +57,6 @@ LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, co
                       fmt::format("[transfer] rays = \"auto\": needs a budget below 1, and not {}; it "
                                   "comes from --max-error, --quality or max_error of the sky file",
                                   *max_error));
-  for (geometry::Material& material : surfaces_.material) material.emission = material.emission / sky.luminance_unit;
-  for (geometry::PointLight& light : surfaces_.light) light.intensity = light.intensity / sky.luminance_unit;
   surfaces_ = geometry::inCanonicalOrder(std::move(surfaces_));
   if (sky.moon) moon_path_ = sky.moon->path;
   if (section.transfer.sun == transfer::SunTransfer::directional) {
@@ -110,9 +108,7 @@ sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progr
 SectorPlan LevelBake::plan(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
   const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
-  const BakeSection section = sectionOf(sector, section_, column);
-  const std::size_t probes = placement::placeProbes(geometry::Tracer(near), sector, section.probes, progress).size();
-  return {probes, probes > 0 && hasLocalTransfer(sector, section_.transfer, surfaces_)};
+  return planSector(sector, near, surfaces_, settingsOf(sector), progress);
 }
 
 std::optional<double> LevelBake::budget() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bake of a level, sector by sector: which there are, which of their files are out of date and why, and each one's
-// bake.
+// The bake of a level: its sectors, the state of each one's file, and each one's plan and bake.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "probes/build/sector_bake.h"
+#include "probes/build/sector_plan.h"
 #include "probes/sectors/level_index.h"
 #include "sky/base/progress.h"
 #include "sky/model/sky.h"
@@ -20,27 +19,20 @@ using f64::Number3;
 /// DIR/sectors/sector_X_Z.welkin
 std::filesystem::path sectorPath(const std::filesystem::path& folder, geometry::SectorId sector);
 
-/// What a bake finds in a sector's place.
+/// The state of a sector's file before a bake.
 struct SectorState {
   geometry::SectorId id;
-  sectors::BakedFrom from;                  ///< what the sector must be baked from
-  std::optional<sectors::SectorFile> file;  ///< that is there, if it can be read
-  std::string stale;                        ///< why it is to be baked; empty: it is up to date
+  sectors::BakedFrom from;                  ///< hashes that the file must have
+  std::optional<sectors::SectorFile> file;  ///< the present file, if it can be read
+  std::string stale;                        ///< why the sector is to be baked; empty: it is up to date
   std::vector<std::byte> bytes;             ///< of the file, when it is up to date
-};
-
-/// What a sector will have.
-struct SectorPlan {
-  std::size_t probes = 0;
-  bool has_local = false;  ///< local transfer
 };
 
 /// Immutable after construction.
 class LevelBake {
  public:
-  /// `max_error`: the budget of rays = "auto". Emission and lights, which come in cd/m2 and cd, are taken over
-  /// `sky.luminance_unit`. Throws Error(content) where rays = "auto" has no budget below 1, and what sectorsOf and the
-  /// progress throw.
+  /// `surfaces` has emission and lights in scene units. `max_error` is the budget of rays = "auto". Throws
+  /// Error(content) where rays = "auto" has no budget below 1, and what sectorsOf and the progress throw.
   LevelBake(geometry::Surfaces surfaces, const BakeSection& section, const model::Sky& sky,
             std::optional<double> max_error, const base::Progress& progress = {});
 
@@ -53,7 +45,7 @@ class LevelBake {
   /// Throws as bakeSector.
   sectors::SectorFile bake(geometry::SectorId sector, const base::Progress& progress) const;
 
-  /// Places a sector's probes to say how many. Throws what placeSector throws.
+  /// Throws as planSector.
   SectorPlan plan(geometry::SectorId sector, const base::Progress& progress = {}) const;
 
   /// The error that rays = "auto" has to keep; none where the number of rays is fixed.

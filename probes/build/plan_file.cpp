@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/build/plan_file.h"
 
+#include "probes/build/sector_warnings.h"
 #include "probes/geometry/sector_name.h"
 #include "sky/bake/sky_plan_json.h"
 #include "sky/bake/sky_record.h"
@@ -18,44 +19,30 @@ Json highestJson(const model::LightPath& path) {
   return {{"highest_deg", top.elevation_rad / kDegree}, {"highest_time_h", top.time_h}};
 }
 
-/// Bytes of a sector's local transfer, at most: it may have as many virtual lights as nine sectors like it have probes.
-std::size_t localBytes(std::size_t count) {
-  const std::size_t lights = 9 * count;
-  const std::size_t most = transfer::kVirtualLightBytes * lights +
-                           count * (1 + transfer::kLocalTransferBytes * std::min(lights, transfer::kMostLocalLights));
-  return std::min(most, transfer::kMostLocalBytes);
-}
-
-/// About the bytes of a sector's file.
-std::size_t sectorBytes(const SectorPlan& plan) {
-  constexpr std::size_t kProbeBytes = 152;
-  constexpr std::size_t kOtherBytes = 4096 + 1300;  // the grid, the modes, header and structure
-  return kOtherBytes + kProbeBytes * plan.probes + (plan.has_local ? localBytes(plan.probes) : 0);
-}
-
-Json sectorsJson(const LevelInput& level, const std::filesystem::path& folder, const base::Progress& progress) {
+Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, const base::Progress& progress) {
   Json sectors = Json::array();
-  for (const geometry::SectorId sector : level.bake.sectors()) {
+  for (const geometry::SectorId sector : level.sectors()) {
     progress.check();
-    const SectorState state = level.bake.state(folder, sector);
+    const SectorState state = level.state(folder, sector);
     const bool fresh = state.stale.empty();
-    const SectorPlan plan = fresh ? SectorPlan{state.file->probes.probes(), state.file->local.has_value()}
-                                  : level.bake.plan(sector, progress);
+    const SectorPlan plan =
+        fresh ? SectorPlan{state.file->probes.probes(), state.file->local.has_value(), state.bytes.size()}
+              : level.plan(sector, progress);
     sectors.push_back({{"sector", nameOf(sector)},
                        {"bake", !fresh},
                        {"why", fresh ? "up to date" : state.stale},
                        {"probes", plan.probes},
                        {"local", plan.has_local},
-                       {"bytes", fresh ? state.bytes.size() : sectorBytes(plan)}});
+                       {"bytes", plan.bytes}});
   }
   return sectors;
 }
 
 /// What a bake into the folder would do with the sky. One that is up to date is not planned: its record has its plan.
-Json skyJson(const BakeRequest& request, const Subject& subject, const base::Progress& progress) {
-  const bake::SkyFile& file = subject.sky;
+Json skyJson(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
+  const bake::SkyFile& file = read.sky;
   Json inputs = Json::array();
-  for (const auto& input : subject.inputs()) inputs.push_back(input.name);
+  for (const auto& input : read.inputs) inputs.push_back(input.name);
   Json json = {{"inputs", inputs}};
   const bake::SkyState state = bake::skyState(request.folder, file, request.certify);
   const bool fresh = state.stale.empty();
@@ -79,9 +66,9 @@ Json skyJson(const BakeRequest& request, const Subject& subject, const base::Pro
 }  // namespace
 
 Json planFile(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
-  Json json = skyJson(request, read.subject, progress);
+  Json json = skyJson(request, read, progress);
   if (!read.level) return json;
-  addLevelWarnings(*read.level, json["warnings"]);
+  addWarnings(*read.level, json["warnings"]);
   json["sectors"] = sectorsJson(*read.level, request.folder, progress);
   return json;
 }

@@ -8,7 +8,6 @@
 #include "format/container.h"
 #include "probes/build/local_bake.h"
 #include "probes/placement/counts.h"
-#include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sky/base/error.h"
 
@@ -129,6 +128,17 @@ sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurf
   return from;
 }
 
+sectors::SectorFile placedFile(const geometry::PlacedSector& placed, const placement::PlacementReport& report,
+                               const SectorSettings& settings) {
+  sectors::SectorFile file;
+  static_cast<geometry::SectorGrid&>(file) = placed;
+  file.id = placed.id;
+  file.sun = settings.section.transfer.sun;
+  file.settings = settingsText(settings.section);
+  file.placement = placement::countsOf(report);
+  return file;
+}
+
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
                                const SectorSettings& settings, const sectors::BakedFrom& from,
                                const base::Progress& progress) {
@@ -140,22 +150,11 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
   const geometry::Tracer tracer(is_local ? within : near);
   progress.check();
   placement::PlacementReport report;
-  const geometry::PlacedSector placed =
-      placement::placeSector(tracer, sector, settings.section.probes, report, progress);
+  const auto placed = placement::placeSector(tracer, sector, settings.section.probes, report, progress);
   progress.check();
   const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, progress);
-  sectors::SectorFile file;
-  file.id = sector;
-  file.low_y = placed.low_y;
-  file.cell_height_m = placed.cell_height_m;
-  file.grid = placed.grid;
-  file.top = placed.top;
-  file.room = placed.room;
-  file.in_room = placed.in_room;
-  file.sun = settings.section.transfer.sun;
-  file.settings = settingsText(settings.section);
+  sectors::SectorFile file = placedFile(placed, report, settings);
   file.baked_from = from;
-  file.placement = placement::countsOf(report);
   for (std::size_t i = 0; i < traced.size(); ++i) {
     file.rays += traced[i].effort.rays;
     file.unlit += isUnlit(traced[i].transfer) ? 1 : 0;

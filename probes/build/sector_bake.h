@@ -6,6 +6,7 @@
 
 #include "probes/build/bake_section.h"
 #include "probes/geometry/reach.h"
+#include "probes/placement/placement.h"
 #include "probes/sectors/sector_file.h"
 #include "probes/transfer/light_track.h"
 #include "sky/base/progress.h"
@@ -50,8 +51,12 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
 sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
                              const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings);
 
-/// On all threads of the caller's arena; the same for any number of them. Throws Error(interrupted) when told to end,
-/// and what placing and tracing throw.
+/// A sector's file with all that its placement settles.
+sectors::SectorFile placedFile(const geometry::PlacedSector& placed, const placement::PlacementReport& report,
+                               const SectorSettings& settings);
+
+/// Runs on all threads of the caller's arena; the result is the same for any number of them. Throws Error(interrupted)
+/// when told to end, and what placing and tracing throw.
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
                                const SectorSettings& settings, const sectors::BakedFrom& from,
                                const base::Progress& progress);

@@ -34,6 +34,16 @@ std::string placesOf(const placement::PlacementCounts& placement,
 
 }  // namespace
 
+void addWarnings(const LevelBake& level, Json& warnings) {
+  for (const std::string& warning : level.surfaces().warning)
+    warnings.push_back({{"id", "geometry"}, {"message", warning}});
+  if (level.sectors().empty())
+    warnings.push_back({{"id", "no-sectors"},
+                        {"message",
+                         "the level has no sector: no static surface faces up, nothing is vegetation, and no probe is "
+                         "added by hand"}});
+}
+
 void addWarnings(const SectorFile& file, std::optional<double> budget, Json& warnings) {
   using Kind = placement::NamedPlace::Kind;
   const placement::PlacementCounts& p = file.placement;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The warnings of a baked sector, for the report.
+// The warnings of a level and of its baked sectors, for the report.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "probes/sectors/sector_file.h"
+#include "probes/build/level_bake.h"
 
 namespace welkin::build {
 
-/// Adds those of a sector to a list. `budget`: the largest error that it may have; none: there is no budget.
+/// Adds the warnings of the level as a whole: features of its files that have no effect, and that it has no sector.
+void addWarnings(const LevelBake& level, nlohmann::ordered_json& warnings);
+
+/// Adds those of a sector. `budget`: the largest error that it may have; none: there is no budget.
 void addWarnings(const sectors::SectorFile& file, std::optional<double> budget, nlohmann::ordered_json& warnings);
 
 }  // namespace welkin::build

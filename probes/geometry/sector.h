@@ -51,10 +51,8 @@ struct Room {
   std::uint8_t probe = kNoProbe;  ///< its probe nearest to the middle of its part of the sector, or kNoProbe
 };
 
-/// A sector after placement.
-struct PlacedSector {
-  SectorId id;
-  std::vector<Probe> probe;        ///< at most kMostProbes
+/// The cells of a sector, each with its probe, and the rooms.
+struct SectorGrid {
   double low_y = 0.0;              ///< bottom of the grid, metres
   double cell_height_m = kCell_m;  ///< larger if the sector is higher than kSector_m
   /// Index of the nearest probe that the cell can see, or kNoProbe: cell x + kCells (y + kCells z).
@@ -64,6 +62,12 @@ struct PlacedSector {
   std::array<std::uint8_t, kCells * kCells> top{};
   std::vector<Room> room;             ///< rooms that touch the sector
   std::vector<std::uint8_t> in_room;  ///< by probe: 0 outside rooms, else 1 + index of its room; empty without rooms
+};
+
+/// A sector after placement.
+struct PlacedSector : SectorGrid {
+  SectorId id;
+  std::vector<Probe> probe;  ///< at most kMostProbes
 };
 
 /// The sector that contains a position.

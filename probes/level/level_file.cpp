@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "probes/level/level_domain.h"
-#include "sky/base/atomic_file.h"
 #include "sky/base/toml_table.h"
 
 namespace welkin::level {
@@ -69,15 +68,13 @@ std::optional<geometry::Role> roleOf(const std::string& name) {
   return std::nullopt;
 }
 
-LevelFile readLevelFile(const std::filesystem::path& path) {
-  const std::vector<std::byte> bytes = base::readFile(path, kLargestLevelFile);
-  const std::string name = path.string();
-  const toml::table root =
-      base::parseToml(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  TomlTable top(name, &root, "");
+LevelFile levelFileOf(const base::TomlFile& toml) {
+  const std::string name = toml.path.string();
+  const std::filesystem::path folder = toml.path.parent_path();
+  TomlTable top(name, &toml.root, "");
   LevelFile file;
   TomlTable level = top.table("level");
-  file.sky = path.parent_path() / requiredName(level, "sky");
+  file.sky = folder / requiredName(level, "sky");
   level.finish();
   for (const char* of_the_bake : {"probes", "transfer", "scale"}) top.table(of_the_bake);
   top.has("room");
@@ -85,8 +82,8 @@ LevelFile readLevelFile(const std::filesystem::path& path) {
   if (geometry == nullptr || !geometry->is_array_of_tables())
     top.refuse("geometry", geometry, "must be one or more tables, [[geometry]]");
   for (const toml::node& entry : *geometry->as_array())
-    file.geometry.push_back(readGeometry(
-        TomlTable(name, entry.as_table(), fmt::format("geometry[{}].", file.geometry.size())), path.parent_path()));
+    file.geometry.push_back(
+        readGeometry(TomlTable(name, entry.as_table(), fmt::format("geometry[{}].", file.geometry.size())), folder));
   top.finish();
   return file;
 }

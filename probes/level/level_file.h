@@ -9,10 +9,9 @@
 
 #include "probes/geometry/affine.h"
 #include "probes/geometry/surfaces.h"
+#include "sky/base/toml_file.h"
 
 namespace welkin::level {
-
-inline constexpr std::size_t kLargestLevelFile = std::size_t{16} << 20;  ///< limit, bytes
 
 /// The role with a given name ("static", "vegetation", "water", "ignore"); nothing for another name.
 std::optional<geometry::Role> roleOf(const std::string& name);
@@ -32,7 +31,7 @@ struct LevelFile {
 };
 
 /// Reads and checks [level] and [[geometry]]. It ignores [probes], [[room]], [transfer] and [scale], which belong to
-/// the bake (bake_section.h). Throws Error: `file` if the file cannot be read, `content` if its content is wrong.
-LevelFile readLevelFile(const std::filesystem::path& path);
+/// the bake (bake_section.h). Throws Error(content) if they are wrong.
+LevelFile levelFileOf(const base::TomlFile& toml);
 
 }  // namespace welkin::level

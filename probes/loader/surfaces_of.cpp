@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "probes/loader/read_scene.h"
 #include "probes/loader/texture_source.h"
 #include "sky/base/error.h"
 
@@ -27,7 +26,7 @@ Number3 load(const std::array<float, 3>& v) {
 
 class Flattening {
  public:
-  explicit Flattening(const level::Scene& scene) : scene_(scene) {
+  Flattening(const level::Scene& scene, double luminance_unit) : scene_(scene), luminance_unit_(luminance_unit) {
     has_uv_ = std::any_of(scene.materials.begin(), scene.materials.end(),
                           [](const level::SceneMaterial& m) { return m.surface.texture >= 0; });
     has_colours_ = std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const level::Vertex& v) {
@@ -38,6 +37,7 @@ class Flattening {
   geometry::Surfaces run() {
     result_.object = scene_.objects;
     result_.light = scene_.lights;
+    for (geometry::PointLight& light : result_.light) light.intensity = light.intensity / luminance_unit_;
     result_.spot = scene_.spots;
     result_.warning = scene_.warnings;
     result_.file = scene_.files;
@@ -58,6 +58,7 @@ class Flattening {
     if (from.emissive_texture >= 0)
       material.emission =
           material.emission * meanColour(result_.texture[static_cast<std::size_t>(from.emissive_texture)]);
+    material.emission = material.emission / luminance_unit_;
     const bool opaque = material.alpha >= material.alpha_cutoff &&
                         (material.texture < 0 || isOpaque(result_.texture[static_cast<std::size_t>(material.texture)]));
     if (opaque) material.alpha_cutoff = 0.0;  // so rays need not read the alpha
@@ -103,6 +104,7 @@ class Flattening {
   }
 
   const level::Scene& scene_;
+  double luminance_unit_;
   geometry::Surfaces result_;
   bool has_uv_ = false;
   bool has_colours_ = false;
@@ -110,12 +112,8 @@ class Flattening {
 
 }  // namespace
 
-geometry::Surfaces surfacesOf(const level::Scene& scene) {
-  return Flattening(scene).run();
-}
-
-geometry::Surfaces readSurfaces(const level::LevelFile& level) {
-  return surfacesOf(readScene(level));
+geometry::Surfaces surfacesOf(const level::Scene& scene, double luminance_unit) {
+  return Flattening(scene, luminance_unit).run();
 }
 
 void useMeanColours(level::Scene& scene) {

@@ -15,7 +15,9 @@ namespace welkin::placement {
 using f64::Number3;
 namespace {
 
-enum class Found : std::uint8_t { none, middle, part, way, inside };
+/// How a cell came to its probe: its middle sees it, another part does, a chain of cells leads to it, or the cell is
+/// inside of geometry.
+enum class Sight : std::uint8_t { none, middle, part, way, inside };
 
 /// Ordered by distance, then index. Distances are in steps of 2^-20 m, so equal distances stay equal in every sector.
 struct Choice {
@@ -51,7 +53,7 @@ class Grid {
         sector_(sector),
         progress_(progress),
         cells_(gridCellsOf(tracer, sector.id, sector.low_y, sector.cell_height_m, top_y)),
-        found_(kAllCells, Found::none),
+        found_(kAllCells, Sight::none),
         anchor_(kAllCells) {
     for (const geometry::Probe& p : sector.probe) room_.push_back(roomOf(settings, p.position));
     sector_.grid.fill(geometry::kNoProbe);
@@ -62,7 +64,7 @@ class Grid {
       progress_.check();
       GridCell& cell = cells_.cell[i];
       if (cell.middle_free)
-        if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Found::middle, cell.middle);
+        if (const auto choice = nearestSeen(cell.middle)) return name(i, choice->probe, Sight::middle, cell.middle);
       const bool doubtful = cell.middle_free && !cell.middle_above_ground;
       if (doubtful && insideGeometry(tracer_, cell.middle)) cell.point.erase(cell.point.begin());
       std::optional<Choice> best;
@@ -72,31 +74,31 @@ class Grid {
           best = choice;
           from = p;
         }
-      if (best) name(i, best->probe, Found::part, from);
+      if (best) name(i, best->probe, Sight::part, from);
     });
   }
 
   void byWay() {
     std::vector<bool> fresh(kAllCells, false);
-    for (std::size_t i = 0; i < kAllCells; ++i) fresh[i] = found_[i] != Found::none;
+    for (std::size_t i = 0; i < kAllCells; ++i) fresh[i] = found_[i] != Sight::none;
     for (bool any = true; any;) {
-      std::vector<std::optional<Way>> way(kAllCells);
+      std::vector<std::optional<SeenFrom>> way(kAllCells);
       tbb::parallel_for(std::size_t{0}, kAllCells, [&](std::size_t i) {
-        if (found_[i] != Found::none) return;
+        if (found_[i] != Sight::none) return;
         progress_.check();
         for (const std::size_t j : around(i, 1)) {
           const Number3* from = fresh[j] ? pointThatSees(i, anchor_[j]) : nullptr;
           if (from == nullptr) continue;
           const std::size_t probe = sector_.grid[j];
           const Choice choice(probe, distanceOf(cells_.cell[i].middle, sector_.probe[probe].position));
-          if (!way[i] || choice < way[i]->choice) way[i] = Way{choice, *from};
+          if (!way[i] || choice < way[i]->choice) way[i] = SeenFrom{choice, *from};
         }
       });
       any = false;
       for (std::size_t i = 0; i < kAllCells; ++i) {
         fresh[i] = way[i].has_value();
         if (!way[i]) continue;
-        name(i, way[i]->choice.probe, Found::way, way[i]->from);
+        name(i, way[i]->choice.probe, Sight::way, way[i]->from);
         any = true;
       }
     }
@@ -109,7 +111,7 @@ class Grid {
       if (cells_.cell[i].point.empty()) chosen[i] = seenByAll(i);
     });
     for (std::size_t i = 0; i < kAllCells; ++i)
-      if (chosen[i]) name(i, *chosen[i], Found::inside, cells_.cell[i].middle);
+      if (chosen[i]) name(i, *chosen[i], Sight::inside, cells_.cell[i].middle);
   }
 
   void fillTop() {
@@ -134,12 +136,12 @@ class Grid {
 
   void count(PlacementReport& report) const {
     for (std::size_t i = 0; i < kAllCells; ++i) {
-      report.cells_by_middle += found_[i] == Found::middle ? 1 : 0;
-      report.cells_by_part += found_[i] == Found::part ? 1 : 0;
-      report.cells_by_way += found_[i] == Found::way ? 1 : 0;
-      report.cells_inside += found_[i] == Found::inside ? 1 : 0;
-      report.cells_without += found_[i] == Found::none ? 1 : 0;
-      report.ground_cells_without += found_[i] == Found::none && cells_.cell[i].above_ground ? 1 : 0;
+      report.cells_by_middle += found_[i] == Sight::middle ? 1 : 0;
+      report.cells_by_part += found_[i] == Sight::part ? 1 : 0;
+      report.cells_by_way += found_[i] == Sight::way ? 1 : 0;
+      report.cells_inside += found_[i] == Sight::inside ? 1 : 0;
+      report.cells_without += found_[i] == Sight::none ? 1 : 0;
+      report.ground_cells_without += found_[i] == Sight::none && cells_.cell[i].above_ground ? 1 : 0;
     }
   }
 
@@ -158,13 +160,13 @@ class Grid {
     }
   }
 
-  struct Way {
+  struct SeenFrom {
     Choice choice;
     Number3 from;
   };
 
   /// `anchor` is the cell's point that sees the probe or the way to it.
-  void name(std::size_t cell, std::size_t probe, Found how, const Number3& anchor) {
+  void name(std::size_t cell, std::size_t probe, Sight how, const Number3& anchor) {
     sector_.grid[cell] = static_cast<std::uint8_t>(probe);
     found_[cell] = how;
     anchor_[cell] = anchor;
@@ -211,7 +213,7 @@ class Grid {
     std::vector<std::size_t> judge;
     std::vector<Choice> choice;
     for (const std::size_t j : around(cell, 3)) {
-      if (found_[j] == Found::none) continue;
+      if (found_[j] == Sight::none) continue;
       judge.push_back(j);
       const std::size_t probe = sector_.grid[j];
       choice.emplace_back(probe, distanceOf(cells_.cell[cell].middle, sector_.probe[probe].position));
@@ -232,7 +234,7 @@ class Grid {
   geometry::PlacedSector& sector_;
   const base::Progress& progress_;
   GridCells cells_;
-  std::vector<Found> found_;
+  std::vector<Sight> found_;
   std::vector<Number3> anchor_;
   std::vector<std::size_t> room_;  // room of each probe
 };

@@ -66,7 +66,7 @@ bool meetsALine(const Shadow& shadow, const geometry::SectorId& id, double spaci
 }
 
 /// The sectors found so far. Throws if they, or those under one object, are too many.
-class Found {
+class SectorSet {
  public:
   const std::set<geometry::SectorId>& sectors() const { return sectors_; }
   bool contains(const geometry::SectorId& id) const { return sectors_.contains(id); }
@@ -98,7 +98,7 @@ class Found {
 std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const PlacementSettings& settings,
                                           const base::Progress& progress) {
   checkSettings(settings);
-  Found found;
+  SectorSet found;
   std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors that no line meets
   for (const geometry::Triangle& t : s.triangle) {
     if (s.object[t.object].role != geometry::Role::fixed) continue;

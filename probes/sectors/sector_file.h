@@ -61,11 +61,8 @@ struct BakedFrom {
   bool operator==(const BakedFrom&) const = default;
 };
 
-struct SectorFile {
+struct SectorFile : geometry::SectorGrid {
   geometry::SectorId id;
-  double low_y = 0.0;  ///< of the grid, as in PlacedSector
-  double cell_height_m = geometry::kCell_m;
-  std::array<std::uint8_t, geometry::kCells * geometry::kCells * geometry::kCells> grid{};
   transfer::SunTransfer sun = transfer::SunTransfer::none;
   transfer::EncodedProbes probes;
   std::string settings;  ///< JSON: the settings of level.toml for this sector
@@ -73,11 +70,8 @@ struct SectorFile {
   placement::PlacementCounts placement;
   std::uint64_t rays = 0;
   SectorError error;
-  std::optional<BakedLocal> local;                                      ///< empty if level.toml has no dynamic lights
-  std::array<std::uint8_t, geometry::kCells * geometry::kCells> top{};  ///< this and the next two as in PlacedSector
-  std::vector<geometry::Room> room;
-  std::vector<std::uint8_t> in_room;
-  std::size_t unlit = 0;  ///< probes that no ray connects to sky, sun, moon or emission
+  std::optional<BakedLocal> local;  ///< empty if level.toml has no dynamic lights
+  std::size_t unlit = 0;            ///< probes that no ray connects to sky, sun, moon or emission
 };
 
 std::vector<std::byte> encodeSector(const SectorFile& sector);

@@ -52,8 +52,8 @@ SunModesFit fitSunModes(std::span<const ProbeTransfer* const> probes, const Ligh
   for (std::size_t i = 0; i < modes.vector.size(); i += 3)
     fit.modes.value.emplace_back(modes.vector[i], modes.vector[i + 1], modes.vector[i + 2]);
 
-  if (rows.empty()) {
-    fit.error.push_back({});
+  if (modes.count() == 0) {
+    fit.error.push_back(errorOf(rows, columns, std::vector<double>(rows.size(), 0.0)));
     return fit;
   }
   const auto directions = sh::asRows(modes.vector, columns);

@@ -20,7 +20,6 @@ using det::Number3;
 namespace {
 
 constexpr double kDegree = det::kPi / 180.0;
-constexpr std::size_t kLargestSkyFile = std::size_t{16} << 20;
 
 /// The file's folder, and the inputs read so far.
 struct Reading {
@@ -207,12 +206,14 @@ Input inputOf(const std::string& name, const std::filesystem::path& path, std::s
 }
 
 SkyFile readSkyFile(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  Reading reading{path.parent_path(), {}};
-  const auto bytes = base::readFile(path, kLargestSkyFile);
-  reading.record(path.filename().string(), path, bytes);
-  const toml::table root = base::parseToml(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return skyFileOf(base::readToml(path));
+}
 
+SkyFile skyFileOf(const base::TomlFile& toml) {
+  const std::string file = toml.path.string();
+  const toml::table& root = toml.root;
+  Reading reading{toml.path.parent_path(), {}};
+  reading.record(toml.path.filename().string(), toml.path, toml.bytes);
   SkyFile result;
   base::TomlTable top(file, &root, "");
   model::Sky& sky = result.sky;

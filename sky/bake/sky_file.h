@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sky/bake/bake_settings.h"
+#include "sky/base/toml_file.h"
 #include "sky/model/path_check.h"
 #include "sky/model/sky.h"
 
@@ -32,7 +33,9 @@ struct SkyFile {
   std::vector<model::Warning> warnings;  ///< each message begins with sky.toml's name, without folders, and the line
 };
 
-/// Reads and checks a sky file and the images that it names, relative to it. Throws Error.
+/// Checks a sky file and reads the images that it names, relative to it. Throws Error.
+SkyFile skyFileOf(const base::TomlFile& toml);
+/// The same for a file that is still to be read.
 SkyFile readSkyFile(const std::filesystem::path& path);
 
 }  // namespace welkin::bake

@@ -10,14 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "probes/build/bake_section.h"
-#include "probes/loader/surfaces_of.h"
+#include "probes/build/subject.h"
 #include "probes/placement/placement.h"
 #include "probes/sectors/level_light.h"
 #include "probes/transfer/fixed_point.h"
 #include "probes/transfer/trace_transfer.h"
 #include "rounding.h"
-#include "sky/bake/sky_file.h"
 #include "sky/base/error.h"
 
 namespace welkin::tests {
@@ -154,10 +152,9 @@ class LevelProbes {
 };
 
 void run(const std::filesystem::path& file, std::size_t most) {
-  const level::LevelFile level = level::readLevelFile(file);
-  const model::Sky sky = bake::readSkyFile(level.sky).sky;
-  const geometry::Surfaces surfaces = loader::readSurfaces(level);
-  const LevelProbes probes(surfaces, build::readBakeSection(file), sky.ground_albedo, most);
+  const build::Subject subject = build::readLevel(file);
+  const model::Sky& sky = subject.sky.sky;
+  const LevelProbes probes(subject.level->surfaces, subject.level->section, sky.ground_albedo, most);
   const std::vector<Instant> instants = instantsOf(sky);
   double error = 0.0;
   const Transfers truth = probes.traced(kTruthPaths, error);

@@ -9,10 +9,9 @@
 
 #include "probes/build/level_bake.h"
 #include "probes/build/local_bake.h"
-#include "probes/loader/surfaces_of.h"
+#include "probes/build/subject.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
-#include "sky/bake/sky_file.h"
 #include "sky/base/error.h"
 
 namespace {
@@ -41,11 +40,11 @@ class Clock {
 };
 
 void run(const std::filesystem::path& file) {
-  const level::LevelFile level = level::readLevelFile(file);
-  const bake::SkyFile sky = bake::readSkyFile(level.sky);
-  build::BakeSection section = build::readBakeSection(file);
+  build::Subject subject = build::readLevel(file);
+  const model::Sky& sky = subject.sky.sky;
+  build::BakeSection section = subject.level->section;
   section.transfer.rays = section.transfer.rays.value_or(1024);
-  const build::LevelBake bake(loader::readSurfaces(level), section, sky.sky, std::nullopt);
+  const build::LevelBake bake(std::move(subject.level->surfaces), section, sky, std::nullopt);
   const std::vector<base::Hash128> textures = geometry::textureHashes(bake.surfaces());
   const double reach_m = section.transfer.reach_m;
   Clock clock;
@@ -56,7 +55,7 @@ void run(const std::filesystem::path& file) {
     geometry::NearSurfaces near =
         clock.time(kWithin, [&] { return geometry::surfacesWithin(bake.surfaces(), geometry::columnOf(id, reach_m)); });
     const build::SectorSettings settings{
-        build::sectionOf(id, section, geometry::columnOf(id, reach_m)), 0.0, sky.sky.ground_albedo, {}, {}};
+        build::sectionOf(id, section, geometry::columnOf(id, reach_m)), 0.0, sky.ground_albedo, {}, {}};
     clock.time(kHash, [&] { return build::bakedFrom(id, near, textures, settings); });
     const geometry::Surfaces surfaces =
         clock.time(kWithin, [&] { return geometry::withTexels(std::move(near), bake.surfaces()); });
@@ -68,10 +67,10 @@ void run(const std::filesystem::path& file) {
     transfer.rays = static_cast<std::size_t>(*section.transfer.rays);
     transfer.bounces = section.transfer.bounces;
     transfer.reach_m = reach_m;
-    transfer.ground_albedo = sky.sky.ground_albedo;
+    transfer.ground_albedo = sky.ground_albedo;
     if (section.transfer.sun == transfer::SunTransfer::directional)
       transfer.light_directions =
-          transfer::trackOf([&](double time_h) { return sky.sky.sun.path.directionAt(time_h); }, build::kKnotsADay)
+          transfer::trackOf([&](double time_h) { return sky.sun.path.directionAt(time_h); }, build::kKnotsADay)
               .direction;
     const auto traced = clock.time(kTransfer, [&] { return transfer::TransferTracer(tracer, transfer).trace(placed); });
     for (const transfer::TracedProbe& probe : traced) rays += probe.effort.rays;

@@ -14,6 +14,7 @@
 
 #include "probes/build/local_bake.h"
 #include "probes/geometry/random.h"
+#include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "probes/placement/placement.h"
 #include "probes/reference/reference.h"
@@ -35,7 +36,7 @@ geometry::Surfaces levelOf(int argc, char** argv) {
   level.geometry.emplace_back();
   level.geometry[0].path = argv[4];
   level.geometry[0].transform = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, {}};
-  return loader::readSurfaces(level);
+  return loader::surfacesOf(loader::readScene(level), 1.0);
 }
 
 reference::DistantLight darkness() {

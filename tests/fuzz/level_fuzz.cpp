@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fuzz.h"
+#include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/image/image_module.h"
 
@@ -57,6 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   level::LevelFile level;
   level.geometry.push_back({path, {}, geometry::Role::fixed, {}});
   geometry::Surfaces surfaces;
-  if (fuzz::accepts([&] { surfaces = loader::readSurfaces(level); })) fuzz::requireWhole(surfaces);
+  if (fuzz::accepts([&] { surfaces = loader::surfacesOf(loader::readScene(level), 1.0); }))
+    fuzz::requireWhole(surfaces);
   return 0;
 }

@@ -22,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 build::BakeSection sectionOf(const std::string& text) {
   const Folder folder;
-  return build::readBakeSection(folder.write("level.toml", text));
+  return build::bakeSectionOf(base::readToml(folder.write("level.toml", text)));
 }
 
 void checkRefused(const std::string& text, const std::string& says) {

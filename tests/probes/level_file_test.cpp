@@ -16,7 +16,7 @@ void checkRefused(const std::string& text, base::ExitStatus status, const std::s
   const std::string path = folder.write("level.toml", text);
   INFO(text);
   try {
-    level::readLevelFile(path);
+    level::levelFileOf(base::readToml(path));
     FAIL("it was read");
   } catch (const base::Error& e) {
     CHECK(e.status() == status);
@@ -93,7 +93,7 @@ TEST_CASE("LevelFile, MessagesNameTheKeyAndWhatIsAllowed") {
 TEST_CASE("LevelFile, MissingIsARefusalOfTheSystem") {
   const Folder folder;
   try {
-    level::readLevelFile(folder / "level.toml");
+    level::levelFileOf(base::readToml(folder / "level.toml"));
     FAIL("it was read");
   } catch (const base::Error& e) {
     CHECK(e.status() == base::ExitStatus::file);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "probes/geometry/tracer.h"
+#include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/base/error.h"
 #include "tests/folder.h"
@@ -40,9 +41,9 @@ inline level::LevelFile levelOf(const Folder& folder, const Files& files) {
   return level;
 }
 
-inline geometry::Surfaces surfacesOf(const Files& files) {
+inline geometry::Surfaces surfacesOf(const Files& files, double luminance_unit = 1.0) {
   const Folder folder;
-  return loader::readSurfaces(levelOf(folder, files));
+  return loader::surfacesOf(loader::readScene(levelOf(folder, files)), luminance_unit);
 }
 
 inline void checkSurfacesRefused(const Files& files, const std::vector<std::string>& says,

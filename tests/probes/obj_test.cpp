@@ -42,7 +42,7 @@ TEST_CASE("Obj, ObjectsAndMaterialsDivideTheFaces") {
       folder, {{"a.obj", text}, {"a.mtl", "newmtl paint\nKd 0.1 0.2 0.3\nKe 4 0 0\nillum 2\nnewmtl leaf\nKd 0.25\n"}});
   level.geometry[0].vegetation_nodes = {"palm*"};
   level.geometry[0].transform = geometry::fromEuler({10, 0, 0}, Number3(0.0), Number3(0.125));
-  const geometry::Surfaces s = loader::readSurfaces(level);
+  const geometry::Surfaces s = loader::surfacesOf(loader::readScene(level), 1.0);
   CHECK(s.triangle.size() == 6);
   REQUIRE(s.object.size() == 3);
   CHECK(s.object[0].name == "ground");
@@ -131,7 +131,7 @@ TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
     const Folder folder;
     level::LevelFile level = levelOf(folder, files);
     level.geometry[0].albedo = {0.1, 0.2, 0.3};
-    const geometry::Surfaces s = loader::readSurfaces(level);
+    const geometry::Surfaces s = loader::surfacesOf(loader::readScene(level), 1.0);
     INFO(warning);
     CHECK(warns(s, warning));
     const geometry::Tracer tracer(s);

@@ -9,6 +9,7 @@
 
 #include "probes/geometry/directions.h"
 #include "probes/geometry/random.h"
+#include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "probes/placement/column.h"
 #include "probes/placement/grid_cells.h"
@@ -28,7 +29,7 @@ geometry::Surfaces readLevel(const std::string& path, double scale) {
   entry.transform = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, {}};
   level::LevelFile level;
   level.geometry = {entry};
-  return loader::readSurfaces(level);
+  return loader::surfacesOf(loader::readScene(level), 1.0);
 }
 
 /// Whether the share of backs among random directions is high, beyond a margin for the fixed directions.

@@ -19,7 +19,7 @@ std::optional<geometry::Surfaces> read(const std::string& file, double scale = 1
                             geometry::fromEuler(Number3(0.0), Number3(0.0), Number3(scale)),
                             geometry::Role::fixed,
                             {}});
-  return loader::readSurfaces(level);
+  return loader::surfacesOf(loader::readScene(level), 1.0);
 }
 
 void checkBounds(const geometry::Surfaces& s, const Number3& low, const Number3& high) {

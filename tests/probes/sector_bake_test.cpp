@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a baked level's sectors can be read, whatever the level.
+// The files of a baked level's sectors can be read, whatever the level, and have the bytes that were planned.
 #include <catch2/catch.hpp>
 
 #include "probes/build/level_bake.h"
@@ -68,6 +68,43 @@ TEST_CASE("SectorBake, ProbesWithoutGroundBelowTheLinesCanBeRead") {
     const auto sectors = bakedOf(s, settings);
     REQUIRE(sectors.size() == 1);
     for (const std::uint8_t probe : sectors[0].top) CHECK(probe == 0);
+  }
+}
+
+TEST_CASE("SectorBake, HasTheBytesThatWerePlanned") {
+  constexpr std::size_t kZeros = 128;  // FlatBuffers stores no field that is 0: counts and errors
+  geometry::Surfaces surfaces = groundOf(Number3(0.5), 60.0);
+  for (const double x : {-40.0, 12.0})  // coloured blocks, so that the sun has ten modes and more
+    for (const double z : {-35.0, 22.0})
+      addBoxOutside(surfaces, {x, 0, z}, {x + 9, 7, z + 5}, addMaterial(surfaces, Number3(0.8, 0.3, 0.1)));
+  model::Sky sky = clearSky(1.0, 0.7);
+  sky.sun.path = model::sunPathFromPlace(43.5, 145.0, 9.0, 2026, 172);
+  build::BakeSection section;
+  section.transfer.rays = 64;
+  SECTION("the sun in modes") {}
+  SECTION("sun and moon in modes") {
+    sky.moon = sky.sun;
+  }
+  SECTION("a sun without modes") {
+    section.transfer.sun = transfer::SunTransfer::sh;
+  }
+  bool emits = false;
+  SECTION("light from a surface, and a room") {
+    emits = true;
+    addQuad(surfaces, {10, 3, 10}, {1, 0, 0}, {0, 0, 1}, addMaterial(surfaces, Number3(0.5), true, Number3(2.0)));
+    section.probes.room = {{{5, -1, 5}, {20, 4, 20}}};
+  }
+  const build::LevelBake level(surfaces, section, sky, std::nullopt);
+  REQUIRE(level.sectors().size() == 4);
+  for (const geometry::SectorId id : level.sectors()) {
+    const build::SectorPlan plan = level.plan(id);
+    const sectors::SectorFile baked = level.bake(id, {});
+    const std::size_t bytes = sectors::encodeSector(baked).size();
+    INFO(plan.probes << " probes, " << plan.bytes << " bytes planned, " << bytes << " baked");
+    CHECK(plan.probes == baked.probes.probes());
+    const bool dark = emits && baked.probes.emitted.empty();  // a plan does not trace whether the lamp reaches a probe
+    CHECK(plan.bytes <= bytes + (dark ? 14 * plan.probes + 16 : 0));
+    CHECK(plan.bytes + kZeros >= bytes);
   }
 }
 

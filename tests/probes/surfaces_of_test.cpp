@@ -32,7 +32,7 @@ TEST_CASE("SurfacesOf, NodesStandWhereTheirParentsAndTheEntryPutThem") {
   const Folder folder;
   level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
   level.geometry[0].transform = geometry::fromEuler({100, 0, 0}, {0, f64::kPi / 2, 0}, Number3(2.0));
-  const geometry::Surfaces s = loader::readSurfaces(level);
+  const geometry::Surfaces s = loader::surfacesOf(loader::readScene(level), 1.0);
   REQUIRE(s.triangle.size() == 2);
   // The node turns x to y, three times as long, and y to -x. The entry turns x to -z and z to x, twice as large, and
   // moves 100 m east.
@@ -57,7 +57,7 @@ TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
   const Folder folder;
   level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
   level.geometry[0].vegetation_nodes = {"palm*", "plam*"};
-  const geometry::Surfaces s = loader::readSurfaces(level);
+  const geometry::Surfaces s = loader::surfacesOf(loader::readScene(level), 1.0);
   CHECK(s.triangle.size() == 2);
   CHECK(warns(s, "object \"floor\" and 1 more are left out"));
   CHECK(warns(s, "a.gltf: vegetation_nodes: \"plam*\" fits no node or object"));
@@ -127,6 +127,7 @@ TEST_CASE("SurfacesOf, MaterialsKeepEmissionSidesAndAlpha") {
   CHECK(s.material[0].double_sided);
   CHECK_FALSE(s.material[1].double_sided);
   checkNear(s.material[1].emission, {4, 2, 0}, 0);
+  checkNear(surfacesOf({{"a.gltf", gltf.text()}}, 4.0).material[1].emission, {1, 0.5, 0}, 0);  // scene units
   checkNear(s.material[1].albedo, {0.1, 0.2, 0.3}, 0);
   CHECK(warns(s, "\"pane\": alphaMode BLEND"));
   const geometry::Tracer tracer(s);
@@ -171,6 +172,7 @@ TEST_CASE("SurfacesOf, PointLightsAreReadAndOthersReported") {
   REQUIRE(s.light.size() == 1);
   checkNear(s.light[0].position, {2, 4, 6}, 0);
   checkNear(s.light[0].intensity, {10, 5, 0}, 0);
+  checkNear(surfacesOf({{"a.gltf", gltf.text()}}, 4.0).light.at(0).intensity, {2.5, 1.25, 0}, 0);  // scene units
   REQUIRE(s.spot.size() == 1);
   checkNear(s.spot[0], {6, 0, 0}, 0);
   CHECK(warns(s, "a.gltf: 1 directional lights"));
@@ -194,7 +196,7 @@ TEST_CASE("SurfacesOf, AFileThatManyEntriesPlaceIsReadOnce") {
   const level::Scene scene = loader::readScene(level);
   CHECK(scene.vertices.size() == 36);
   CHECK(scene.files == std::vector<std::filesystem::path>{level.geometry[0].path});
-  const geometry::Surfaces s = loader::surfacesOf(scene);
+  const geometry::Surfaces s = loader::surfacesOf(scene, 1.0);
   REQUIRE(s.triangle.size() == 24);
   CHECK(s.object[s.triangle[23].object].role == geometry::Role::vegetation);
   checkNear(s.material[s.triangle[0].material].albedo, Number3(0.5), 0);

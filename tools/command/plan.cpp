@@ -42,17 +42,17 @@ void printSectors(const nlohmann::ordered_json& sectors) {
 }
 
 /// Placement and grid from above, and in section through the middle of the sector with the most probes.
-void drawPictures(const std::optional<build::LevelInput>& level, const std::filesystem::path& folder,
+void drawPictures(const std::optional<build::LevelBake>& level, const std::filesystem::path& folder,
                   const base::Progress& progress) {
   if (!level) throw base::Error(base::ExitStatus::usage, "--pictures: needs a level.toml: a sky has no probes");
   std::vector<geometry::PlacedSector> placed;
-  for (const geometry::SectorId sector : level->bake.sectors()) {
+  for (const geometry::SectorId sector : level->sectors()) {
     progress.check();
-    placed.push_back(level->bake.place(sector, progress));
+    placed.push_back(level->place(sector, progress));
   }
   const auto most = std::max_element(placed.begin(), placed.end(),
                                      [](const auto& a, const auto& b) { return a.probe.size() < b.probe.size(); });
-  const geometry::Tracer tracer(level->bake.surfaces());
+  const geometry::Tracer tracer(level->surfaces());
   base::makeFolder(folder);
   base::writeFile(folder / "placement.png", picture::drawFromAbove(tracer, placed));
   if (most != placed.end())
@@ -110,7 +110,7 @@ void plan(const Options& options) {
     fmt::print("{}", build::reportText(json));
     return;
   }
-  printSky(json, read.subject.sky);
+  printSky(json, read.sky);
   if (read.level) printSectors(json["sectors"]);
 }
 

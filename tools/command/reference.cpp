@@ -11,9 +11,7 @@
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/shared_options.h"
-#include "probes/build/bake_section.h"
-#include "probes/loader/surfaces_of.h"
-#include "sky/bake/sky_file.h"
+#include "probes/build/subject.h"
 #include "sky/base/error.h"
 
 namespace welkin::command {
@@ -55,20 +53,16 @@ void reference(const Options& options) {
   std::vector<reference::LocalLight> lights;
   for (const std::string& light : options.lights) lights.push_back(parseLight(light));
   const auto limit = options.threads.limit();
-  const level::LevelFile level = level::readLevelFile(options.file);
-  const bake::SkyFile sky = bake::readSkyFile(level.sky);
-  geometry::Surfaces surfaces = loader::readSurfaces(level);
-  for (geometry::Material& material : surfaces.material)  // a file's cd/m2 in scene units
-    material.emission = material.emission / sky.sky.luminance_unit;
-  const geometry::Tracer tracer(surfaces);
-  const int bounces = options.bounces ? *options.bounces : build::readBakeSection(options.file).transfer.bounces;
+  const build::Subject subject = build::readLevel(options.file);
+  const geometry::Tracer tracer(subject.level->surfaces);
+  const int bounces = options.bounces.value_or(subject.level->section.transfer.bounces);
   const reference::ReferenceSettings settings{options.samples, bounces, options.seed};
   reference::ReferenceIrradiance result;
   {
     ProgressReport shown(options.progress.style());
     result =
-        reference::traceReference(tracer, reference::DistantLight(sky.sky, time_h), lights, position, normal, settings,
-                                  shown.progress().stage("paths", reference::referenceBatches(settings)));
+        reference::traceReference(tracer, reference::DistantLight(subject.sky.sky, time_h), lights, position, normal,
+                                  settings, shown.progress().stage("paths", reference::referenceBatches(settings)));
   }
   const auto json = [](const f64::Number3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
   if (options.json) {

@@ -19,8 +19,8 @@ namespace welkin::command {
 namespace {
 
 /// A level as the passes draw it: its textures as their mean colours.
-level::Scene sceneOf(const std::string& level) {
-  level::Scene scene = loader::readScene(level::readLevelFile(level));
+level::Scene sceneOf(const base::TomlFile& level) {
+  level::Scene scene = loader::readScene(level::levelFileOf(level));
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   loader::useMeanColours(scene);
   return scene;
@@ -33,9 +33,10 @@ void runRender(const RenderOptions& options) {
     throw base::Error(base::ExitStatus::content,
                       "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
-  const level::Scene scene = level ? sceneOf(options.level) : level::Scene{};
+  const base::TomlFile file = level ? base::readToml(options.level) : base::TomlFile{};
+  const level::Scene scene = level ? sceneOf(file) : level::Scene{};
   std::optional<render::LevelProbes> probes;
-  if (!options.probes.empty()) probes.emplace(options.level, options.probes);
+  if (!options.probes.empty()) probes.emplace(file, options.probes);
   render::VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
   const render::Picture picture =

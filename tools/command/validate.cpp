@@ -10,10 +10,8 @@
 #include "command/certificate_text.h"
 #include "command/commands.h"
 #include "command/welkin_file.h"
-#include "probes/build/bake_section.h"
 #include "probes/build/level_files.h"
 #include "probes/build/subject.h"
-#include "probes/loader/surfaces_of.h"
 #include "probes/sectors/sector_file.h"
 #include "sky/bake/warnings.h"
 #include "sky/base/atomic_file.h"
@@ -28,11 +26,9 @@ void validateFile(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") {
     const build::Subject subject = build::readSubject(path);
     Json warnings = bake::warningsJson(subject.sky);
-    if (subject.level) {
-      build::readBakeSection(*subject.level);
-      for (const std::string& warning : loader::readSurfaces(level::readLevelFile(*subject.level)).warning)
+    if (subject.level)
+      for (const std::string& warning : subject.level->surfaces.warning)
         warnings.push_back({{"id", "geometry"}, {"message", warning}});
-    }
     return printWarnings(warnings);
   }
   const Holds holds = whatHolds(path);

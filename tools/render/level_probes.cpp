@@ -41,8 +41,8 @@ std::map<SectorId, fs::path> sectorPaths(const fs::path& folder) {
 
 }  // namespace
 
-LevelProbes::LevelProbes(const fs::path& level, const fs::path& folder)
-    : sky_(bake::readSkyFile(level::readLevelFile(level).sky).sky), scale_(build::readBakeSection(level).scale) {
+LevelProbes::LevelProbes(const base::TomlFile& level, const fs::path& folder)
+    : sky_(bake::readSkyFile(level::levelFileOf(level).sky).sky), scale_(build::bakeSectionOf(level).scale) {
   constexpr std::size_t kLargestSector = std::size_t{16} << 20;
   for (const auto& [id, path] : sectorPaths(folder / "sectors")) {
     sectors_.push_back(sectors::decodeSector(base::readFile(path, kLargestSector), path.string()));

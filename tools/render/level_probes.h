@@ -7,6 +7,7 @@
 
 #include "probes/sectors/level_light.h"
 #include "render/probe_sphere.h"
+#include "sky/base/toml_file.h"
 
 namespace welkin::render {
 
@@ -15,7 +16,7 @@ class LevelProbes {
   /// Reads the level's sky and [scale], and every sector_X_Z.welkin in DIR/sectors, in the order of the sectors. Throws
   /// Error(file) when the folder or a file cannot be read, or there is no sector. Throws Error(content) when a sector
   /// is damaged or does not match its name.
-  LevelProbes(const std::filesystem::path& level, const std::filesystem::path& folder);
+  LevelProbes(const base::TomlFile& level, const std::filesystem::path& folder);
 
   /// The probes at a finite time in hours, lit by sky, bounced sun and moon, and emission, with the level's [scale].
   std::vector<ProbeSphere> at(double time_h) const;

@@ -12,13 +12,12 @@
 #include <filesystem>
 
 #include "probes/build/level_bake.h"
+#include "probes/build/subject.h"
 #include "probes/geometry/directions.h"
 #include "probes/geometry/random.h"
-#include "probes/loader/surfaces_of.h"
 #include "probes/placement/validity.h"
 #include "probes/reference/reference.h"
 #include "probes/sectors/level_light.h"
-#include "sky/bake/sky_file.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/model/projection.h"
@@ -153,11 +152,10 @@ void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build:
 
 void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t count,
          std::size_t samples) {
-  const level::LevelFile level = level::readLevelFile(file);
-  const bake::SkyFile sky = bake::readSkyFile(level.sky);
-  const build::BakeSection section = build::readBakeSection(file);
-  geometry::Surfaces surfaces = loader::readSurfaces(level);
-  for (geometry::Material& material : surfaces.material) material.emission = material.emission / sky.sky.luminance_unit;
+  const build::Subject subject = build::readLevel(file);
+  const model::Sky& sky = subject.sky.sky;
+  const build::BakeSection& section = subject.level->section;
+  const geometry::Surfaces& surfaces = subject.level->surfaces;
   const geometry::Tracer tracer(surfaces);
   std::vector<sectors::SectorFile> sectors;
   std::size_t bytes = 0;
@@ -169,13 +167,13 @@ void run(const std::filesystem::path& file, const std::filesystem::path& folder,
     probes += sectors.back().probes.probes();
   }
   std::size_t without = 0;
-  const auto points = pointsOn(surfaces, tracer, sectors::LevelLight(sectors, sky.sky, 12.0), count, without);
+  const auto points = pointsOn(surfaces, tracer, sectors::LevelLight(sectors, sky, 12.0), count, without);
   fmt::print("{} sectors, {} probes, {} bytes; {} points, {} more had no probe\n", sectors.size(), probes, bytes,
              points.size(), without);
   fmt::print("rms, bias and worst in % of the open sky's horizontal irradiance\non surfaces:\n");
-  compare(tracer, sky.sky, section, sectors, points, samples);
+  compare(tracer, sky, section, sectors, points, samples);
   fmt::print("at the probes, any normal:\n");
-  compare(tracer, sky.sky, section, sectors, pointsAtProbes(sectors, count), samples);
+  compare(tracer, sky, section, sectors, pointsAtProbes(sectors, count), samples);
 }
 
 }  // namespace
