@@ -5,10 +5,10 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "placed.h"
 #include "probes/build/level_bake.h"
 #include "probes/transfer/local_transfer.h"
 #include "sky/base/error.h"
+#include "tests/probes/placement/placed.h"
 
 namespace welkin::tests {
 namespace {

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/geometry/directions.h"
 #include "skies.h"
 #include "sky/base/error.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

@@ -2,10 +2,10 @@
 // The reference under local lights.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/geometry/directions.h"
 #include "probes/reference/light_path.h"
 #include "skies.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

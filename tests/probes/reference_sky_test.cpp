@@ -2,11 +2,11 @@
 // The reference against closed forms of the sky, the sun and the ground beyond the level.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/geometry/directions.h"
 #include "probes/transfer/transfer_basis.h"
 #include "skies.h"
 #include "sky/model/projection.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 #include "tests/sky/some_skies.h"
 
 namespace welkin::tests {

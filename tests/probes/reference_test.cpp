@@ -2,10 +2,10 @@
 // The reference in closed levels, and its invariance to light and place.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/geometry/directions.h"
 #include "probes/geometry/random.h"
 #include "skies.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

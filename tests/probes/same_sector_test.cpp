@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "closed_forms.h"
 #include "probes/build/level_bake.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 namespace {

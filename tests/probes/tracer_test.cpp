@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "closed_forms.h"
 #include "probes/geometry/directions.h"
 #include "probes/geometry/random.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

@@ -176,7 +176,7 @@ TEST_CASE("LevelView, MistTakesAndGivesBack", "[vulkan]") {
     Number3 level(p.ray.x, 0.0, p.ray.z);
     level = level / std::sqrt(dot(level, level)) + Number3(0.0, 1e-3, 0.0);
     const Number3 horizon = domeRadiance(stage.sky, stage.view->sample(), level / std::sqrt(dot(level, level)));
-    compare(worst, image, p, mix(horizon, ground, f64::transmittance(0.02, distance_m)));
+    compare(worst, image, p, mix(horizon, ground, shaders::transmittance(0.02, distance_m)));
   });
   WARN("worst " << worst.error << " at " << worst.where << " of " << worst.count);
   CHECK(worst.count > 3000);

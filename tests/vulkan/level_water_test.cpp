@@ -28,7 +28,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
     const FloatImage image = stage.view->draw(160, 120, camera, position);
     const Number3 irradiance =
         skyIrradiance(stage.sky, sample, {0.0, 1.0, 0.0}) + vectorOf(sample.sun.normal_irradiance) * sun.y;
-    const Number3 body = f64::kWaterAlbedo / f64::kPi * irradiance;
+    const Number3 body = shaders::kWaterAlbedo / f64::kPi * irradiance;
     // The sun's irradiance of the box's south face.
     const double on_face = std::max(sun.z, 0.0);
     const Number3 face =
@@ -40,7 +40,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
       if (p.ray.y > -0.02 || meets(position, p.ray, low - Number3(0.1), high + Number3(0.1))) return;
       const Number3 at = position + p.ray * ((position.y - kSea) / -p.ray.y);
       const Number3 mirrored(p.ray.x, -p.ray.y, p.ray.z);
-      const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
+      const double fresnel = shaders::schlick(shaders::kWaterReflectance, -p.ray.y);
       if (meets(at, sun, low - Number3(0.3), high + Number3(0.3))) return;  // near its shadow
       const bool near = meets(at, mirrored, low - Number3(0.3), high + Number3(0.3));
       // The ray meets the middle of the box's south face, because the reflection has half the picture's resolution.
@@ -82,7 +82,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheCubemaps", "[vulkan]") {
   double largest = 0.0;
   forEachPixel(formulas, camera, [&](const Pixel& p) {
     if (p.ray.y > -0.05) return;
-    const double fresnel = f64::schlick(f64::kWaterReflectance, -p.ray.y);
+    const double fresnel = shaders::schlick(shaders::kWaterReflectance, -p.ray.y);
     for (int c = 0; c < 3; ++c) {
       const auto change = [&](uint32_t y) {
         return double{cubemaps.pixel(p.x, y)[c]} - double{formulas.pixel(p.x, y)[c]};

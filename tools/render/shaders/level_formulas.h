@@ -7,9 +7,10 @@
 #define INLINE inline
 #define CONSTANT inline constexpr
 #define NUMBER(literal) Number(literal)
-namespace welkin::f64 {
+namespace welkin::shaders {
+using namespace f64;
 #include "render/shaders/level_formulas.glsl"  // NOLINT(bugprone-suspicious-include)
-}  // namespace welkin::f64
+}  // namespace welkin::shaders
 #undef NUMBER
 #undef CONSTANT
 #undef INLINE

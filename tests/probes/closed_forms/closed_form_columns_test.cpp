@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "closed_forms.h"
-#include "sky_polygon.h"
+#include "tests/probes/sky_polygon.h"
 
 namespace welkin::tests {
 namespace {

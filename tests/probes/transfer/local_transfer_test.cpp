@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "closed_forms.h"
 #include "local_helpers.h"
 #include "probes/geometry/directions.h"
-#include "skies.h"
+#include "tests/probes/closed_forms/closed_forms.h"
+#include "tests/probes/skies.h"
 
 namespace welkin::tests {
 

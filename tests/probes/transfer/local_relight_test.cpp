@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "closed_forms.h"
 #include "probes/transfer/local_paths.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

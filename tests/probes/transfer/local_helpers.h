@@ -3,7 +3,7 @@
 #pragma once
 
 #include "probes/transfer/local_transfer.h"
-#include "rooms.h"
+#include "tests/probes/rooms.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "probes/placement/lattice.h"
-#include "rooms.h"
+#include "tests/probes/rooms.h"
 
 namespace welkin::tests {
 namespace {

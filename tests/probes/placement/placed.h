@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "probes/placement/placement.h"
-#include "rooms.h"
+#include "tests/probes/rooms.h"
 
 namespace welkin::tests {
 

@@ -3,8 +3,8 @@
 // and backs are black.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/transfer/trace_transfer.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {

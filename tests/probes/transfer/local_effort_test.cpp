@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "closed_forms.h"
 #include "local_helpers.h"
 #include "probes/geometry/directions.h"
 #include "probes/transfer/sums.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 
 namespace welkin::tests {
 

@@ -11,12 +11,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "closed_forms.h"
 #include "local_helpers.h"
 #include "probes/transfer/local_relight.h"
 #include "probes/transfer/trace_transfer.h"
-#include "same_bits.h"
 #include "sky/base/error.h"
+#include "tests/probes/closed_forms/closed_forms.h"
+#include "tests/probes/same_bits.h"
 
 namespace welkin::tests {
 

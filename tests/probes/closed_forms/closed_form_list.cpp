@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "closed_forms.h"
-#include "skies.h"
-#include "sky_polygon.h"
+#include "tests/probes/skies.h"
+#include "tests/probes/sky_polygon.h"
 
 namespace welkin::tests {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
-#include "same_bits.h"
 #include "sky/base/error.h"
+#include "tests/probes/closed_forms/closed_forms.h"
+#include "tests/probes/same_bits.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {

@@ -3,9 +3,9 @@
 // from four directions.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/transfer/encoding.h"
 #include "probes/transfer/relight.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {

@@ -8,7 +8,7 @@
 #include "probes/placement/placement.h"
 #include "probes/placement/validity.h"
 #include "probes/sectors/occlusion_tile.h"
-#include "rooms.h"
+#include "tests/probes/rooms.h"
 
 namespace welkin::tests {
 

@@ -2,9 +2,9 @@
 // The transfer compared with the plain path tracer where no closed form is known.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/transfer/relight.h"
-#include "skies.h"
+#include "tests/probes/closed_forms/closed_forms.h"
+#include "tests/probes/skies.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {

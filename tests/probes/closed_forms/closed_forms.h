@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "rooms.h"
 #include "sh/deterministic.h"
+#include "tests/probes/rooms.h"
 
 namespace welkin::tests {
 

@@ -2,10 +2,10 @@
 // A probe sees the level within its own reach. Neither the level beyond nor the probe's sector changes it.
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
 #include "probes/geometry/reach.h"
-#include "same_bits.h"
-#include "transfer_helpers.h"
+#include "tests/probes/closed_forms/closed_forms.h"
+#include "tests/probes/same_bits.h"
+#include "tests/probes/transfer/transfer_helpers.h"
 
 namespace welkin::tests {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "rooms.h"
 #include "sh/deterministic.h"
+#include "tests/probes/rooms.h"
 
 namespace welkin::tests {
 

@@ -30,7 +30,7 @@ constexpr const char* kLevel = "[level]\nsky = \"sky.toml\"\n";
 
 TEST_CASE("LevelFile, GivesGeometryAndLeavesTheBakesTablesAlone") {
   const Folder folder;
-  const level::LevelFile file = level::readLevelFile(folder.write("a/level.toml", std::string(kLevel) + R"(
+  const level::LevelFile file = level::levelFileOf(base::readToml(folder.write("a/level.toml", std::string(kLevel) + R"(
 [[geometry]]
 file = "terrain.gltf"
 translation = [1, 2, 3]
@@ -49,7 +49,7 @@ what_a_later_version_has = 1
 rays = "auto"
 [scale]
 sky = 1.0
-)"));
+)")));
   CHECK(file.sky == folder.path() / "a" / "sky.toml");
   REQUIRE(file.geometry.size() == 2);
   const level::GeometryEntry& g = file.geometry[0];

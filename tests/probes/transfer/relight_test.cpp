@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "closed_forms.h"
+#include "tests/probes/closed_forms/closed_forms.h"
 #include "transfer_helpers.h"
 
 namespace welkin::tests {
