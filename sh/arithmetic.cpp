@@ -6,7 +6,7 @@
 namespace welkin::sh {
 
 const char* whyArithmeticDiffers() {
-  // volatile: computed here and now, not by the compiler. std::fegetround would tell of the x87 on x86-64.
+  // volatile: the processor computes this here, not the compiler. On x86-64 std::fegetround reports the x87's mode.
   volatile double one = 1.0;
   volatile double most_of_ulp = 0.75 * std::numeric_limits<double>::epsilon();
   volatile double little_of_ulp = 0.25 * std::numeric_limits<double>::epsilon();

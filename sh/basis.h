@@ -10,7 +10,7 @@
 
 namespace welkin::sh {
 
-/// Number of coefficients of `bands` bands: their square.
+/// Number of coefficients of `bands` bands: bands^2.
 constexpr int coefficientCount(int bands) {
   return bands * bands;
 }
@@ -20,9 +20,9 @@ constexpr int indexOf(int l, int m) {
   return l * (l + 1) + m;
 }
 
-/// The factors N_lm of the basis in spherical coordinates, Y_lm = N_lm cos(m phi) for m >= 0 and N_l|m| sin(|m| phi)
-/// for m < 0: N_mm = diagonal(m) c^m, N_lm = climb(l, m) s N_l-1,m - fall(l, m) N_l-2,m, at polar cosine s and its sine
-/// c. Normalised recurrence in l (Holmes and Featherstone 2002, eq. 11): stable to hundreds of bands.
+/// The factors N_lm of the basis in spherical coordinates: Y_lm = N_lm cos(m phi) for m >= 0, N_l|m| sin(|m| phi) for
+/// m < 0. At polar cosine s and its sine c, N_mm = diagonal(m) c^m and N_lm = climb(l, m) s N_l-1,m - fall(l, m)
+/// N_l-2,m. This normalised recurrence in l (Holmes and Featherstone 2002, eq. 11) is stable to hundreds of bands.
 class LatitudeRecurrence {
  public:
   explicit LatitudeRecurrence(int bands);
@@ -32,8 +32,8 @@ class LatitudeRecurrence {
   double climb(int l, int m) const { return step_[static_cast<std::size_t>(indexOf(l, m))].climb; }
   double fall(int l, int m) const { return step_[static_cast<std::size_t>(indexOf(l, m))].fall; }
 
-  /// All factors at polar cosine `s` = sin(elevation) and its sine `c` = cos(elevation) >= 0: out[indexOf(l, m)], set
-  /// for m >= 0 only; `out` holds coefficientCount(bands) values.
+  /// Computes all factors at polar cosine `s` = sin(elevation) and its sine `c` = cos(elevation) >= 0. Sets
+  /// out[indexOf(l, m)] for m >= 0 only; `out` holds coefficientCount(bands) values.
   void evaluate(double s, double c, std::span<double> out) const;
 
  private:

@@ -9,8 +9,8 @@
 namespace welkin::sh {
 namespace {
 
-/// Nodes a cell and axis that integrate basis times solid angle to 1e-10 of c0: the integrand's poles are at
-/// +-i sqrt(1 + t^2), so that the error of n nodes on cells of width h falls as (h / 4)^(2 n).
+/// Nodes per cell and axis that integrate basis times solid angle to 1e-10 of c0. The integrand has its poles at
+/// +-i sqrt(1 + t^2), so the error of n nodes on cells of width h falls as (h / 4)^(2 n).
 int nodesOf(int size) {
   return size >= 256 ? 2 : size >= 64 ? 3 : size >= 16 ? 6 : size >= 6 ? 12 : 40;
 }
@@ -18,7 +18,7 @@ int nodesOf(int size) {
 }  // namespace
 
 Parity parityOf(int m) {
-  // (x + i y)^|m|: the real part goes with m >= 0, the imaginary one with m < 0.
+  // Parts of (x + i y)^|m|: m >= 0 uses the real part, m < 0 the imaginary part.
   const bool odd = m % 2 != 0;
   return m >= 0 ? Parity{odd, false} : Parity{!odd, true};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integrals of the basis over the texels of a cube's face, in the face's own frame: x to the right, y down, z its
+// Integrals of the basis over the texels of a cube's face, in the face's own frame: x to the right, y down, z along the
 // normal.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace welkin::sh {
 
-/// Whether a basis function of the face's frame changes sign with x, and with y.
+/// Whether a basis function of the face's frame is odd in x, and whether it is odd in y.
 struct Parity {
   bool odd_x;
   bool odd_y;
@@ -22,10 +22,10 @@ class CubeWeights {
  public:
   CubeWeights(int size, TexelRule rule, int bands);
 
-  /// Texels in the left half of a row, the middle one of an odd size included.
+  /// Number of texels in the left half of a row, including the middle texel of an odd size.
   int half() const { return half_; }
-  /// The weights of the left half of row `row` < half(): out[indexOf(l, m) * stride + column], stride >= half().
-  /// Columns from half() on are set to 0. The other three quarters of the face follow by parityOf.
+  /// Writes the weights of the left half of row `row` < half() to out[indexOf(l, m) * stride + column], stride >=
+  /// half(). Columns from half() on are set to 0. The other three quarters of the face follow by parityOf.
   void rowWeights(int row, std::size_t stride, std::span<double> out) const;
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared formulas in double with the same bits on every x86-64 machine: welkin::det is what baked files are made
-// with. The C++ library picks its functions by processor; SLEEF's "cinz" functions are bit-identical everywhere
-// (Shibata and Petrogalli, "SLEEF: A Portable Vectorized Library of C Standard Mathematical Functions", 2020), within
-// 1 ulp. The rest is IEEE arithmetic, which -ffp-contract=off keeps unfused. What else that takes of the compiler is
-// asserted here, of the running process in sh/arithmetic.h.
+// The shared formulas in double with the same bits on every x86-64 machine. Bakes use them: namespace welkin::det.
+// The C++ library picks its functions by processor; SLEEF's "cinz" functions are bit-identical everywhere (Shibata and
+// Petrogalli, "SLEEF: A Portable Vectorized Library of C Standard Mathematical Functions", 2020), within 1 ulp. The
+// rest is IEEE arithmetic, which -ffp-contract=off keeps unfused. This file asserts the other demands on the compiler;
+// sh/arithmetic.h checks the running process.
 #pragma once
 
 #include <emmintrin.h>
@@ -60,7 +60,7 @@ inline Number atan(Number y, Number x) {
 }
 #include "formulas.glsl"  // NOLINT(bugprone-suspicious-include)
 
-/// Two numbers side by side; + - * / act on both, and give the bits that each alone would give.
+/// Two numbers side by side. + - * / act on both, and give the same bits as they do on each number alone.
 using Number2 = __m128d;
 inline Number2 sqrt(Number2 x) {
   return _mm_sqrt_pd(x);

@@ -15,11 +15,11 @@ namespace welkin::sh {
 namespace {
 
 using det::Number3;
-using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;  // what every x86-64 adds in one instruction
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;  // every x86-64 adds this in one instruction
 
 constexpr int kRowsAtOnce = 8;
 
-/// Sums of weight x three channels over `pairs` pairs.
+/// Sum of weight x value over `pairs` pairs, for each of three channels.
 Number3 weightedSum(const double* weight, const double* const (&channel)[3], std::size_t pairs) {
   const auto at = [](const double* p, std::size_t i) {
     Pair pair;
@@ -34,7 +34,7 @@ Number3 weightedSum(const double* weight, const double* const (&channel)[3], std
   return {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
 }
 
-/// The four corners of a face that mirror each other, as their sums and differences: what multiplies the weights that
+/// The four quarters of a face that mirror each other, as their sums and differences. These multiply the weights that
 /// are even or odd in x and in y.
 class FoldedRow {
  public:
@@ -70,7 +70,7 @@ class FoldedRow {
       even[i] = *from + *mirrored;
       odd[i] = *from - *mirrored;
     }
-    if (size % 2 == 1) even[pairs] = odd[pairs] = *from;  // nor has its middle column
+    if (size % 2 == 1) even[pairs] = odd[pairs] = *from;  // the middle column has no mirror image either
   }
 
   std::size_t pairs_;
@@ -96,7 +96,7 @@ std::vector<Number3> projectCube(std::span<const CubeFace, 6> faces, int size, T
     };
     for (int row = first; row < last; ++row) weights.rowWeights(row, pairs * 2, weightsOf(row));
     FoldedRow folded(pairs);
-    for (std::size_t f = 0; f < 6; ++f) {  // a face's rows one after another: memory is read in order
+    for (std::size_t f = 0; f < 6; ++f) {  // one face at a time: memory is read in order
       Number3* const sum = partial.data() + (static_cast<std::size_t>(block) * 6 + f) * count;
       for (int row = first; row < last; ++row) {
         folded.fold(faces[f], size, row);

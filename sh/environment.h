@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Projection of pictures of the whole sphere, cubemaps and latlongs, into spherical harmonics.
 //
-// A picture is a function: the one that its rule interpolates between the texels. Its coefficients are the integrals of
-// that function: a texel's weights are the basis integrated over what the texel stands for, not the basis at its centre
-// times a solid angle. All sums are in double, so that the error does not grow with the size; the same bytes for any
-// number of threads.
+// A picture stands for the function that its rule interpolates between the texels. Its coefficients are integrals of
+// that function. A texel's weight is thus the basis integrated over the texel's share of it, not the basis at its
+// centre times a solid angle. All sums are in double, so that the error does not grow with the size. They give the same
+// bytes for any number of threads.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ struct CubeFace {
 /// Coefficients of RGB radiance, bands^2, world axes. `size` >= 1, with edge_centres >= 2; `bands` in [1, kMostBands].
 std::vector<det::Number3> projectCube(std::span<const CubeFace, 6> faces, int size, TexelRule rule, int bands);
 
-/// The same of a latlong of width x height texels: row 0 is at +y, the middle is +z, and columns go from -z over +x, +z
-/// and -x to -z. Both sizes >= 1, with edge_centres >= 2.
+/// Projects a latlong of width x height texels likewise. Row 0 is at +y, the middle is +z, and columns go from -z over
+/// +x, +z and -x to -z. Both sizes >= 1, with edge_centres >= 2.
 std::vector<det::Number3> projectLatlong(const float* rgb, int width, int height, TexelRule rule, int bands);
 
 }  // namespace welkin::sh

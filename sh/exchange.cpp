@@ -63,7 +63,7 @@ bool Reference::solve() {
 }
 
 void Reference::exchange(Eigen::Index at, double sign) {
-  constexpr double kNone = 1e-12;  // of the multipliers, which add up to 1, and of the largest fall
+  constexpr double kNone = 1e-12;  // counts as 0, for a multiplier (they add up to 1) and relative to the largest fall
   const Eigen::Index rank = orthonormal_.cols();
   SmallVector entering(rank + 1);
   entering << orthonormal_.row(at).transpose(), sign;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exchange of the points that prove how good an approximation can be: a part of Minimax, read by nothing else.
+// Exchange of the points that prove how good an approximation can be. A part of Minimax; nothing else includes it.
 #pragma once
 
 #include <Eigen/LU>
@@ -10,7 +10,7 @@
 
 namespace welkin::sh {
 
-/// Index of the value that is largest in magnitude, the first of equals; `value` is not empty.
+/// Index of the value of largest magnitude, the first one of equal values. `value` is not empty.
 Eigen::Index largest(const Eigen::VectorXd& value);
 
 /// rank + 1 points and the signs of the errors there. The multipliers sign[i] times a number >= 0 combine these rows of

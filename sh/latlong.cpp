@@ -12,10 +12,10 @@ namespace {
 
 using det::Number3;
 
-/// Calls give(texel, node position in [0, 1], weight) for everything that the cells of an axis give to its texels.
+/// Calls give(texel, node position in [0, 1], weight) for every contribution of a cell of an axis to a texel.
 template <typename Give>
 void forEachShare(TexelRule rule, int size, Give&& give) {
-  const GaussRule gauss = gaussLegendre(size < 16 ? 40 : 8);  // to rounding for kMostBands
+  const GaussRule gauss = gaussLegendre(size < 16 ? 40 : 8);  // exact up to rounding for kMostBands
   for (int cell = 0; cell < cellCount(rule, size); ++cell)
     for (std::size_t g = 0; g < gauss.node.size(); ++g) {
       const CellNode node = cellNode(rule, size, cell, gauss, g);

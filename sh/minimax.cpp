@@ -19,7 +19,7 @@ struct Minimax::Basis {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> unit;  ///< the columns over their lengths, factored
   Eigen::MatrixXd orthonormal;
 
-  /// Coefficients of the columns from those of the orthonormal ones.
+  /// Converts coefficients of the orthonormal columns to coefficients of the original columns.
   Eigen::VectorXd columnCoefficients(const Eigen::VectorXd& at) const {
     const Eigen::Index rank = orthonormal.cols();
     Eigen::VectorXd coefficient = Eigen::VectorXd::Zero(weighted.cols());
@@ -51,7 +51,7 @@ Minimax::Minimax(std::span<const double> basis, std::size_t columns, std::span<c
 }
 
 MinimaxFit Minimax::fit(std::span<const double> target, const MinimaxLimits& limits) const {
-  constexpr double kPreferred = 1e-3;  // points without error may be needed too, where others are not independent
+  constexpr double kPreferred = 1e-3;  // above 0: points without error are needed where the others are not independent
   constexpr double kRounding = 1e-14;  // relative to the target: smaller differences are rounding
   const Eigen::MatrixXd& orthonormal = basis_->orthonormal;
   const auto points = static_cast<std::size_t>(orthonormal.rows());

@@ -21,7 +21,7 @@ struct MinimaxLimits {
 
 /// Coefficients and their error.
 struct MinimaxFit {
-  std::vector<double> coefficient;   ///< one a column; 0 for a column that depends on the others
+  std::vector<double> coefficient;   ///< one per column; 0 for a column that depends on the others
   double error = 0.0;                ///< largest weight |target - basis coefficient|; at most least_squares_error
   double lower_bound = 0.0;          ///< no coefficients have a smaller error, up to rounding; at most `error`
   double least_squares_error = 0.0;  ///< largest error of the weighted least squares fit, where the iteration starts
@@ -32,8 +32,8 @@ struct MinimaxFit {
 class Minimax {
  public:
   /// `basis`: points x columns, row-major, each entry 0 or of 1e-100 to 1e100; 1 to kMostMinimaxColumns columns.
-  /// `weight`: one a point, not negative; empty: all 1. Columns may depend on each other. A column is left out if less
-  /// than 1e-10 of its length lies outside the span of the others; the bounds then hold for the rest.
+  /// `weight`: one per point, not negative; empty: all 1. Columns may depend on each other. A column is left out if
+  /// less than 1e-10 of its length lies outside the span of the others. The bounds then hold for the other columns.
   Minimax(std::span<const double> basis, std::size_t columns, std::span<const double> weight = {});
 
   /// The exchange algorithm for any basis, with the point of the largest error exchanged (Stiefel, "Ueber diskrete und

@@ -12,13 +12,13 @@
 namespace welkin::sh {
 namespace {
 
-/// An orthonormal basis (columns) of the snapshots' span, and the snapshots' coordinates in it (a column each).
+/// An orthonormal basis (columns) of the snapshots' span, and each snapshot's coordinates in it (one column each).
 struct Span {
   Eigen::MatrixXd basis;
   Eigen::MatrixXd coordinates;
 };
 
-/// QR of the snapshots, each over its length: a pivot is then the relative length of the part outside the span so far.
+/// QR of the snapshots, each divided by its length: a pivot is then the relative length outside the span so far.
 Span spanOf(const Snapshots& snapshots) {
   constexpr double kInside = 1e-10;  // relative length of a part that counts as rounding
   if (snapshots.count() == 0) return {};
@@ -96,7 +96,7 @@ double MaximumNorm::operator()(std::size_t i, std::span<const double> residual) 
 
 RefinedModes refineModes(const Snapshots& snapshots, std::span<const double> weights, std::size_t count,
                          const ErrorMeasure& measure, std::size_t steps) {
-  constexpr double kKept = 0.1;  // so that a snapshot that was once exact can come back; 0 to 0.1 do equally well
+  constexpr double kKept = 0.1;  // keeps the weight of an exact snapshot above 0; values of 0 to 0.1 do equally well
   const Span span = spanOf(snapshots);
   Eigen::VectorXd share = sharesOf(weights, snapshots.count());
   std::vector<double> error(snapshots.count());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Principal modes: the few orthonormal vectors whose combinations come closest to a set of snapshots, by the weighted
-// mean square or by the largest error. The same bits on every machine, as sh/matrix.h uses Eigen.
+// mean square or by the largest error. They have the same bits on every machine, because of how sh/matrix.h uses Eigen.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +30,13 @@ struct Modes {
   std::span<const double> row(std::size_t k) const { return std::span(vector).subspan(k * dimension, dimension); }
 };
 
-/// The `count` leading modes, or fewer if the snapshots have fewer independent directions. `weights`: one a snapshot,
+/// The `count` leading modes, or fewer if the snapshots have fewer independent directions. `weights`: one per snapshot,
 /// not negative, not all 0; empty: all equal. A direction counts as independent if the part of a snapshot along it is
 /// longer than 1e-10 of the snapshot. Modes are orthonormal to 1e-13.
 Modes leadingModes(const Snapshots& snapshots, std::span<const double> weights, std::size_t count);
 
 /// Coefficients of the combination of modes nearest to `snapshot` in the mean square, and the residual.
-/// `coefficients` holds one number a mode, `residual` as many as `snapshot`, which it must not overlap.
+/// `coefficients` holds one number per mode. `residual` is as long as `snapshot`, and must not overlap it.
 void projectOntoModes(const Modes& modes, std::span<const double> snapshot, std::span<double> coefficients,
                       std::span<double> residual);
 
@@ -65,7 +65,7 @@ struct RefinedModes {
 /// weight by a constant plus its error over the largest one, and computes the leading modes again. This is the
 /// iteration of Lawson, "Contributions to the Theory of Linear Least Maximum Approximation", 1961, for an approximating
 /// space that changes. It may miss the best modes, but it keeps its best step and so is never worse than the start. A
-/// step costs one measure a snapshot, and r^3 + r^2 snapshots for r independent directions.
+/// step costs one measure per snapshot, and about r^3 + r^2 n operations for n snapshots of r independent directions.
 RefinedModes refineModes(const Snapshots& snapshots, std::span<const double> weights, std::size_t count,
                          const ErrorMeasure& measure, std::size_t steps);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// cos(m a) of m = 0, 1, 2, ... from cos(a): Chebyshev's recurrence cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a.
+// cos(m a) for m = 0, 1, 2, ... from cos(a): Chebyshev's recurrence cos (m + 1) a = 2 cos a cos m a - cos (m - 1) a.
 #pragma once
 
 namespace welkin::sh {

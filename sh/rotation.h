@@ -19,7 +19,8 @@ inline constexpr Matrix3 kPolarAxes = {det::Number3(0, 0, 1), det::Number3(1, 0,
 det::Number3 apply(const Matrix3& matrix, const det::Number3& v);
 
 /// Turns the coefficients of f into those of g(d) = f(apply(matrix, d)), for any orthogonal matrix. Band l uses its own
-/// (2 l + 1)^2 block. A product quadrature finds it, exact for products of two basis functions of that band.
+/// block of (2 l + 1)^2 numbers. A product quadrature, exact for products of two basis functions of a band, computes
+/// it.
 class Rotation {
  public:
   Rotation(int bands, const Matrix3& matrix);

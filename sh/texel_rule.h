@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the texels of a picture stand for, along one axis.
+// Meaning of a picture's texels along one axis: their centres, and the function between them.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ enum class TexelRule {
   edge_centres  ///< centres at i / (N - 1), the outer ones on edges and poles (OpenEXR, ImfEnvmap.h); linear between
 };
 
-/// A node of the quadrature of one cell, in [0, 1] of the axis, and what it gives to the cell's first texel and to the
-/// next one. The cells of half_texel are its texels; those of edge_centres lie between neighbouring texels.
+/// A quadrature node of one cell: its position in [0, 1] of the axis, and its weights for the cell's first texel and
+/// for the next one. With half_texel a cell is a texel; with edge_centres it lies between neighbouring texels.
 struct CellNode {
   double position;
   double here;

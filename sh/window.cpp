@@ -14,7 +14,7 @@ namespace {
 
 using Bands = std::array<double, 5>;
 
-/// Irradiance of one set at a normal, by band.
+/// Irradiance from one set of coefficients at a normal, by band.
 Bands irradianceByBand(std::span<const double> radiance, int bands, const det::ShBasis& basis) {
   Bands irradiance{};
   for (int l = 0; l < bands; ++l) {
@@ -26,7 +26,7 @@ Bands irradianceByBand(std::span<const double> radiance, int bands, const det::S
   return irradiance;
 }
 
-/// Whether `window` keeps a set's irradiance up at every normal.
+/// Whether the irradiance under `window` is high enough at every normal (mildestWindow).
 bool holds(const Window& window, std::span<const Bands> irradiance) {
   for (const Bands& at : irradiance) {
     double sum = 0.0;
@@ -36,7 +36,7 @@ bool holds(const Window& window, std::span<const Bands> irradiance) {
   return true;
 }
 
-/// The least strength above `low`, which does not hold.
+/// The least strength that holds, above `low`, which does not.
 double bisect(double low, std::span<const Bands> irradiance) {
   double high = 1.0;  // where the mean alone is left
   for (int step = 0; step < 40; ++step) {
@@ -66,8 +66,8 @@ Window mildestWindow(std::span<const double> radiance, int bands, std::span<cons
   for (const det::Number3& normal : normals) basis.push_back(det::shBasis(normal));
   std::vector<Bands> irradiance(normals.size());
   double strength = 0.0;
-  // Between the normals a set may be lower than at them, and diffusion brings that to them: what held can fail at a
-  // greater strength, by a little. So the sets are gone through until all hold at the same one.
+  // Irradiance may be lower between the normals than at them, and diffusion spreads such a low to them. So a set that
+  // held can fail, by a little, at a greater strength. The loop repeats until all sets hold at one strength.
   for (bool grew = true; grew;) {
     grew = false;
     for (std::size_t first = 0; first < radiance.size(); first += size) {

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a game team does with Welkin, from a build to a running game: install, find_package, pkg-config, add_subdirectory.
+# The way of a game team from a build to a running game: install, find_package, pkg-config, add_subdirectory.
 #   cmake -DSOURCE=checkout -DBUILD=built -DWORK=scratch [-DCONFIG=Release] -P consumer_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
-# run(what COMMAND...): fails the test when the command fails; leaves its output in `output`.
+# run(what COMMAND...): runs a command, and fails the test when it fails. Leaves its output in `output`.
 function(run what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT result EQUAL 0)
@@ -14,7 +14,7 @@ function(run what)
   message(STATUS "${what}: passed")
 endfunction()
 
-# refused(what text COMMAND...): fails the test unless the command fails and says `text` (its line breaks do not count).
+# refused(what text COMMAND...): fails the test unless the command fails and prints `text`, apart from line breaks.
 function(refused what text)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
@@ -42,7 +42,7 @@ set(game "${WORK}/the game")  # a space in the path: depfiles must escape it
 file(COPY ${SOURCE}/tests/consumer/ DESTINATION "${game}")
 set(configure ${CMAKE_COMMAND} -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 
-# An installation that was moved: nothing in it may know where it was built or put.
+# An installation that was moved. No file in it may name the folder of the build or of the installation.
 run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --config "${CONFIG}")
 set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
@@ -117,7 +117,7 @@ if(EXISTS ${build}/baked/sky.welkin OR EXISTS ${build}/baked/cubemaps OR EXISTS 
   message(FATAL_ERROR "clean: baked files are left")
 endif()
 
-# pkg-config, for a C program; only what it answers.
+# pkg-config for a C program, with no other flags.
 file(GLOB pc ${prefix}/lib*/pkgconfig ${prefix}/lib/*/pkgconfig)
 list(JOIN pc ":" pc)
 set(ENV{PKG_CONFIG_PATH} ${pc})
@@ -138,7 +138,7 @@ run("configure with add_subdirectory" ${configure} -S "${game}" -B ${WORK}/subdi
 run("plan with add_subdirectory" ${CMAKE_COMMAND} --build ${WORK}/subdirectory -- -n game sky)
 expect("plan with add_subdirectory" "Linking CXX executable [^\n]*welkin\n.*Baking")
 
-# The libraries alone: none of what the tool needs is looked for, and the package says what it lacks.
+# The libraries alone. CMake looks for no dependency of the tool, and the package names its missing components.
 set(absent "")
 foreach(package PkgConfig fmt OpenEXR TBB CLI11 nlohmann_json Catch2 embree)
   list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh clone to pictures: installs missing packages, builds, bakes examples/island and draws it over the day.
+# Makes pictures from a fresh clone: installs missing packages, builds, bakes examples/island, draws it over the day.
 #   tools/demo.sh [FOLDER]      FOLDER of the outputs, build/demo by default
 set -eu
 cd "$(dirname "$0")/.."

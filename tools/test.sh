@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs missing packages, builds with warnings as errors and runs every test. First a build by Clang, with the address
-# and undefined-behaviour sanitizers, runs the unit tests and every fuzzer for half a minute. Then GCC's release build
-# runs all tests. Ends with ctest's summary. Tests on real levels run when WELKIN_DATA names their folder.
+# Installs missing packages, builds with warnings as errors and runs every test. First it builds with Clang and the
+# address and undefined-behaviour sanitizers, and runs the unit tests and every fuzzer for half a minute. Then it runs
+# all tests of GCC's release build. Ends with ctest's summary. Tests on real levels need WELKIN_DATA, their folder.
 #   tools/test.sh [--long]      --long: each fuzzer runs for 20 minutes; before the release build also the unit tests
 #                               without optimisation, and the faults of tests/mutation
 set -eu
@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 
 long=""
 seconds=30
-seed=1  # repeats a fault that CI found
+seed=1  # set it to repeat a fault that CI found
 case "${1-}" in
   '') ;;
   --long) long=1 seconds=1200 seed=0 ;;

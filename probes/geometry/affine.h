@@ -26,7 +26,7 @@ inline Affine operator*(const Affine& a, const Affine& b) {
 /// Scales, then rotates, then translates; the rotation is the unit quaternion (x, y, z, w) of glTF.
 Affine fromTrs(const f64::Number3& translation, const double quaternion[4], const f64::Number3& scale);
 
-/// The same, but the rotation turns about x, then y, then z of the world, in radians (level.toml's XYZ Euler).
+/// As fromTrs, but the rotation turns about x, then y, then z of the world, in radians (level.toml's XYZ Euler).
 Affine fromEuler(const f64::Number3& translation, const f64::Number3& rotation_rad, const f64::Number3& scale);
 
 }  // namespace welkin::geometry

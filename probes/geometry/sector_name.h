@@ -16,7 +16,7 @@ inline constexpr int kFarthestSector = 15625;
 /// "X_Z", such as "-1_12".
 std::string nameOf(SectorId sector);
 
-/// Parses a name in the form of nameOf; nothing for any other text.
+/// The sector with a name as nameOf writes it; nothing for any other text.
 std::optional<SectorId> sectorOf(std::string_view name);
 
 /// "sector_X_Z.welkin"

@@ -188,8 +188,8 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   hit.triangle = scene_->part[ray.hit.geomID].triangle[ray.hit.primID];
   hit.u = double{ray.hit.u};
   hit.v = double{ray.hit.v};
-  // The position comes from the vertices, not from the ray: so it is on the triangle's plane to the rounding of
-  // doubles.
+  // The position is computed from the vertices, not from the ray. So it lies on the triangle's plane up to the rounding
+  // of doubles.
   const Triangle& triangle = surfaces().triangle[hit.triangle];
   const Number3 a = load(surfaces().position[triangle.vertex[0]]);
   const Number3 ab = load(surfaces().position[triangle.vertex[1]]) - a;

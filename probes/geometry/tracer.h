@@ -39,8 +39,8 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// The same level, seen no farther than `reach_m` along x and z from `about`, at any height. Rays end where they
-  /// leave that square. The copy shares the level and costs nothing.
+  /// A tracer of the same level that sees no farther than `reach_m` along x and z from `about`, at any height. Rays end
+  /// where they leave that square. The copy shares the level and costs nothing.
   Tracer within(const Number3& about, double reach_m) const;
   /// The distance at which a ray leaves that square; 0 if it starts outside, infinite without a square.
   double leavesAfter(const Number3& origin, const Number3& direction) const;

@@ -29,7 +29,7 @@ class SceneBuilder {
   /// animations use to hide a node, places nothing; finish() warns of it.
   void place(const MeshPiece& piece, const geometry::Affine& transform, uint32_t object, const f64::Number3& albedo);
 
-  /// Warns of the entry's vegetation_nodes patterns that match none of the names.
+  /// Warns about each pattern in the entry's vegetation_nodes that matches none of the names.
   void warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names);
 
   /// Returns the scene, with the placings of one piece as consecutive instances.

@@ -35,7 +35,7 @@ Number3 readColour(const TextLines& lines, double most) {
   return {inRange(lines, 1, most), inRange(lines, 2, most), inRange(lines, 3, most)};
 }
 
-/// Reads options, each with its own number of words, then a name that may contain spaces.
+/// Reads options, each with a fixed number of words, then a file name that may contain spaces.
 MtlMap readMap(const TextLines& lines) {
   static const std::map<std::string_view, std::size_t> kOneWordOptions = {
       {"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},      {"-clamp", 1}, {"-texres", 1},

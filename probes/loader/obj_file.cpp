@@ -44,7 +44,7 @@ class ObjReader {
 
   float numberAt(std::size_t i) const { return static_cast<float>(lines_.number(i)); }
 
-  /// Reads x y z, perhaps a weight, perhaps a colour.
+  /// Reads x y z, then an optional weight or an optional colour.
   void readVertex() {
     constexpr std::size_t kWordsWithColour = 7;
     file_.position.push_back({numberAt(1), numberAt(2), numberAt(3)});

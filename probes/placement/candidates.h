@@ -22,7 +22,7 @@ struct Candidate {
 struct WalkablePoint {
   Number3 foot;
   Number3 above;           ///< where the point's own probe would stand
-  bool on_lattice = true;  ///< on the lattice, and a candidate if a probe may stand; else between the lines
+  bool on_lattice = true;  ///< true: on the lattice, and a candidate if a probe may stand there; false: between lines
 };
 
 struct Candidates {

@@ -146,8 +146,8 @@ class Grid {
   }
 
  private:
-  /// Names every probe from above by its own cell; the first probe of a cell wins. For a sector where no surface seen
-  /// from above sees a probe.
+  /// Lets each probe serve its own cell from above; the first probe of a cell wins. Used for a sector where no surface
+  /// that is seen from above sees a probe.
   void nameProbesBelow() {
     for (std::size_t i = sector_.probe.size(); i-- > 0;) {
       const auto cellOf = [](double along) {

@@ -16,7 +16,7 @@ namespace welkin::placement {
 using f64::Number3;
 namespace {
 
-/// A triangle seen from above, metres. A line on its edge counts; placeSector checks by a ray.
+/// A triangle seen from above, metres. It contains lines on its edge; placeSector checks with a ray.
 class Shadow {
  public:
   explicit Shadow(const std::array<Number3, 3>& corner) : corner_(corner) {

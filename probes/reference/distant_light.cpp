@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kConverged = 1e-9;  // relative error of the quadrature of the horizontal irradiance
 
-/// Half the lobe c exp(d angle) of the indicatrix, relative to itself plus a sky of 1. The other samples keep every
-/// weight below 2.
+/// Share of directions that are drawn near the sun: lobe / (lobe + 1) / 2, from the lobe c exp(d angle) of the
+/// indicatrix over a sky of 1. The other directions keep every weight below 2.
 double shareOf(const model::LuminanceModel& model) {
   constexpr double kBroad = -2.0;  // a wider lobe is not a peak
   if (model.c <= 0.0 || model.d > kBroad) return 0.0;

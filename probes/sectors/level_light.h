@@ -35,7 +35,8 @@ class LevelLight {
   /// serves. Nothing if there is no probe at all. Not below 0.
   std::optional<LevelIrradiance> at(const Number3& position, const Number3& normal, double push_m = 1.0) const;
 
-  /// Irradiance of a surface with this normal at one probe's place, from that probe alone. The sector must be there.
+  /// Irradiance of a surface with this normal at one probe's place, from that probe alone. The sector must be one of
+  /// the constructor's.
   LevelIrradiance ofProbe(const geometry::SectorId& sector, std::size_t probe, const Number3& normal) const;
   /// The probes of one of the sectors, in its file's order.
   const std::vector<transfer::ProbeIrradiance>& probesOf(geometry::SectorId sector) const {

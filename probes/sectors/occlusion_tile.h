@@ -9,8 +9,8 @@
 namespace welkin::sectors {
 
 /// Tile of a sector seen from above: cell x + kCells z, of size kCell_m. For the probe that serves a cell it stores the
-/// share of a uniform sky that a horizontal surface sees, in [0, 1]. It also stores the probe's height, with which the
-/// effect fades. After the talk (slides 57-58), one tile per sector.
+/// share of a uniform sky that a horizontal surface sees, in [0, 1]. It also stores the probe's height, because the
+/// effect fades with height. After Stefanov, GDC 2012 (slides 57-58); one tile per sector.
 struct OcclusionTile {
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> sky_visibility{};
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> probe_y{};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kUp = 3;                     ///< directions that see the sky
 constexpr std::size_t kColours = kDirections * 3;  ///< colour components per probe
-constexpr std::size_t kSky = 2 * kColours;         ///< of coefficients 0 and 1; as many of 2 and 3
+constexpr std::size_t kSky = 2 * kColours;         ///< numbers of coefficients 0 and 1; 2 and 3 have as many
 constexpr double kLargest = 3e38;
 constexpr double kMostSun = 1e6;  ///< far above the irradiance that a light of normal irradiance 1 can give
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compact fixed-point encoding of a sector's probes, as the file stores them.
 //
-// Without modes of the sun, as `sun = "sh"` needs them, a probe takes 62 bytes:
+// Without modes of the sun, as with `sun = "sh"`, a probe takes 62 bytes:
 //
 // - position, 3 x u16: x and z in 64 m / 65535 from the sector's corner, y in (high_y - low_y) / 65535 above low_y
 // - visibility, 3 x u16: in 1 / 65535, for the three directions up; for down it is 0
-// - sky_scale, u16: the first 16 bits of a float32 >= 0
+// - sky_scale, u16: the upper 16 bits of a float32 >= 0
 // - sky, 24 x u8: in sky_scale / 255, [direction][coefficient 0, 1][channel]. These are never below 0, because nothing
 //   arrives from below the horizon.
 // - sky_side, 24 x i8: in sky_scale / 127, [direction][coefficient 2, 3][channel]
@@ -20,8 +20,8 @@
 // - emitted_scale, u16: as above
 // - emitted, 12 x u8: in emitted_scale / 255, [direction][channel]
 //
-// Each sector stores once: the two heights as float32, the modes' knots as float32 hours, every mode as 3 x i8 (RGB) at
-// each knot in mode_scale / 127, and two float32 scales per mode. docs/probes.md gives the errors of fewer and of more
+// Each sector stores once: the two heights as float32, and the modes' knots as float32 hours. Every mode takes 3 x i8
+// (RGB) at each knot, in mode_scale / 127, and two float32 scales. docs/probes.md gives the errors of fewer and of more
 // bits.
 #pragma once
 

@@ -9,7 +9,7 @@
 
 namespace welkin::transfer {
 
-/// The scale for numbers up to `largest`, in [0, 3e38]: the first 16 bits of a float32. It is the smallest such float32
+/// The scale for numbers up to `largest`, in [0, 3e38]: the upper 16 bits of a float32. It is the smallest such float32
 /// that is not below `largest`.
 inline std::uint16_t scaleFor(double largest) {
   auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(largest)) & 0xffff0000U;

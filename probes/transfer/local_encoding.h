@@ -4,7 +4,7 @@
 // Each transfer takes 16 bytes, probe by probe, with lights ascending:
 //
 //     light         u16        index of its position
-//     scale         u16        the first 16 bits of a float32 >= 0
+//     scale         u16        the upper 16 bits of a float32 >= 0
 //     radiance     12 x i8     in scale / 127: [coefficient][channel]
 //
 // Each probe takes one byte:

@@ -28,9 +28,9 @@ struct LocalSettings {
   int bounces = 2;                        ///< largest number of bounces, 1..kMostBounces
   std::size_t light_rays = 8;             ///< lights that each vertex of a path tests, at least 1
   std::size_t lights = kMostLocalLights;  ///< kept per probe, 1..kMostLocalLights
-  /// Surfaces nearer to a virtual light than this, 0..kSector_m, are lit as from this distance. The virtual light
-  /// stands for lamps up to some metres away. Only 0 is exact for a lamp in its very place, but then a virtual light
-  /// beside a wall turns all of them into a bright spot.
+  /// Surfaces nearer to a virtual light than this, 0..kSector_m, are lit as from this distance. A virtual light stands
+  /// for lamps up to some metres away. Only 0 is exact for a lamp exactly there. But with 0, a virtual light beside a
+  /// wall makes a bright spot on the wall for all its lamps.
   double nearest_m = 0.0;
   /// In (0, 1): each probe traces until its LocalProbe::error is at most this, or `rays` are spent. 0: each probe
   /// traces `rays` paths.

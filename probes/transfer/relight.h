@@ -15,7 +15,7 @@ using f64::Number3;
 
 /// Source of the bounced light of sun and moon.
 enum class SunTransfer {
-  none,        ///< nowhere
+  none,        ///< no bounced light
   sh,          ///< the sky's transfer, with the light projected into 2 bands
   directional  ///< the light's own transfer along its path
 };
@@ -34,7 +34,7 @@ struct RelightScale {
 
 /// How the 2 bands of the sky stand for its radiance over the upper hemisphere, for bounced light.
 enum class SkyBounce {
-  projected,  ///< sum of the bands, as in the talk: 1/2 + 3 y / 4 for a uniform sky
+  projected,  ///< sum of the bands, as in Stefanov's talk: 1/2 + 3 y / 4 for a uniform sky
   fitted      ///< the sum of the four functions nearest to the radiance over the upper hemisphere alone
 };
 

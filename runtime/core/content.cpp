@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks a file before anything samples it: every field is there, every size is as the others ask, and every number is
-// in its domain. The container's checksum finds accidents; this finds files made by something else.
+// Checks a file before anything samples it: every field is there, every size fits the other fields, and every number is
+// in its domain. The container's checksum finds accidents. This check finds files that another program made.
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +56,7 @@ void checkLight(Check& check, const format::Light& light, const char* name) {
                "has a black colour");
 }
 
-/// The dome divides by the luminance of the normalising direction: positive at every minute of the day.
+/// Checks that the luminance of the normalising direction, by which the dome divides, is positive at every minute.
 void checkNorm(Check& check, const format::Sky& sky) {
   const auto model = luminanceModel(*sky.luminance());
   const LightPath sun(*sky.sun()->path());
@@ -81,7 +81,8 @@ void checkGradient(Check& check, const format::Gradient* gradient, const char* n
   check.that(within(rgb, 0.0, kAny), name, "has a value out of its domain");
 }
 
-/// Largest number that is stored, NaN and infinity included. Its product with its scales is checked apart.
+/// Largest stored magnitude; NaN or infinity if one is stored. Scales are not applied; another check multiplies them
+/// in.
 double largestStored(const format::Day& day) {
   const std::uint8_t* numbers = day.numbers()->data();
   const std::size_t count = day.numbers()->size() / format::bytesOf(day.encoding());
@@ -167,7 +168,8 @@ void checkCertificate(Check& check, const format::Certificate& c) {
              kName, "has a value out of its domain");
 }
 
-/// `bytes`: the file's. Cubemaps that share texels, which no writer makes, could ask for any number of times as many.
+/// `bytes`: size of the file. It bounds the number of cubemaps. No writer lets cubemaps share texels, but if they did,
+/// a small file could hold any number of them.
 void checkCubemaps(Check& check, const format::Sky& sky, std::size_t bytes) {
   if (!check.that(sky.cubemap_format() < format::kCubemapFormats, "cubemap_format", "must be 0 to 2")) return;
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A quantity over the day: the keys of an opened file, found once.
+// A quantity over the day, read from the keys of an opened file.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace welkin::core {
 
-/// One number or one colour for every key; borrows the file's keys.
+/// One number or one colour per key. Borrows the file's keys.
 class Curve {
  public:
   Curve() = default;

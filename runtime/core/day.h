@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day's table of an opened file: its numbers at any hour, and the modes that they may weigh.
+// The day's table of an opened file: its numbers at any hour, and the modes for which they may be weights.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace welkin::core {
 inline constexpr std::size_t kMostRows = 16;
 inline constexpr std::size_t kMostModes = 12;
 
-/// The map of the modes, bilinear as a GPU filters it.
+/// The map of the modes. It is read bilinearly, as a GPU filters it.
 class ModeMap {
  public:
   ModeMap() = default;
@@ -33,17 +33,17 @@ class ModeMap {
   const std::uint16_t* texels_ = nullptr;
 };
 
-/// Borrows the file's numbers; the file is one that checkContent let pass.
+/// The table. Borrows the numbers of a file that checkContent let pass.
 class Day {
  public:
   Day() = default;
   explicit Day(const format::Day& day);
 
-  /// The shape of the sky at an hour, intensity 1, without ground. Elements that the file does not have are not set.
+  /// The shape of the sky at an hour: intensity 1, without ground. Elements that the file does not have are not set.
   struct Shape {
-    std::array<Channels, kMostModes> weight;  ///< the modes'
+    std::array<Channels, kMostModes> weight;  ///< weights of the modes
     std::array<Channels, kMostRows> polar;    ///< coefficients of radiance in the sun's frame
-    f64::Number3 horizontal_irradiance;       ///< 0 where the file needs none
+    f64::Number3 horizontal_irradiance;       ///< 0 if the file needs none
   };
   /// `time_h` in [0, 24).
   void shapeAt(double time_h, Shape& shape) const;

@@ -19,7 +19,7 @@ class FileMap {
   }
   ~FileMap();
 
-  /// 0, or the errno that says why the file cannot be mapped. An empty file maps to no bytes.
+  /// Maps the file at `path`. Returns 0, or the errno if the file cannot be mapped. An empty file maps to no bytes.
   int open(const char* path);
   std::span<const std::byte> bytes() const { return bytes_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubles into the float fields of the C interface, and back.
+// Conversion of doubles to the float fields of the C interface, and back.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ inline float toFloat(double value) {
   return std::abs(nearest) > kLargest ? std::copysign(kLargest, nearest) : nearest;
 }
 
-/// Stores `count` numbers that follow each other: a loop that compilers make vectors of.
+/// Stores `count` numbers in a row, in a loop that compilers can vectorise.
 inline void store(const double* value, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; ++i) out[i] = toFloat(value[i]);
 }

@@ -25,8 +25,8 @@ Number3 LightPath::directionAt(double time_h) const {
 
 namespace {
 
-/// Share of a disc's area above the horizon: the area of a circular segment. A light without a disc counts as one of a
-/// quarter of a degree.
+/// Share of a disc's area above the horizon, by the area of a circular segment. A light without a disc has the share of
+/// a disc with a radius of a quarter of a degree.
 double visibleShare(const Number3& direction, double disc_radius_rad) {
   constexpr double kQuarterDegree = 0.25 * f64::kPi / 180.0;
   const double radius = disc_radius_rad > 0.0 ? disc_radius_rad : kQuarterDegree;

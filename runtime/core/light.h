@@ -10,7 +10,7 @@
 
 namespace welkin::core {
 
-/// Direction of a light over the day; borrows the file's keys of a path drawn by hand.
+/// Direction of a light over the day. Borrows the file's keys if the path was drawn by hand.
 class LightPath {
  public:
   LightPath() = default;
@@ -34,7 +34,7 @@ class Light {
     f64::Number3 direction;          ///< unit, towards the light
     f64::Number3 normal_irradiance;  ///< RGB irradiance of a surface that faces the light
   };
-  /// The light at an hour in [0, 24), in double, and in the floats of the C interface.
+  /// The light at an hour in [0, 24). Returns it in double, and writes it to `out` in the floats of the C interface.
   Instant at(double time_h, WelkinLight& out) const;
 
  private:

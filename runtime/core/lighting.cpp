@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A renderer's use of samples: irradiance, cross-blends, one key light, other engines' packings. All functions are
-// pure.
+// Functions of samples for renderers: irradiance, cross-blends, the key light, packings for other engines. All
+// functions are pure.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ WelkinLight blendLights(const WelkinLight& a, const WelkinLight& b, float weight
   WelkinLight light = a;
   const Number3 between = mix(load(a.direction), load(b.direction), double{weight});
   const double length = std::sqrt(dot(between, between));
-  if (length > 1e-6) store(between / length, light.direction);  // opposite ones have no middle: the first's stays
+  if (length > 1e-6) store(between / length, light.direction);  // opposite directions have no middle: keep the first
   light.illuminance = lerp(a.illuminance, b.illuminance, weight);
   lerp3(a.colour, b.colour, weight, light.colour);
   lerp3(a.normal_irradiance, b.normal_irradiance, weight, light.normal_irradiance);
@@ -33,12 +33,12 @@ WelkinLight blendLights(const WelkinLight& a, const WelkinLight& b, float weight
   return light;
 }
 
-/// Luminance of the irradiance that a surface facing the light has from it.
+/// Luminance of the light's irradiance on a surface that faces it, with the visible share.
 double facing(const WelkinLight& light) {
   return f64::luminanceOf(load(light.normal_irradiance)) * double{light.visible};
 }
 
-/// Coefficient of a polynomial term of irradiance over pi: radiance coefficient x A_l / pi x the basis' own constant.
+/// Coefficient of a polynomial term of irradiance over pi: radiance coefficient x A_l / pi x the constant of the basis.
 double scaled(const WelkinSkySample& sample, std::uint32_t i, int channel) {
   constexpr double kBasis[9] = {f64::kShConstant, f64::kShLinear, f64::kShLinear,  f64::kShLinear,    f64::kShProduct,
                                 f64::kShProduct,  f64::kShZonal,  f64::kShProduct, f64::kShDifference};

@@ -66,7 +66,7 @@ PolarFrame::PolarFrame() {
 
 void PolarFrame::toWorld(std::size_t bands, std::span<const Channels> polar, const Azimuth& azimuth,
                          std::span<Channels> world) const {
-  std::array<double, 2 * kMostBands - 1> turn;  // by order m + 4: cosine of m >= 0 times the azimuth, sine of -m
+  std::array<double, 2 * kMostBands - 1> turn;  // index m + 4: cos(m azimuth) for m >= 0, sin(|m| azimuth) for m < 0
   double cosine = azimuth.share;
   double sine = 0.0;
   turn[4] = 1.0;

@@ -15,7 +15,7 @@ namespace {
 
 using f64::Number3;
 
-/// f64::desaturate of a colour with its luminance, without summing that again.
+/// f64::desaturate of a colour whose luminance is already known.
 void desaturate(const Channels& v, double saturation, double out[3]) {
   for (std::size_t c = 0; c < 3; ++c) out[c] = v[3] + (v[c] - v[3]) * saturation;
 }
@@ -86,7 +86,7 @@ void sampleAt(const WelkinSky& sky, double time_h, WelkinSkySample& out) {
   Number3 of_lights = onGround(sun);
   if (sky.moon) of_lights += onGround(sky.moon->at(time_h, out.moon));
   const double norm = f64::luminanceNormFrom(sky.luminance, sun.direction, sky.normalise_to_sun, sky.constant_norm);
-  out.luminance_norm = toFloat(std::max(kLeastDivisor, norm));  // checkContent looks at whole minutes only
+  out.luminance_norm = toFloat(std::max(kLeastDivisor, norm));  // checkContent checks whole minutes only
   blendTable(sky, time_h, intensity, sun, of_lights, out);
   chooseCubemaps(sky, time_h, out);
 }
@@ -99,7 +99,7 @@ WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySam
   using namespace welkin::core;
   if (sky == nullptr || sample == nullptr || !std::isfinite(time_h)) return WELKIN_ERROR_ARGUMENT;
   const double wrapped_h = format::wrapTime(time_h);
-  // Another hour is another sample: only where the hour is the same there is something to compare.
+  // A sample of another hour differs anyway: compare only if the hour is the same.
   if (std::memcmp(&wrapped_h, &sample->time_h, sizeof wrapped_h) != 0) {
     sampleAt(*sky, wrapped_h, *sample);
     return WELKIN_OK;

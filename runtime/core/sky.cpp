@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening, closing and describing a sky: the part of the C interface that hands out the file's content.
+// The part of the C interface that opens, closes and describes a sky, and hands out the file's content.
 #include "core/sky.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format,
 
 namespace {
 
-/// The numbers of a gradient that the file does not hold as floats. False when there is no memory.
+/// Decodes the numbers of a gradient that the file does not hold as floats. False when memory runs out.
 bool decodeGradient(const format::Gradient& gradient, std::unique_ptr<float[]>& rgb) {
   const auto texels = spanOf(gradient.rgb9e5());
   if (texels.empty()) return true;
@@ -40,7 +40,7 @@ bool decodeGradient(const format::Gradient& gradient, std::unique_ptr<float[]>& 
   return true;
 }
 
-/// Hours of the cubemaps, which a search reads at every sample. False when there is no memory.
+/// Lists the hours of the cubemaps, which every sample searches. False when memory runs out.
 bool listCubemaps(const format::Sky& sky, WelkinSky& opened) {
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return true;
   opened.cubemap_count = sky.cubemaps()->size();
@@ -51,7 +51,7 @@ bool listCubemaps(const format::Sky& sky, WelkinSky& opened) {
   return true;
 }
 
-/// Completes a sky whose content checkContent has let pass.
+/// Completes `opened` from a file that checkContent has let pass, and moves it to *sky.
 WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
   const auto& s = *file.sky();
   opened.file = &file;
@@ -75,7 +75,7 @@ WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky,
   return *sky != nullptr ? WELKIN_OK : fail(message, WELKIN_ERROR_MEMORY, "out of memory");
 }
 
-/// `opened` holds the map of the bytes, when they come from a file.
+/// Opens the sky in `bytes`. If they come from a file, `opened` holds the file's memory map.
 WelkinResult openBytes(std::span<const std::byte> bytes, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
   using format::Refusal;
   const format::Opened container = format::openContainer(bytes);

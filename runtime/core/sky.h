@@ -22,8 +22,8 @@ namespace welkin::core {
 /// Writes a formatted message when there is somewhere to write it, and returns `code`.
 [[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
 
-/// Whether everything that sampling reads is there and in its domain; else WELKIN_ERROR_CONTENT and which value is not.
-/// `bytes`: the size of the whole file.
+/// WELKIN_OK if everything that sampling reads is there and in its domain. Otherwise WELKIN_ERROR_CONTENT, and
+/// `message` names the value. `bytes`: the size of the whole file.
 WelkinResult checkContent(const format::File& file, std::size_t bytes, WelkinMessage* message);
 
 using format::spanOf;
@@ -37,7 +37,7 @@ constexpr int bandOf(std::uint32_t coefficient) {
   return coefficient < 1 ? 0 : coefficient < 4 ? 1 : coefficient < 9 ? 2 : coefficient < 16 ? 3 : 4;
 }
 
-/// The least divisor: as a float it is not 0 either.
+/// Least divisor. It is above 0 as a float, too.
 inline constexpr double kLeastDivisor = 1e-30;
 
 }  // namespace welkin::core
@@ -55,7 +55,7 @@ struct WelkinSky {
   welkin::core::PolarFrame frame;
   std::size_t cubemap_count = 0;
   std::unique_ptr<double[]> cubemap_time_h;
-  std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null: the file's own floats
-  double constant_norm = 1.0;                            ///< the luminance's
+  std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null if the file holds floats
+  double constant_norm = 1.0;                            ///< f64::constantNorm of the luminance
   double ground_sh[25] = {};                             ///< coefficients of a radiance of 1 below the horizon
 };

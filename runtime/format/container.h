@@ -12,13 +12,13 @@
 
 namespace welkin::format {
 
-/// Version of the container and of the meaning of welkin.fbs. Another one is refused.
+/// Version of the container and of the meaning of welkin.fbs. Files of another version are refused.
 inline constexpr std::uint32_t kVersion = 2;
 
 /// Alignment that openContainer needs of its bytes; a memory map gives more.
 inline constexpr std::size_t kAlignment = 16;
 
-/// First bytes of a file. As in PNG, they show a transfer that changed line ends or cut the eighth bit.
+/// First bytes of a file. As in PNG, they reveal a transfer that changed line ends or cleared the eighth bit.
 inline constexpr unsigned char kMagic[8] = {0x89, 'W', 'L', 'K', '\r', '\n', 0x1a, '\n'};
 
 struct Header {
@@ -38,11 +38,11 @@ struct Opened {
   Refusal refusal = Refusal::none;
   const File* file = nullptr;  ///< points into the bytes; null when refused
   std::uint32_t found_version = 0;
-  std::uint64_t expected_size = 0;  ///< by the header, when it could be read
+  std::uint64_t expected_size = 0;  ///< file size by the header; the header's own size if the bytes end before it
 };
 
-/// Checks header, size, checksum and the structure of the FlatBuffer (every offset inside the bytes). O(size), does not
-/// allocate. The meaning of the values is not checked.
+/// Checks header, size, checksum and the structure of the FlatBuffer (every offset inside the bytes). Takes O(size) and
+/// does not allocate. The meaning of the values is not checked.
 Opened openContainer(std::span<const std::byte> bytes);
 
 /// Puts the header before a finished FlatBuffer.

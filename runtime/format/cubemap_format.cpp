@@ -12,7 +12,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "texels are used as they lie in the file");
 
 constexpr std::uint16_t kHalfOne = 0x3c00;
-constexpr int kBias = 15;       // all exponents here have it
+constexpr int kBias = 15;       // of all exponents in this file
 constexpr int kSharedBits = 9;  // in an RGB9E5 component
 constexpr int kLowestExponent = -kBias - 1;
 
@@ -21,7 +21,7 @@ constexpr float powerOfTwo(int exponent) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23U);
 }
 
-/// A float without sign, of 5 bits of exponent and `bits` of mantissa.
+/// Value of a float without sign, with 5 bits of exponent and `bits` of mantissa.
 float decodeSmall(std::uint32_t code, int bits) {
   const std::uint32_t exponent = (code >> bits) & 31U;
   const std::uint32_t mantissa = code & ((1U << bits) - 1U);
@@ -29,7 +29,7 @@ float decodeSmall(std::uint32_t code, int bits) {
   return std::bit_cast<float>(((exponent + 127U - kBias) << 23U) | (mantissa << (23 - bits)));
 }
 
-/// The nearest, ties to even, of a value from 0 to the largest. Adding and shifting carries into the exponent.
+/// Nearest code of a value from 0 to the largest, ties to even. The rounding carry may move into the exponent.
 std::uint32_t encodeSmall(float value, int bits) {
   if (value < powerOfTwo(1 - kBias)) {  // a multiple of the smallest step; the product is exact
     return static_cast<std::uint32_t>(std::nearbyint(value * powerOfTwo(kBias - 1 + bits)));
@@ -40,7 +40,7 @@ std::uint32_t encodeSmall(float value, int bits) {
   return (code + (1U << (drop - 1)) - 1U + even) >> drop;
 }
 
-/// Vulkan's conversion: the exponent of the largest component, one more when rounding carries.
+/// Vulkan's conversion. The exponent is that of the largest component, plus one if rounding carries.
 std::uint32_t encodeShared(const float (&rgb)[3]) {
   const float largest = std::max({rgb[0], rgb[1], rgb[2]});
   int exponent = kLowestExponent;

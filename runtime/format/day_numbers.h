@@ -14,12 +14,12 @@
 
 namespace welkin::format {
 
-/// An encoding of the table's numbers. A fixed-point one stores integers that are symmetric about 0.
+/// An encoding of the table's numbers. A fixed-point encoding stores integers that are symmetric about 0.
 struct EncodingFacts {
   Encoding encoding;
-  std::size_t bytes;  ///< of a number
+  std::size_t bytes;  ///< per number
   bool has_key_scale;
-  int largest_integer;  ///< of a fixed-point encoding, which has scales of rows; 0: none
+  int largest_integer;  ///< of a fixed-point encoding, which has scales of rows; 0: not fixed-point
 };
 
 /// Every encoding, from the finest to the coarsest.
@@ -35,7 +35,7 @@ inline constexpr auto kEncodings = [] {
   return list;
 }();
 
-/// Of one that checkContent lets pass.
+/// Facts of an encoding that checkContent lets pass.
 constexpr const EncodingFacts& factsOf(Encoding encoding) {
   std::size_t i = 0;
   while (i + 1 < kEncodingFacts.size() && kEncodingFacts[i].encoding != encoding) ++i;
@@ -51,7 +51,7 @@ void visitEncoding(Encoding encoding, Callable&& callable) {
   visit(std::make_index_sequence<kEncodings.size()>());
 }
 
-/// "float32", "float16", "fixed16", "fixed8".
+/// Name of an encoding: "float32", "float16", "fixed16" or "fixed8".
 inline const char* nameOf(Encoding encoding) {
   return EnumNameEncoding(encoding);
 }
@@ -67,21 +67,21 @@ constexpr bool hasRowScale(Encoding encoding) {
   return factsOf(encoding).largest_integer > 0;
 }
 
-/// Bytes of a key of the table as a file holds it: its time, `numbers` numbers (of every row and channel), its scale.
+/// Bytes of one key of the table in a file: its time, its scale, and `numbers` numbers (one per row and channel).
 constexpr std::size_t bytesOfKey(Encoding encoding, std::size_t numbers) {
   return sizeof(double) + numbers * bytesOf(encoding) + (hasKeyScale(encoding) ? sizeof(float) : 0);
 }
-/// Bytes of the table: of its keys, and the scales of its rows and channels.
+/// Bytes of the table in a file: its keys, and the scales of its rows and channels.
 constexpr std::size_t bytesOfTable(Encoding encoding, std::size_t keys, std::size_t numbers) {
   return keys * bytesOfKey(encoding, numbers) + (hasRowScale(encoding) ? numbers * sizeof(float) : 0);
 }
 
-/// Rows of a table of SH coefficients, of which it holds those with m >= 0.
+/// Number of rows of a table of SH coefficients: the coefficients with m >= 0.
 constexpr std::size_t polarCount(std::size_t bands) {
   return bands * (bands + 1) / 2;
 }
 
-/// What a number is stored as: a float, a half's bits, an integer.
+/// Type of a stored number: a float, the bits of a half, or an integer.
 template <Encoding kEncoding>
 using Stored =
     std::conditional_t<kEncoding == Encoding::float32, float,

@@ -7,8 +7,8 @@
 
 namespace welkin::format {
 
-/// Value of a half; subnormals, infinities and NaNs included. Giesen (2012), "half_to_float_fast": the exponent is
-/// moved by one multiplication.
+/// Value of a half, including subnormals, infinities and NaNs. One multiplication moves the exponent: Giesen (2012),
+/// "half_to_float_fast".
 inline float floatFromHalf(std::uint16_t half) {
   const auto magnitude = std::uint32_t{half & 0x7fffU} << 13;
   const float scaled = std::bit_cast<float>(magnitude) * 0x1p112F;

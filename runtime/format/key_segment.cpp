@@ -7,7 +7,7 @@
 namespace welkin::format {
 namespace {
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHalfTurnSlack = 1e-9;  // radians: half a turn is one whatever the rounding of degrees and offsets
+constexpr double kHalfTurnSlack = 1e-9;  // radians: recognises half a turn despite the rounding of degrees and offsets
 }  // namespace
 
 double wrapOutside(double time_h) {

@@ -22,26 +22,27 @@ struct KeySegment {
   double weight;
 };
 
-/// `key_time_h`: at least one key, strictly ascending, in [0, 24). Past the last key the day closes on the first.
+/// Finds the keys around a time. `key_time_h`: at least one key, strictly ascending, in [0, 24). After the last key
+/// follows the first, on the next day.
 KeySegment findSegment(std::span<const double> key_time_h, double time_h);
 
-/// Interpolates `components` key-major numbers into `out`.
+/// Interpolates between keys of `components` numbers each, key-major in `value`. Writes `components` numbers to `out`.
 void interpolate(std::span<const double> key_time_h, std::span<const double> value, double time_h,
                  std::span<double> out);
 
 /// Interpolates angles in radians the short way round; keys half a turn apart go clockwise (growing azimuth).
 double interpolateAngle(double first_rad, double second_rad, double weight);
 
-/// A direction by its angles.
+/// A direction as two angles.
 struct SkyAngles {
   double azimuth_rad;
   double elevation_rad;
 };
-/// The angles of a light whose path was drawn by hand: keys of three spans of one size.
+/// The angles of a light whose path was drawn by hand. The three spans hold one number per key.
 SkyAngles interpolatePath(std::span<const double> key_time_h, std::span<const double> azimuth_rad,
                           std::span<const double> elevation_rad, double time_h);
 
-/// Whether times are at least one, finite, strictly ascending and in [0, 24).
+/// Whether there is at least one time, and all are finite, strictly ascending and in [0, 24).
 bool areKeyTimes(std::span<const double> key_time_h);
 
 }  // namespace welkin::format

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the map of the modes is read: bilinear as a GPU filters it, with the outer texels' centres at 0 and 1.
+// Bilinear reading of the modes' map, as a GPU filters it. The centres of the outer texels are at coordinates 0 and 1.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ struct ModeTexels {
   std::size_t left, right, low, high;
   double across, upwards;  ///< [0, 1]
 
-  /// The value at the place; `texel` gives that of a column and a row.
+  /// The interpolated value; texel(column, row) gives the value of one texel.
   template <typename Texel>
   double blend(Texel&& texel) const {
     return (1.0 - upwards) * ((1.0 - across) * texel(left, low) + across * texel(right, low)) +

@@ -24,7 +24,7 @@ constexpr double kFarthest_m = 1e7;
 constexpr std::uint32_t kDirections = 4;
 constexpr std::uint32_t kMostKnots = 8192;
 
-/// Whether each is the first half of a float32 in [0, kAny].
+/// Whether each scale is the upper half of a float32 in [0, kAny].
 bool areScales(std::span<const std::uint16_t> scales) {
   return std::all_of(scales.begin(), scales.end(), [](std::uint16_t bits) {
     const float scale = std::bit_cast<float>(std::uint32_t{bits} << 16);
@@ -93,7 +93,7 @@ void checkError(Check& check, const SectorError& e, std::size_t probes) {
              "the errors", "have a value out of their domain");
 }
 
-/// Whether every probe's lights, as many as the counts say, are there and ascend.
+/// Whether every probe has as many lights as `counts` says, in ascending order and below `lights`.
 bool areLightsOf(std::span<const std::uint8_t> counts, std::span<const std::uint16_t> light, std::size_t lights) {
   std::size_t next = 0;
   for (const std::uint8_t count : counts) {

@@ -14,7 +14,7 @@ WelkinFloat4 pack(const float v[3], float w) {
   return {v[0], v[1], v[2], w};
 }
 
-/// Kept finite past float's range.
+/// Nearest float; values past float's range stay finite.
 float toFloat(double value) {
   return static_cast<float>(std::clamp(value, -1e38, 1e38));
 }
@@ -29,7 +29,7 @@ WelkinFloat4 discOf(const WelkinLight& light) {
   return pack(radiance, light.disc_radius_rad);
 }
 
-/// Scale and offset that take the coordinates [0, 1] to the centres of the outer ones of `texels`.
+/// Scale and offset that take coordinates 0 and 1 to the centres of the first and the last of `texels` texels.
 float texelScale(uint32_t texels) {
   return texels == 0 ? 0.0F : static_cast<float>((texels - 1.0) / texels);
 }
@@ -37,8 +37,8 @@ float texelOffset(uint32_t texels) {
   return texels == 0 ? 0.0F : static_cast<float>(0.5 / texels);
 }
 
-/// Packs the terms that modes.glsl makes E of: sums of modes; V and the ground's share of lower normals; or two bands
-/// of coefficients.
+/// Packs the terms from which modes.glsl sums E: the weights of the modes; V for lower normals; and the ground's share.
+/// Without modes they are the first two bands of the coefficients.
 void packModes(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
   const auto sh = [&](int i) {
     return f64::Number3(double{sample.ambient_sh[i][0]}, double{sample.ambient_sh[i][1]},

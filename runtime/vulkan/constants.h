@@ -25,11 +25,11 @@ struct GradientColumn {
 };
 GradientColumn gradientColumnAt(double time_h, uint32_t width);
 
-/// The uniform block. `sample` has come from welkin_sky_sample.
+/// Packs the uniform block. `sample` comes from welkin_sky_sample.
 WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample);
 
-/// The ambient light alone: the coefficients, their number, and the modes without their map. A sample without modes, a
-/// cross-blend, gives the modes' shader the light of the first two bands.
+/// Packs the ambient light alone: the coefficients, their number, and the weights of the modes. For a sample without
+/// modes, such as a cross-blend, modes.glsl gets the light of the first two bands.
 void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants);
 
 }  // namespace welkin::vulkan

@@ -7,7 +7,7 @@
 namespace welkin::vulkan {
 
 struct Descriptors {
-  VkSampler fetch = VK_NULL_HANDLE;   ///< gradients; they are fetched, so it filters nothing
+  VkSampler fetch = VK_NULL_HANDLE;   ///< gradients, which shaders fetch without a filter
   VkSampler filter = VK_NULL_HANDLE;  ///< cubemaps and modes
   VkSampler wrap = VK_NULL_HANDLE;    ///< the star map, whose columns wrap
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
@@ -19,7 +19,7 @@ struct Descriptors {
 WelkinResult createDescriptors(const Device& device, uint32_t frames, Descriptors& descriptors, WelkinMessage* message);
 void destroy(const Device& device, Descriptors& descriptors);
 
-/// Points a set at its slice of the uniform buffer, the two gradients, the star map and the modes' map: once.
+/// Points a set at its slice of the uniform buffer, the two gradients, the star map and the modes' map. Called once.
 void writeFixedBindings(const Device& device, const Descriptors& descriptors, uint32_t frame,
                         const VkDescriptorBufferInfo& constants, VkImageView gradient_sun, VkImageView gradient_anti,
                         VkImageView stars, VkImageView modes);

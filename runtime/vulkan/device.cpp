@@ -32,7 +32,7 @@ void Device::nameObject(VkObjectType type, uint64_t object, const char* text) co
   info.objectType = type;
   info.objectHandle = object;
   info.pObjectName = text;
-  fn.SetDebugUtilsObjectNameEXT(handle, &info);  // a name that does not stick is no error
+  fn.SetDebugUtilsObjectNameEXT(handle, &info);  // failing to set a name is no error
 }
 
 namespace {

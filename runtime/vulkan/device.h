@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The caller's device, the Vulkan functions used on it, and how a refusal is reported.
+// The caller's device, the Vulkan functions used on it, and reports of errors.
 #pragma once
 
 #include <welkin/welkin_vulkan.h>
@@ -65,7 +65,7 @@ struct Device {
   const VkAllocationCallbacks* allocator = nullptr;
   VkPhysicalDeviceProperties properties{};
   VkPhysicalDeviceMemoryProperties memory{};
-  WelkinVulkanMemoryCallbacks callbacks{};  ///< without `allocate` the library allocates
+  WelkinVulkanMemoryCallbacks callbacks{};  ///< if `allocate` is null, the library allocates
 
   /// Names an object for debuggers and validation messages.
   template <typename Handle>
@@ -80,10 +80,12 @@ struct Device {
 /// Writes a formatted message when there is somewhere to write it, and returns `code`.
 [[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
 
-/// WELKIN_OK for success; else "what: VkResult" and WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE.
+/// WELKIN_OK if `result` is a success. Else WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE, and the message
+/// "`what`: `result`".
 WelkinResult check(VkResult result, const char* what, WelkinMessage* message);
 
-/// WELKIN_OK when optimally tiled images of `format` have the features; else WELKIN_ERROR_DEVICE, which names `what`.
+/// WELKIN_OK if optimally tiled images of `format` have the features. Else WELKIN_ERROR_DEVICE; its message names
+/// `what`.
 WelkinResult checkFormat(const Device& device, VkFormat format, VkFormatFeatureFlags needed, const char* what,
                          WelkinMessage* message);
 

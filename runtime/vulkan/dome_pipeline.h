@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graphics pipelines of the dome: one for each source of radiance, that replaces or blends.
+// The graphics pipelines of the dome: for each source of radiance, one that replaces the picture and one that blends.
 #pragma once
 
 #include "passes/dome_push.h"
@@ -9,8 +9,8 @@ namespace welkin::vulkan {
 
 struct DomePipeline {
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  VkPipeline pipelines[4] = {};  ///< indexed by WelkinVulkanSource, plus 2 for the blending ones
-  bool blends = false;           ///< whether the colour format lets the latter exist
+  VkPipeline pipelines[4] = {};  ///< index: WelkinVulkanSource, plus 2 for blending
+  bool blends = false;           ///< whether the colour format supports blending
 };
 
 WelkinResult createDomePipeline(const Device& device, const WelkinVulkanCreateInfo& info, VkDescriptorSetLayout set,

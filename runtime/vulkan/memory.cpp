@@ -11,7 +11,8 @@ VkDeviceSize roundUp(VkDeviceSize bytes, VkDeviceSize to) {
   return (bytes + to - 1) / to * to;
 }
 
-/// First memory type of `allowed` with all of `needed`; one with `preferred` too where there is one.
+/// First memory type of `allowed` with all of `needed` and `preferred`; if there is none, the first with all of
+/// `needed`.
 uint32_t findMemoryType(const Device& device, uint32_t allowed, VkMemoryPropertyFlags needed,
                         VkMemoryPropertyFlags preferred) {
   uint32_t found = kNoMemoryType;
@@ -86,7 +87,7 @@ void destroy(const Device& device, MappedBuffer& buffer) {
 
 void freeMemory(const Device& device, WelkinVulkanAllocation& allocation) {
   if (device.callbacks.allocate == nullptr)
-    device.fn.FreeMemory(device.handle, allocation.memory, device.allocator);  // unmaps it
+    device.fn.FreeMemory(device.handle, allocation.memory, device.allocator);  // this also unmaps it
   else if (allocation.memory != VK_NULL_HANDLE)
     device.callbacks.free(device.callbacks.user, &allocation);
   allocation = {};
@@ -189,7 +190,7 @@ void destroy(const Device& device, Image& image) {
 
 namespace {
 
-/// Barrier of a range of mips; `barrier` holds stages, accesses and layouts.
+/// Records a barrier for a range of mips; `barrier` holds stages, accesses and layouts.
 void recordTransition(const Device& device, VkCommandBuffer commands, const Image& image, uint32_t first_mip,
                       uint32_t mips, VkImageMemoryBarrier2 barrier) {
   barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
@@ -219,7 +220,8 @@ VkImageMemoryBarrier2 barrierOf(VkPipelineStageFlags2 from, VkAccessFlags2 writt
   return barrier;
 }
 
-/// Fills the mips after the first, each from the one before; leaves all but the last as a transfer's source.
+/// Fills the mips after the first, each from the one before. Leaves all but the last in the layout of a transfer
+/// source.
 void recordMips(const Device& device, VkCommandBuffer commands, const Image& image) {
   const auto to_source =
       barrierOf(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
@@ -263,7 +265,7 @@ void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer 
     device.fn.CmdCopyBufferToImage(commands, staging, image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                    image.stagedMips(), region);
     if (image.blits_mips) recordMips(device, commands, image);
-    const uint32_t blitted = image.blits_mips ? image.mips - 1 : 0;  // the mips that were a blit's source
+    const uint32_t blitted = image.blits_mips ? image.mips - 1 : 0;  // mips that were the source of a blit
     if (blitted > 0)
       recordTransition(device, commands, image, 0, blitted, to_read(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
     recordTransition(device, commands, image, blitted, image.mips - blitted,

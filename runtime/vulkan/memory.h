@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Device memory, the library's or the caller's: mapped buffers, and one block for all images.
+// Device memory from the library or the caller: mapped buffers, and one block for all images.
 #pragma once
 
 #include "vulkan/device.h"
@@ -18,21 +18,21 @@ WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsag
                           MappedBuffer& buffer, WelkinMessage* message);
 void destroy(const Device& device, MappedBuffer& buffer);
 
-/// A sampled image: gradient (1 layer), cubemap (6) or an array of layers.
+/// A sampled image: a map (1 layer), a cubemap (6 layers) or an array of layers.
 struct Image {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;
   VkExtent2D extent{};
   uint32_t layers = 0;
-  bool is_array = false;  ///< read as an array, also when it has one layer
+  bool is_array = false;  ///< shaders read it as an array, even if it has one layer
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkDeviceSize texel_bytes = 0;
   VkDeviceSize staging_offset = 0;
   uint32_t mips = 1;
-  bool blits_mips = true;  ///< the device makes the mips after the first; else they are staged too
-  bool borrowed = false;   ///< the caller's image
+  bool blits_mips = true;  ///< true: blits make the mips after the first; false: they are staged too
+  bool borrowed = false;   ///< the image belongs to the caller
 
-  /// Bytes of one mip, all its layers.
+  /// Bytes of all layers of one mip.
   VkDeviceSize mipBytes(uint32_t mip) const {
     return texel_bytes * edgeAt(extent.width, mip) * edgeAt(extent.height, mip) * layers;
   }
@@ -46,7 +46,7 @@ struct Image {
   static uint32_t edgeAt(uint32_t edge, uint32_t mip) { return edge >> mip > 0 ? edge >> mip : 1; }
 };
 
-/// Mips of a square of `edge` texels down to one.
+/// Number of mips from a square with `edge` texels along an edge down to one texel.
 uint32_t mipCount(uint32_t edge);
 
 /// The request to vkCreateImage.
@@ -58,8 +58,8 @@ WelkinResult createImages(const Device& device, Image* images, uint32_t count, W
 void destroy(const Device& device, Image& image);
 void freeMemory(const Device& device, WelkinVulkanAllocation& allocation);
 
-/// Records the copy of every image from `staging` and fills the mips that are not there, each from the one before by a
-/// linear blit; leaves them in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
+/// Records the copy of every image from `staging`. Mips that are not staged are filled by linear blits, each from the
+/// mip before. Leaves the images in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
 void recordImageUpload(const Device& device, VkCommandBuffer commands, VkBuffer staging, const Image* images,
                        uint32_t count);
 

@@ -8,7 +8,8 @@
 namespace welkin::vulkan {
 namespace {
 
-/// The texels of the larger mip that a texel of the smaller one covers along an axis, and their shares; at most three.
+/// The texels of the larger mip that one texel of the smaller mip covers along an axis, at most three, and their
+/// shares.
 struct Cover {
   uint32_t first = 0;
   uint32_t count = 0;
@@ -27,8 +28,8 @@ struct Cover {
   }
 };
 
-/// A face's RGB from `from` x `from` to `to` x `to` texels; may be in place, for a texel only reads at or after its own
-/// place.
+/// Reduces a face's RGB from `from` x `from` to `to` x `to` texels. May work in place: a texel only reads texels at or
+/// after its own place.
 void halve(const float* face, uint32_t from, float* smaller, uint32_t to) {
   for (uint32_t row = 0; row < to; ++row) {
     const Cover rows(from, to, row);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The image of the irradiance's modes: RGBA half floats, modes 1 to 4 in the first layer, 5 to 8 in the second, 9 to 12
-// in the third. Layers and not rows below each other: clamping keeps a filter inside its layer.
+// in the third. With layers, clamping keeps a filter inside its four modes; rows below each other would mix them.
 #pragma once
 
 #include <welkin/welkin.h>
@@ -12,7 +12,7 @@ namespace welkin::vulkan {
 /// The image that holds the modes; one black texel when there are no modes.
 Image modesImage(const WelkinModes& modes);
 
-/// Writes all its texels; the modes that a layer lacks are 0. `to` has room for its texels, and is only written to.
+/// Writes all texels of that image to `to`, which has room for them and is only written to. Missing modes are 0.
 void copyModes(const WelkinModes& modes, unsigned char* to);
 
 }  // namespace welkin::vulkan

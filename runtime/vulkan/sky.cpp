@@ -15,13 +15,13 @@
 namespace welkin::vulkan {
 
 struct Frame {
-  uint32_t cubemap[2] = {};  ///< that its descriptor set points at
+  uint32_t cubemap[2] = {};  ///< indices of the cubemaps in its descriptor set
   bool updated = false;
 };
 
-constexpr uint32_t kStars = 2;  ///< image after the two gradients
+constexpr uint32_t kStars = 2;  ///< index of the image after the two gradients
 constexpr uint32_t kModes = 3;
-constexpr uint32_t kFixed = 4;  ///< images before the cubemaps
+constexpr uint32_t kFixed = 4;  ///< number of images before the cubemaps
 
 }  // namespace welkin::vulkan
 
@@ -30,14 +30,14 @@ struct WelkinVulkanSky {
   welkin::vulkan::SkyShape shape;
   welkin::vulkan::Descriptors descriptors;
   welkin::vulkan::DomePipeline dome;
-  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, modes, cubemaps (black ones for none)
+  std::unique_ptr<welkin::vulkan::Image[]> images;  ///< gradients, stars, modes, cubemaps; black if missing
   uint32_t image_count = 0;
-  uint32_t cubemap_count = 0;  ///< the file's
+  uint32_t cubemap_count = 0;  ///< cubemaps in the file
   WelkinVulkanAllocation image_memory{};
   VkDeviceSize image_bytes = 0;
   welkin::vulkan::MappedBuffer staging;
   welkin::vulkan::MappedBuffer uniforms;
-  VkDeviceSize slice_bytes = 0;  ///< from one frame's constants to the next one's
+  VkDeviceSize slice_bytes = 0;  ///< distance between the constants of two frames
   uint32_t frame_count = 0;
   welkin::vulkan::Frame frames[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT];
   bool upload_recorded = false;
@@ -58,7 +58,8 @@ void copyGradient(const WelkinGradient& gradient, unsigned char* to) {
   }
 }
 
-/// Two gradients, the stars, the modes, then the cubemaps; black texels and a black cubemap where there are none.
+/// Number of images: two gradients, the stars, the modes, then the cubemaps. A missing one is replaced by a black
+/// image.
 uint32_t imageCount(const WelkinSkyInfo& info) {
   return kFixed + (info.cubemap_count > 0 ? info.cubemap_count : 1);
 }
@@ -93,7 +94,7 @@ Image imageOf(const WelkinSkyInfo& info, const WelkinGradients& gradients, const
   image.format = kVulkanFormats[info.cubemap_format];
   image.texel_bytes = format::texelBytes(format);
   image.mips = mipCount(edge);
-  image.blits_mips = format == format::CubemapFormat::rgba16f;  // no device need write the others
+  image.blits_mips = format == format::CubemapFormat::rgba16f;  // devices need not be able to write other formats
   return image;
 }
 
@@ -169,7 +170,7 @@ void selectCubemaps(WelkinVulkanSky& o, uint32_t frame, uint32_t first, uint32_t
   o.frames[frame].cubemap[1] = second;
 }
 
-/// Whether a sample's weights are of this sky's modes, or there are none.
+/// Whether a sample has as many modes as this sky, or none.
 bool hasModesOf(const WelkinVulkanSky& o, const WelkinSkySample& sample) {
   return sample.mode_count == 0 || sample.mode_count == o.shape.modes.count;
 }
@@ -274,9 +275,9 @@ WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t fram
     return WELKIN_ERROR_ARGUMENT;
   WelkinSkyConstants constants{};
   packAmbient(*blended, constants);
-  unsigned char* slice = object->uniforms.mapped + frame * object->slice_bytes;  // written only: reading it is slow
+  unsigned char* slice = object->uniforms.mapped + frame * object->slice_bytes;  // never read: reading it is slow
   std::memcpy(slice + offsetof(WelkinSkyConstants, moon) + offsetof(WelkinFloat4, w), &constants.moon.w, sizeof(float));
-  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // up to the numbers that no hour changes
+  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // up to mode_texels, fixed for all hours
   std::memcpy(slice + kFirst, constants.ambient_sh, offsetof(WelkinSkyConstants, mode_texels) - kFirst);
   return WELKIN_OK;
 }

@@ -8,8 +8,8 @@ INLINE Number3 directionOf(Number azimuth_rad, Number elevation_rad) {
   return Number3(c * sin(azimuth_rad), sin(elevation_rad), -c * cos(azimuth_rad));
 }
 
-// Sine, at least 0, of the angle of a cosine: the horizontal length of a unit direction by its y. 1 - cosine^2 would lose
-// digits near the poles, where its factors are exact; a cosine that rounding took past 1 gives 0.
+// Sine, at least 0, of the angle with this cosine: the horizontal length of a unit direction by its y. 1 - cosine^2
+// would lose digits near the poles; its two factors are exact there. A cosine that rounding took past 1 gives 0.
 INLINE Number sineFromCosine(Number cosine) {
   return sqrt(max((NUMBER(1.0) - cosine) * (NUMBER(1.0) + cosine), NUMBER(0.0)));
 }
@@ -37,9 +37,9 @@ struct DailyCircle {
   Number3 west;
 };
 
-// The circle of `declination_rad` seen from `latitude_rad`. `north_offset_rad` is the angle from true north to the
-// world's -z and is added to azimuths. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms
-// (1998), ch. 13.
+// The circle of `declination_rad` seen from `latitude_rad`. `north_offset_rad` is the world's azimuth of true north, so
+// it is added to true azimuths. Geometric: without refraction or parallax. Meeus, Astronomical Algorithms (1998),
+// ch. 13.
 INLINE DailyCircle dailyCircle(Number declination_rad, Number latitude_rad, Number north_offset_rad) {
   Number c = cos(north_offset_rad);
   Number s = sin(north_offset_rad);
@@ -63,8 +63,8 @@ INLINE Number3 celestialDirection(Number hour_angle_rad, Number declination_rad,
   return directionOnCircle(dailyCircle(declination_rad, latitude_rad, north_offset_rad), hour_angle_rad);
 }
 
-// Inverse of celestialDirection. Returns (cos dec cos H, sin dec, cos dec sin H) for a unit direction's declination and
-// hour angle.
+// Inverse of celestialDirection. Returns (cos dec cos H, sin dec, cos dec sin H), where dec and H are the declination
+// and the hour angle of a unit direction.
 INLINE Number3 equatorialOf(Number3 direction, Number latitude_rad, Number north_offset_rad) {
   Number c = cos(north_offset_rad);
   Number s = sin(north_offset_rad);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that a surface gets from the sun or the moon, and that level ground gives back.
+// Light that a surface receives from the sun or the moon, and light that level ground reflects.
 
 // RGB irradiance of a surface that faces a light of this illuminance. Only hue and saturation of `colour` count; a black
 // one gives 0.

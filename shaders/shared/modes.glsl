@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map of the irradiance's modes. It holds the upper normals only: opposite normals differ by the vector irradiance
-// V, E(n) - E(-n) = n . V. The modes are symmetric about the sun's vertical plane, so they are functions of the
+// V: E(n) - E(-n) = n . V. The modes are symmetric about the sun's vertical plane, so they are functions of the
 // elevation and of the cosine of the azimuth from the sun's. An even function of the azimuth is smooth in that cosine.
 // Rows are even in 1 - sqrt(1 - y), which near the zenith grows as the angle from it. A conical tip there, such as a
 // bright horizon causes, becomes a straight line.
@@ -13,7 +13,7 @@ INLINE Number modeRow(Number horizontal, Number abs_y) { return NUMBER(1.0) - ho
 INLINE Number yOfModeRow(Number row) { return row * (NUMBER(2.0) - row); }
 
 // Column coordinate in [0, 1] of a unit normal's azimuth. (x, z) is the unit horizontal direction towards the sun's
-// azimuth. Any value may result at the zenith, where all columns are the same.
+// azimuth. At the zenith the value is arbitrary, because all columns are the same there.
 INLINE Number modeColumn(Number3 normal, Number horizontal, Number x, Number z) {
   Number cosine = (normal.x * x + normal.z * z) / max(horizontal, NUMBER(1e-6));
   return clamp(NUMBER(0.5) + NUMBER(0.5) * cosine, NUMBER(0.0), NUMBER(1.0));

@@ -14,7 +14,7 @@
 #define WELKIN_BANDS 5
 #endif
 
-// What one band adds to the irradiance.
+// The share of one band in the irradiance.
 vec3 welkinIrradianceOfBand(ShBasis basis, int band) {
   vec3 sum = vec3(0.0);
   for (int i = band * band; i < (band + 1) * (band + 1); ++i) sum += welkinSky.ambient_sh[i].rgb * basis.v[i];

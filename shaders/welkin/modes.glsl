@@ -31,8 +31,8 @@ vec3 welkinModesOfLayer(vec2 at, float layer, int first) {
 // Irradiance E, pi included, clamped at 0, as welkin_sky_irradiance computes it. A normal that looks down takes the
 // modes of the opposite normal plus the difference of the two. That difference is linear in the normal and the ground's
 // share is linear in |y|, so it is one product with a vector for each channel. A device filters with weights of b bits,
-// VkPhysicalDeviceLimits::subTexelPrecisionBits, 8 on common ones. Each mode is within 2^-b of the sum of its
-// differences to the next column and the next row.
+// VkPhysicalDeviceLimits::subTexelPrecisionBits, 8 on common ones. So the error of each mode is at most 2^-b times the
+// sum of its differences to the next column and the next row.
 vec3 welkinModesIrradiance(vec3 normal) {
   vec4 frame = welkinSky.mode_frame;
   vec4 texels = welkinSky.mode_texels;

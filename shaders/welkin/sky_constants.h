@@ -23,20 +23,19 @@ struct WelkinSkyConstants {
   WELKIN_FLOAT4 tint;             // rgb: polarising tint; w: luminance under which a gradient fades to neutral, > 0
   WELKIN_FLOAT4 ground;           // rgb: radiance below the horizon; w: weight of the second cubemap, in [0, 1)
   WELKIN_FLOAT4 gradient_size;    // columns and rows of the sun's gradient, columns and rows of the opposite one
-  WELKIN_FLOAT4 gradient_column;  // column left of the hour and weight of the next one: the sun's, the opposite's
+  WELKIN_FLOAT4 gradient_column;  // column left of the hour, weight of the next column: the sun's, the opposite's
   WELKIN_FLOAT4 sun_disc;         // rgb: radiance of the disc; w: its angular radius, radians; 0: no disc
-  WELKIN_FLOAT4 moon;             // xyz: direction of the moon; w: how many ambient coefficients are set, 4..25
+  WELKIN_FLOAT4 moon;             // xyz: direction of the moon; w: number of ambient coefficients, 4..25
   WELKIN_FLOAT4 moon_disc;        // as sun_disc
   WELKIN_FLOAT4 stars;            // latitude, north offset, turn since midnight, radians; radiance of the map's white
   WELKIN_FLOAT4 key_direction;    // xyz: towards the one light that casts shadows, the sun or the moon; w: 0
   WELKIN_FLOAT4 key_irradiance;   // rgb: irradiance of a surface that faces it, pi included; 0 below the horizon; w: 0
   WELKIN_FLOAT4 ambient_sh[25];   // rgb: radiance coefficients of the ambient light; w: 0
-  WELKIN_FLOAT4
-  mode_weight[9];              // irradiance, pi included, of modes 1 to 4 for red, green, blue, then of 5 to 8, 9 to 12
-  WELKIN_FLOAT4 mode_rest[3];  // irradiance beside the modes, for red, green, blue: welkin/modes.glsl
-  WELKIN_FLOAT4 mode_frame;    // xy: x and z of the unit horizontal direction to the sun's azimuth; z: share of the
-                               // rest's xyz in upper normals; w: of |y| in the rest's w
-  WELKIN_FLOAT4 mode_texels;   // of the modes' map: xy scale and zw offset from column and row in [0, 1]
+  WELKIN_FLOAT4 mode_weight[9];   // weights of modes 1..4 for red, for green, for blue; then of 5..8; then of 9..12
+  WELKIN_FLOAT4 mode_rest[3];     // irradiance beside the modes, for red, green, blue: welkin/modes.glsl
+  WELKIN_FLOAT4 mode_frame;       // xy: x and z of the unit horizontal direction to the sun's azimuth; z: factor of
+                                  // mode_rest's xyz for upper normals; w: factor of |y| in mode_rest's w
+  WELKIN_FLOAT4 mode_texels;      // from column and row in [0, 1] to the modes' map: xy scale, zw offset
 };
 
 #ifdef __cplusplus

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * A disk that fails, for LD_PRELOAD. What counts are the calls that change files: open() for writing, write(), fsync()
- * and close() of what it opened, rename(), mkdir(), unlink() and remove(), numbered from 1 in the order of the calls.
- *   WELKIN_DISK_BYTES=N  N bytes of room: the write() that does not fit writes what fits, the next fails with ENOSPC
- *   WELKIN_DISK_FAULT=F  the call WELKIN_DISK_CALL fails with the error F: ENOSPC, EIO, EDQUOT, EROFS; or
- *                        EINTR  open(), write(), fsync() or close() is interrupted (only those are counted then)
- *                        short  write() writes a third of its bytes
- *                        kill   the process kills itself before the call, in the middle of it when that is a write()
- *   WELKIN_DISK_CALL=K   the number of that call; "K+": from that one on, with EINTR every second one
- *   WELKIN_DISK_LOG=P    a line for each call that succeeded is added to this file: its name and its paths
- * unlink() and remove() are counted with kill and with "K+" only: a failed write must still be cleaned up.
- * Calls are made one after another; there is no lock. */
+ * A disk that fails, for LD_PRELOAD. It counts the calls that change files, from 1: open() for writing; write(),
+ * fsync() and close() of such files; rename(), mkdir(), unlink() and remove(). WELKIN_DISK_BYTES=N  N bytes of room:
+ * the first write() that does not fit is cut, the next fails with ENOSPC WELKIN_DISK_FAULT=F  the call WELKIN_DISK_CALL
+ * fails with the error F: ENOSPC, EIO, EDQUOT, EROFS; or EINTR  open(), write(), fsync() or close() is interrupted
+ * (only these are counted then) short  write() writes a third of its bytes kill   the process kills itself before the
+ * call, or in the middle of a write() WELKIN_DISK_CALL=K   number of the call that fails; "K+": all later calls fail
+ * too, with EINTR every second one WELKIN_DISK_LOG=P    adds a line to this file for each call that succeeded: its name
+ * and its paths unlink() and remove() are counted only with kill and with "K+", so that a failed write can be cleaned
+ * up. There is no lock: the program must not make these calls at the same time. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -28,10 +26,10 @@ enum { kMostFiles = 1024, kShort = -1, kKill = -2 };
 static long room = -1; /* bytes; below 0: no limit */
 static int fault = 0;  /* an error number, kShort, kKill; 0: none */
 static long at = 0;    /* number of the call that fails */
-static int stays = 0;  /* whether later ones fail as well */
-static long calls = 0; /* so far */
+static int stays = 0;  /* whether later calls fail too */
+static long calls = 0; /* number of calls so far */
 static int log_file = -1;
-static char* path_of[kMostFiles]; /* of the files opened for writing */
+static char* path_of[kMostFiles]; /* by file descriptor, of files opened for writing */
 
 static __attribute__((constructor)) void readEnvironment(void) {
   static const struct {
@@ -54,7 +52,7 @@ static __attribute__((constructor)) void readEnvironment(void) {
     log_file = (int)syscall(SYS_openat, AT_FDCWD, text, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
 }
 
-/* Counts a call and says whether it is one that fails. */
+/* Counts a call and returns whether it must fail. */
 static int fails(void) {
   const long call = ++calls;
   if (fault == 0 || call < at) return 0;
@@ -69,7 +67,7 @@ static long killed(void) {
   return -1;
 }
 
-/* Of a call that is made whole or not at all. */
+/* Whether a call that is done whole or not at all must fail. */
 static int refused(int interruptible) {
   if (fault == EINTR && !interruptible) return 0;
   if (!fails() || fault == kShort) return 0;

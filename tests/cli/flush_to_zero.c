@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * A library that changes the floating-point environment of a program, for LD_PRELOAD, as -ffast-math makes them: sets
- * the bits WELKIN_MXCSR (hexadecimal) of the SSE control register when it is loaded; when WELKIN_MXCSR_LATE is set,
- * only when the program loads what reads images. */
+ * A library for LD_PRELOAD that changes the floating-point environment, as libraries built with -ffast-math do. It sets
+ * the bits WELKIN_MXCSR (hexadecimal) of the SSE control register when it is loaded. If WELKIN_MXCSR_LATE is set, it
+ * waits until the program loads the module that reads images. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ball under the sky, seen from the south without perspective: half ambient light, half the sky that its normal sees.
+// A ball under the sky, seen from the south without perspective: half ambient light, half the sky along its normal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_SET 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One triangle that covers the viewport; `point` is the place on the picture in radii of the ball, y down.
+// One triangle that covers the viewport. `point` is the position on the picture in radii of the ball, y down.
 #version 460
 layout(location = 0) out vec2 point;
 

@@ -16,8 +16,8 @@
 #include "ball.frag.h"
 #include "ball.vert.h"
 
-static std::size_t allocations = 0;  // of the game and of Welkin; see CMakeLists.txt
-static unsigned messages = 0;        // of the validation layer
+static std::size_t allocations = 0;  // count for the game and Welkin; see CMakeLists.txt
+static unsigned messages = 0;        // count for the validation layer
 static double worst = -1.0;          // relative error of a pixel; -1: none was compared
 
 void* operator new(std::size_t bytes) {
@@ -32,7 +32,7 @@ void operator delete(void* p) noexcept {
 namespace {
 constexpr uint32_t kWidth = 64, kHeight = 32, kFramesInFlight = 2;
 constexpr vk::Format kFormat = vk::Format::eR32G32B32A32Sfloat;
-constexpr vk::DeviceSize kFloats = kWidth * kHeight * 4, kBytes = kFloats * sizeof(float);  // of a picture
+constexpr vk::DeviceSize kFloats = kWidth * kHeight * 4, kBytes = kFloats * sizeof(float);  // per picture
 constexpr auto kHostMemory = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 constexpr vk::ImageSubresourceRange kWhole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
 constexpr vk::ImageCreateInfo kImage({}, vk::ImageType::e2D, kFormat, {kWidth, kHeight, 1}, 1, 1,
@@ -70,7 +70,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& context) {
 }
 
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical) {
-  vk::PhysicalDeviceVulkan13Features features;  // what Welkin needs, and nothing else
+  vk::PhysicalDeviceVulkan13Features features;  // only what Welkin needs
   features.dynamicRendering = features.synchronization2 = VK_TRUE;
   const float priority = 1.0F;
   const vk::DeviceQueueCreateInfo queue({}, 0, 1, &priority);
@@ -104,7 +104,7 @@ struct Frame {
   WelkinSkySample sample;
 };
 
-/// Members in the order of creation; the device outlives everything on it.
+/// Members are in the order of their creation, so that the device outlives everything on it.
 class Game {
  public:
   explicit Game(const char* path) {
@@ -131,9 +131,9 @@ class Game {
     queue_.waitIdle();
     welkin_vulkan_free_staging(dome);
   }
-  ~Game() { device_.waitIdle(); }  // on the way out of an exception as well
+  ~Game() { device_.waitIdle(); }  // also after an exception
 
-  /// A day in `count` frames; returns how often it allocated.
+  /// Draws a day in `count` frames. Returns the number of allocations.
   std::size_t run(uint32_t count) {
     const std::size_t before = allocations;
     for (uint32_t i = 0; i < count + kFramesInFlight; ++i) {
@@ -187,7 +187,7 @@ class Game {
     commands.pipelineBarrier2({{}, to_host});
   }
 
-  /// Every seventh pixel against the runtime's own evaluation on the CPU.
+  /// Compares every seventh pixel with the runtime's own evaluation on the CPU.
   void compare(const Frame& frame, const float* rgba) {
     for (uint32_t i = 0; i < kWidth * kHeight; i += 7) {
       const float x = (float(i % kWidth) + 0.5F) * 2.0F / kHeight - float(kWidth) / kHeight;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * A C11 program built with pkg-config's answer alone: the hour of the first key of a baked sky. */
+ * A C11 program built with the flags of pkg-config alone. It prints the hour of the first key of a baked sky. */
 #include <stdio.h>
 #include <welkin/welkin.h>
 

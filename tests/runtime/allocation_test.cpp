@@ -120,7 +120,7 @@ TEST_CASE("Runtime, LightsRiseWithoutAJump") {
   for (int i = 0; i <= 1000; ++i) {
     REQUIRE(welkin_sky_sample(sky, 5.0 + 2.0 * i / 1000.0, &sample) == WELKIN_OK);
     REQUIRE(sample.sun.visible >= last);
-    REQUIRE(sample.sun.visible - last < 0.003F);  // 1000 steps over 3.3 radii; the middle is 2 / pi steep a radius
+    REQUIRE(sample.sun.visible - last < 0.003F);  // 1000 steps over 3.3 radii; the steepest slope is 2 / pi per radius
     last = sample.sun.visible;
   }
   CHECK(last == 1.0F);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files with a right checksum and wrong content, as from a faulty writer or an attacker: refused with
-// WELKIN_ERROR_CONTENT, or harmless.
+// Files with a right checksum and wrong content, as from a faulty writer or an attacker. They are refused with
+// WELKIN_ERROR_CONTENT, or they are harmless.
 #include <welkin/welkin.h>
 
 #include <catch2/catch.hpp>

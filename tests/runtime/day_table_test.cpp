@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day's table by hand: its encodings, of coefficients and of modes' weights, and its frame against a rotation of
-// another kind.
+// The day's table, written by hand: its encodings of coefficients and of modes' weights. Its frame is compared with
+// sh::Rotation.
 #include <welkin/welkin.h>
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@
 namespace welkin::tests {
 namespace {
 
-/// Tolerance for a sample's floats.
+/// Tolerance for the numbers of a sample, which are floats.
 constexpr double kFloats = 4.0 * 0x1p-24;
 
 /// Two keys of four rows of three channels, stored in every encoding as random bits, and the decoded values.
@@ -72,7 +72,7 @@ Numbers randomNumbers(std::uint8_t encoding) {
   return numbers;
 }
 
-/// A file of that table at intensity 1. Neither sun nor moon gives light.
+/// A file with that table at intensity 1. Neither sun nor moon gives light.
 Parts partsOf(const DayParts& day) {
   Parts parts;
   parts.intensity = {};
@@ -92,7 +92,7 @@ WelkinSkySample sampleOf(const Parts& parts, double time_h) {
   return sample;
 }
 
-/// Hours and the first key's share: at the keys, between them, and across midnight.
+/// Hours, each with the first key's weight: at the keys, between them, and across midnight.
 constexpr std::pair<double, double> kHours[] = {{0.0, 1.0}, {12.0, 0.0}, {3.0, 0.75}, {21.0, 0.75}, {16.0, 1.0 / 3.0}};
 
 }  // namespace
@@ -186,7 +186,7 @@ TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
         }
       }
     }
-  // A sun in the zenith has no azimuth. The frame is then the world's towards +z, and nothing is NaN.
+  // A sun in the zenith has no azimuth. The frame's azimuth is then that of the world's +z, and nothing is NaN.
   const core::Azimuth none(f64::Number3(0.0, 1.0, 0.0));
   CHECK((none.cosine == 1.0 && none.sine == 0.0));
 }

@@ -50,7 +50,7 @@ struct DayParts {
   }
 };
 
-/// A valid file of two keys, two bands and two cubemaps. Tests break one part of it.
+/// A valid file with two keys, two bands and two cubemaps. Tests break one part of it.
 struct Parts {
   double model[6] = {-1.0, -0.3, 10.0, -3.0, 0.45, 0.0};
   std::uint8_t normalise = 0;
@@ -66,7 +66,7 @@ struct Parts {
   std::vector<std::uint16_t> cubemap = std::vector<std::uint16_t>(24, 0x3c00);
   std::uint8_t cubemap_format = 0;
   bool has_texels = true;
-  bool shares_texels = false;  ///< one picture for every cubemap
+  bool shares_texels = false;  ///< all cubemaps share one picture
 };
 
 /// The valid file's table in another encoding: 1 float16, 2 fixed16, 3 fixed8.

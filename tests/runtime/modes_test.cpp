@@ -17,7 +17,7 @@ namespace {
 
 using f64::Number3;
 
-/// Samples are floats, and sums have up to nine terms. Relative to the largest of them.
+/// Tolerance relative to the largest term: samples are floats, and sums have up to nine terms.
 constexpr double kFloats = 9.0 * 0x1p-24;
 
 struct Opened {
@@ -72,7 +72,7 @@ ModesOf randomModes(std::uint8_t count, std::uint16_t columns, std::uint16_t row
   return modes;
 }
 
-/// A file of the modes, with a moon that gives no light. Its ground is black unless a test gives an albedo.
+/// A file with the modes and a moon that gives no light. Its ground is black unless a test gives an albedo.
 Parts partsOf(const ModesOf& modes, std::uint8_t bands = 2) {
   std::mt19937 random(22);
   std::uniform_real_distribution<float> number(-0.5F, 0.5F);
@@ -106,7 +106,7 @@ Number3 irradianceOf(const WelkinSky* sky, const WelkinSkySample& sample, const 
   return vectorOf(e);
 }
 
-/// The upper normal of component y at an azimuth from the sun's, to its right.
+/// The upper normal with component y, at an azimuth counted from the sun's to the right.
 Number3 normalAt(const WelkinSkySample& sample, double azimuth_rad, double y) {
   const double x = double{sample.mode_azimuth[0]};
   const double z = double{sample.mode_azimuth[1]};
@@ -116,7 +116,7 @@ Number3 normalAt(const WelkinSkySample& sample, double azimuth_rad, double y) {
   return {along * x - aside * z, y, along * z + aside * x};
 }
 
-/// n . V, from the first moments of the light in the coefficients.
+/// n . V, from the first moments of the radiance, which the coefficients give.
 Number3 netOf(const WelkinSkySample& sample, const Number3& n) {
   return (vectorOf(sample.ambient_sh[3]) * n.x + vectorOf(sample.ambient_sh[1]) * n.y +
           vectorOf(sample.ambient_sh[2]) * n.z) *
@@ -280,8 +280,8 @@ TEST_CASE("Modes, BlendsAndOtherSkiesHaveNone") {
 }
 
 TEST_CASE("Modes, FilterOfEightBits") {
-  // Statement of modes.glsl for a device whose filter weights have b bits: the error is within 2^-b of the sum of the
-  // differences to the next column and row. When the weights are truncated it reaches four fifths of that.
+  // The bound in modes.glsl for a device whose filter weights have b bits: the error is at most 2^-b times the sum of
+  // the differences to the next column and row. If the weights are truncated, it reaches four fifths of that.
   constexpr double kBits = 256.0;
   std::mt19937 random(23);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

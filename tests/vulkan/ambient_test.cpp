@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ambient light in a shader against the runtime's, in a compute shader and on the spheres of a picture.
+// Compares the ambient light of shaders with the runtime's: in a compute shader, and on the spheres of a picture.
 #include <catch2/catch.hpp>
 #include <cstdint>
 

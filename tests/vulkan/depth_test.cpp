@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dome behind a scene, with depth test and multisampling as in a game's own pass.
+// The dome behind a scene, with depth test and multisampling, as in a game's own pass.
 #include <catch2/catch.hpp>
 
 #include "render/runtime_sky.h"

@@ -83,7 +83,7 @@ TEST_CASE("VulkanDome, PerspectiveEqualsRuntime", "[vulkan]") {
     views.setTime(8.2);
     const render::Camera camera{0.8, 0.25, 1.2};
     const FloatImage image = views.perspective(kWidth, kHeight, camera, false);
-    // By rotating a ray: pitch about east, then yaw about down, for a camera that starts out looking north.
+    // The ray is rotated from a camera that looks north: pitch about east, then yaw about down.
     const double half = std::tan(0.5 * camera.fov_rad);
     for (uint32_t y = 0; y < kHeight; ++y)
       for (uint32_t x = 0; x < kWidth; ++x) {
@@ -96,7 +96,7 @@ TEST_CASE("VulkanDome, PerspectiveEqualsRuntime", "[vulkan]") {
         const double cy = std::cos(camera.yaw_rad);
         const double sy = std::sin(camera.yaw_rad);
         const Number3 direction = Number3(right * cy + north * sy, s + up * c, right * sy - north * cy) / length;
-        if (std::abs(direction.y) < 1e-6) continue;  // either side of the horizon, by rounding
+        if (std::abs(direction.y) < 1e-6) continue;  // rounding may put it on either side of the horizon
         compare(worst, image, x, y, runtimeRadiance(sky, views.sample(), direction), 8.2);
       }
   }

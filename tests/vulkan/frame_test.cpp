@@ -16,7 +16,7 @@ std::size_t allocations = 0;
 constexpr bool kCountsAllocations = false;
 #else
 constexpr bool kCountsAllocations = true;
-// Counts this program's allocations, the library's included.
+// Counts this program's allocations, including those of the library.
 void* operator new(std::size_t bytes) {
   ++allocations;
   if (void* p = std::malloc(bytes == 0 ? 1 : bytes)) return p;

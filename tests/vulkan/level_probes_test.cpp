@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Probes in the level picture against the CPU. The test's own ray finds the sphere's normal at every pixel. Its
-// radiance is the sum of the four irradiances by probes::shadingWeights, over pi.
+// radiance is the sum of the four irradiances, weighted by shadingWeights, over pi.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ using transfer::kDirections;
 /// the distance over the radius, 10, times the slope of the normal, below 5 inside of kInside. The four irradiances
 /// differ by as much as their sum.
 constexpr double kTolerance = 2e-5;
-constexpr double kInside = 0.98;  ///< of the radius; pixels farther out are left alone
+constexpr double kInside = 0.98;  ///< share of the radius; pixels farther out are not compared
 
 constexpr uint32_t kSize = 96;
 const Camera kNorth{0.0, 0.0, 0.5};
@@ -93,7 +93,7 @@ Number3 rayAt(const Camera& camera, uint32_t x, uint32_t y) {
   return ray / std::sqrt(dot(ray, ray));
 }
 
-/// How near a ray passes the sphere's centre, over the radius, and the normal where it meets the sphere.
+/// A ray and the sphere: least distance from the centre over the radius, and the normal where they meet.
 struct Meeting {
   double nearness;
   std::optional<Number3> normal;

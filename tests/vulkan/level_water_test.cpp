@@ -29,7 +29,7 @@ TEST_CASE("LevelView, CalmSeaMirrorsTheSkyAndTheLevel", "[vulkan]") {
     const Number3 irradiance =
         skyIrradiance(stage.sky, sample, {0.0, 1.0, 0.0}) + vectorOf(sample.sun.normal_irradiance) * sun.y;
     const Number3 body = shaders::kWaterAlbedo / f64::kPi * irradiance;
-    // The sun's irradiance of the box's south face.
+    // The sun's irradiance on the box's south face.
     const double on_face = std::max(sun.z, 0.0);
     const Number3 face =
         albedo / f64::kPi *

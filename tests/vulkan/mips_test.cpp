@@ -26,7 +26,7 @@ std::vector<unsigned char> ramps(CubemapFormat format, uint32_t edge) {
 }  // namespace
 
 TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
-  constexpr double kRounding = 0x1p-7;  // Rounding of RGB9E5 beside a component up to twice as large; halfs round less.
+  constexpr double kRounding = 0x1p-7;  // RGB9E5 beside a component up to twice as large; half floats round less.
   for (const CubemapFormat format : {CubemapFormat::rgba16f, CubemapFormat::rgb9e5})
     for (const uint32_t edge : {2U, 3U, 5U, 6U, 7U, 8U, 13U}) {
       const auto texels = ramps(format, edge);

@@ -21,7 +21,7 @@ namespace {
 using f64::Number3;
 using Vector = std::array<float, 3>;
 
-/// Relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24.
+/// Tolerance relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24.
 /// Neighbours in the map differ by as much as the modes are large. The map has 8 columns and 5 rows between its outer
 /// centres: 13 x 3 units. The sum of 16 products adds 16 units.
 constexpr double kSoftware = 56.0 / 16777216.0;
@@ -77,7 +77,7 @@ Vector expectedOf(const Sky& sky, const WelkinSkySample& sample, const Vector& n
 
 struct Comparison {
   Worst worst;
-  float least = std::numeric_limits<float>::max();  ///< irradiance: clamping would hide errors
+  float least = std::numeric_limits<float>::max();  ///< least irradiance: it must be above 0, as clamping hides errors
 };
 
 /// Compares the shader's light at three hours with the runtime's.

@@ -82,8 +82,7 @@ TEST_CASE("VulkanStars, EqualTheRuntimePerPixel", "[vulkan]") {
   render::VulkanDevice device(true);
   const SkyObject object(device, sky, createInfo(device, 1));
   render::Offscreen target(device, kSize, kSize);
-  // Relative to the map's white: the filter's weights have 8 bits on a GPU, and lavapipe decodes sRGB within half a
-  // code.
+  // Relative to the map's white. The filter's weights have 8 bits on a GPU, and lavapipe decodes sRGB to half a code.
   const double tolerance = device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 4e-3 : 1e-2;
   for (const double time_h : {0.5, 7.0, 21.3}) {
     WelkinSkySample sample{};

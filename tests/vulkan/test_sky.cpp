@@ -48,7 +48,7 @@ Offset<format::Light> moon(FlatBufferBuilder& builder, double disc_radius_rad) {
 /// Noise between 1/8 and 2, different in every texel, so that a wrong face, turn or mirror shows.
 Offset<format::Cubemap> cubemap(FlatBufferBuilder& builder, std::mt19937& random, double time_h,
                                 format::CubemapFormat texel_format) {
-  std::uniform_int_distribution<uint16_t> steps(0, 4096);  // 1024 an octave
+  std::uniform_int_distribution<uint16_t> steps(0, 4096);  // 1024 per octave
   const std::size_t texel = format::texelBytes(texel_format);
   std::vector<uint8_t> bytes(std::size_t{6} * kCubemapSize * kCubemapSize * texel);
   for (std::size_t at = 0; at < bytes.size(); at += texel) {

@@ -19,7 +19,7 @@ struct TestSkyOptions {
   uint8_t mode_count = 0;  ///< 1 to 8: the day's numbers are weights of modes of noise
 };
 
-/// Edge of its cubemaps.
+/// Edge of the test sky's cubemaps, texels.
 inline constexpr uint32_t kCubemapSize = 8;
 
 /// Size of the modes' map.

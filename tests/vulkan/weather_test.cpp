@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two skies at once: both domes blended, their blended light, and two thousand frames of it.
+// Two skies at once: a blend of both domes, a blend of their light, and two thousand frames of blending.
 #include <cmath>
 
 #include "object.h"

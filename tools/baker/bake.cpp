@@ -38,7 +38,8 @@ build::BakeRequest requestOf(const BakeOptions& options) {
   return request;
 }
 
-/// Reports the stages of the whole bake; the stages within a stage only ask whether to go on.
+/// Reports the stages of the whole bake. For a stage within a stage it reports the outer one, and asks whether to go
+/// on.
 base::Progress progressFor(const BakeCallback& callback) {
   if (!callback) return {};
   return base::Progress([&callback](const base::Progress::Stage& stage, base::Progress::Event) {

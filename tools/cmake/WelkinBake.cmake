@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Baking as a step of a game's build. The package's component `bake` and the source tree both have it.
+# Baking as a step of a game's build. The package's component `bake` and the source tree both offer it.
 
 # welkin_add_bake(TARGET name <SKY sky.toml | LEVEL level.toml> OUTPUT dir [OPTIONS option...])
 # Adds a target of the default build that runs `welkin bake FILE -o OUTPUT OPTIONS`. FILE is relative to the calling

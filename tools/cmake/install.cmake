@@ -36,7 +36,7 @@ install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "welkin_vulkan*" EXCLUDE)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT vulkan
   FILES_MATCHING PATTERN "welkin_vulkan*.h*")
-# shared/ gives its GLSL alone: its *.h serve to compile that as C++.
+# Only the GLSL of shared/ is installed. Its headers only serve to compile the GLSL as C++.
 install(DIRECTORY shaders/welkin DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime
   FILES_MATCHING PATTERN "*.glsl" PATTERN "*.h")
 install(DIRECTORY shaders/shared DESTINATION ${WELKIN_INSTALL_SHADERDIR} COMPONENT runtime

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDegree = f64::kPi / 180.0;
 
-/// The number that all of `text` is, if it is one; NaN and infinities are not.
+/// Parses `text` as a finite number; nothing if any part of it is not a number.
 std::optional<double> parseNumber(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the command line and of the results printed for it.
+// Parses values of the command line, and formats values for printing.
 #pragma once
 
 #include <welkin/welkin.h>
@@ -15,22 +15,22 @@
 
 namespace welkin::command {
 
-/// "X,Y,Z" as a unit vector. Throws Error(usage) for anything but three finite numbers that are not all zero.
+/// Parses "X,Y,Z" as a unit vector. Throws Error(usage) for anything but three finite numbers that are not all zero.
 f64::Number3 parseDirection(const std::string& option, const std::string& text);
 
-/// Three finite numbers "X,Y,Z", metres. Throws Error(usage).
+/// Parses three finite numbers "X,Y,Z", metres. Throws Error(usage).
 f64::Number3 parsePosition(const std::string& option, const std::string& text);
 
-/// The finite numbers that the text lists with commas between; nothing where it is anything else.
+/// Parses a list of finite numbers with commas between them; nothing for any other text.
 std::optional<std::vector<double>> parseNumbers(std::string_view text);
 
-/// A finite number of hours. Throws Error(usage).
+/// Parses a finite number of hours. Throws Error(usage).
 double parseTime(const std::string& text);
 
-/// Joins the options that take numbers to a value that starts with a sign, so that "--normal -.5,1,0" parses.
+/// Arguments with "=" between a number option and a value that starts with a sign, so that "--normal -.5,1,0" parses.
 std::vector<std::string> joinSignedValues(int argc, char** argv);
 
-/// The .welkin file of a path: itself, or DIR/sky.welkin. Throws Error(file) when neither is there.
+/// The path itself, or PATH/sky.welkin if it is a folder. Throws Error(file) if a folder has no sky.welkin.
 std::string skyFileOf(const std::string& path);
 
 using bake::require;
@@ -40,7 +40,7 @@ nlohmann::ordered_json lightJson(const WelkinLight& light);
 /// {"r": [...], "g": [...], "b": [...]}
 nlohmann::ordered_json coefficientsJson(const float (*sh)[3], std::uint32_t count);
 
-/// Degrees, azimuth clockwise from north in [0, 360).
+/// Azimuth of a direction in degrees, clockwise from north, in [0, 360).
 double azimuthDegrees(const float direction[3]);
 double elevationDegrees(const float direction[3]);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin bake: a sky file, or a level, into a folder. welkin merge: the index of a level that shards have baked.
+// welkin bake: bakes a sky file or a level into a folder. welkin merge: writes the index of a level baked in shards.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -14,7 +14,7 @@
 namespace welkin::command {
 namespace {
 
-/// CLI::Range takes a NaN for a number within it.
+/// Refuses a NaN, which CLI::Range accepts.
 std::string notNan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "must be a number" : "";
 }

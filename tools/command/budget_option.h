@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options that state an error budget, of bake, plan and study alike.
+// The options that state an error budget. The commands bake, plan and study share them.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ class App;
 
 namespace welkin::command {
 
-/// --max-error and --quality, of which one may be given.
+/// --max-error and --quality. At most one of them may be given.
 struct BudgetOption {
   double max_error = 0.0;  ///< 0: not given
   std::string quality;     ///< empty: not given
 
   void addTo(CLI::App& command);
-  /// In place of the sky file's own; none when neither was given.
+  /// The budget that replaces the sky file's own; none if neither option was given.
   std::optional<double> value() const;
 };
 

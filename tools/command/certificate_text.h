@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines that a bake says about its report.
+// Lines for people about a bake's report.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,10 +7,10 @@
 
 namespace welkin::command {
 
-/// The certificate of a report, for people, in one line.
+/// The certificate of a report in one line.
 std::string certificateText(const nlohmann::ordered_json& certificate);
 
-/// The warnings of a report as lines on stderr.
+/// Prints the warnings of a report to stderr, one per line.
 void printWarnings(const nlohmann::ordered_json& list);
 
 }  // namespace welkin::command

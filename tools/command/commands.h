@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The subcommands of the welkin command line: each adds its own to the app, whose parsing runs it. They throw Error.
+// The subcommands of the welkin command line. Each function adds one to the app; parsing runs it. They throw Error.
 #pragma once
 
 namespace CLI {

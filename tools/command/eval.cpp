@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin eval: the sky model itself, in double, at one time and direction.
+// welkin eval: evaluates the sky model itself, in double, at one time and direction.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin init: a commented starting sky and the gradients it names.
+// welkin init: writes a commented starting sky and the images that it names.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin inspect: everything in a .welkin file.
+// welkin inspect: prints everything in a .welkin file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin: bakes skies and shows what was baked. Results go to stdout, everything else to stderr.
+// welkin: bakes skies and levels, and shows the results. Results go to stdout, everything else to stderr.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ int fail(welkin::base::ExitStatus s, const std::string& message) {
   return status(s);
 }
 
-/// What CLI11 does not say: that the first word is no command.
+/// Refuses a first word that is not a command, because CLI11's own message does not name it.
 void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::string names;
@@ -55,7 +55,7 @@ int run(int argc, char** argv) {
     add(app);
   refuseUnknownCommand(app, argc, argv);
   std::vector<std::string> arguments = joinSignedValues(argc, argv);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a vector
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector in this order
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& e) {
@@ -64,7 +64,7 @@ int run(int argc, char** argv) {
                   fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
     app.exit(e);  // --help and --version
   }
-  // A full disk behind stdout is found when it is flushed.
+  // If stdout is a file on a full disk, only the flush shows it.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return fail(welkin::base::ExitStatus::file, "stdout: cannot write the results");
   return status(welkin::base::ExitStatus::done);
@@ -73,7 +73,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is an error of write(), not the end of the process
+  std::signal(SIGXFSZ, SIG_IGN);  // past the limit on file sizes write() then fails, and the process lives on
   try {
     return run(argc, argv);
   } catch (const welkin::base::Error& e) {
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     return fail(welkin::base::ExitStatus::file, "out of memory");
   } catch (const std::filesystem::filesystem_error& e) {
     return fail(welkin::base::ExitStatus::file, e.what());
-  } catch (const std::system_error& e) {  // what fmt::print throws
+  } catch (const std::system_error& e) {  // from fmt::print
     return fail(welkin::base::ExitStatus::file,
                 fmt::format("{}{}", std::ferror(stdout) != 0 ? "stdout: " : "", e.what()));
   } catch (const std::exception& e) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generator of the starting gradients that `welkin init` writes and examples/island keeps: a tropical day.
+// Paints the starting images of `welkin init`, a tropical day and its stars. examples/island uses the same gradients.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace welkin::command {
 
 enum class GradientSide { sun, anti };
 
-/// Paints 96 x 32 texels from keys of colour over time and elevation and writes a 16-bit PNG, sRGB-encoded. The same
-/// bytes on every machine. Throws Error(file).
+/// Paints 96 x 32 texels from keys of colour over time and elevation, and writes a 16-bit sRGB-encoded PNG. The file
+/// has the same bytes on every machine. Throws Error(file).
 void writeStartingGradient(GradientSide side, const std::filesystem::path& path);
 
 /// Paints 1024 x 512 texels of stars and writes an 8-bit PNG; the same bytes on every machine. Throws Error(file).

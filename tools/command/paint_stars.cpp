@@ -60,17 +60,17 @@ void paintBand(Map& map) {
 
 void paintStars(Map& map) {
   for (std::uint32_t i = 0; i < kStars; ++i) {
-    const double height = 2.0 * hashed(4 * i) - 1.0;  // even over the sphere
+    const double height = 2.0 * hashed(4 * i) - 1.0;  // uniform over the sphere
     const double declination = det::atan(height, std::sqrt(1.0 - height * height));
     const double column = hashed(4 * i + 1) * kWidth;
     const double row = (0.5 - declination / det::kPi) * kHeight - 0.5;
     const double rank = hashed(4 * i + 2);
-    const double brightness = std::min(1.0, 0.007 / (rank + 0.006));  // few bright ones, many faint
+    const double brightness = std::min(1.0, 0.007 / (rank + 0.006));  // few bright stars, many faint ones
     const double warm = hashed(4 * i + 3) - 0.5;
     const std::array<double, 3> light = {brightness * (1.0 + 0.5 * warm), brightness, brightness * (1.0 - 0.6 * warm)};
     const double left = std::floor(column);
     const double low = std::floor(row);
-    for (int dy = 0; dy < 2; ++dy)  // shared between the four nearest texels
+    for (int dy = 0; dy < 2; ++dy)  // spread over the four nearest texels
       for (int dx = 0; dx < 2; ++dx) {
         const double share = std::abs(1 - dx - (column - left)) * std::abs(1 - dy - (row - low));
         map.add(static_cast<int>(left) + dx, static_cast<int>(low) + dy,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin plan: what a bake would do, without doing it.
+// welkin plan: describes a bake without running it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// Where a light stands highest, and whether that is above the horizon.
+/// Text with the time and the elevation at which a light is highest. It says so if the light never rises.
 std::string highestText(const model::LightPath& path) {
   const auto top = model::culminationOf(path);
   return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "",
@@ -41,7 +41,7 @@ void printSectors(const nlohmann::ordered_json& sectors) {
   fmt::print("sectors    {}, {} to bake; {} probes, about {} bytes\n", sectors.size(), stale, probes, bytes);
 }
 
-/// Placement and grid from above, and in section through the middle of the sector with the most probes.
+/// Draws placement and grid from above, and in a section through the middle of the sector with the most probes.
 void drawPictures(const std::optional<build::LevelBake>& level, const std::filesystem::path& folder,
                   const base::Progress& progress) {
   if (!level) throw base::Error(base::ExitStatus::usage, "--pictures: needs a level.toml: a sky has no probes");

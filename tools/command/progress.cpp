@@ -94,8 +94,8 @@ void ProgressReport::countRays(const Stage& sector, base::Progress::Event event)
 void ProgressReport::print(const Stage& stage, bool last) {
   const std::uint64_t done = stage.done();
   const double elapsed = seconds(Clock::now() - start_);
-  const std::uint64_t total = std::max(stage.total(), done);  // work whose extent shows as it goes has 0
-  std::optional<double> left;                                 // nobody knows before a piece is done
+  const std::uint64_t total = std::max(stage.total(), done);  // total() is 0 if the extent is unknown
+  std::optional<double> left;                                 // unknown before the first piece is done
   if (done > 0 || total == 0)
     left = total > done ? elapsed * static_cast<double>(total - done) / static_cast<double>(done) : 0.0;
   const std::string left_text = left ? fmt::format("{:.1f} s left", *left) : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far work is, on stderr, and whether someone asked it to stop.
+// Progress of work on stderr, and the user's request to stop it.
 #pragma once
 
 #include <atomic>
@@ -12,20 +12,20 @@
 
 namespace welkin::command {
 
-/// Turns the first SIGINT or SIGTERM into a wish to stop; a second one ends the process.
+/// Turns the first SIGINT or SIGTERM into a request to stop. A second one ends the process.
 void catchInterrupts();
 
-/// Shows the stages of some work, one after the other. Of the stages within one it shows the rays of sectors.
+/// Shows the stages of some work, one after the other. While sectors are traced it also shows their rays.
 class ProgressReport {
  public:
   enum class Style { bar, plain, json, none };
 
-  /// "bar", "plain", "json", "none", or "auto": a bar on a terminal, plain lines elsewhere.
+  /// The style of a name: "bar", "plain", "json", "none", or "auto" (a bar on a terminal, else plain lines).
   static Style styleOf(const std::string& name);
 
   explicit ProgressReport(Style style) : style_(style) {}
 
-  /// The progress to give to the work, which this object must outlive. Stops the work when the user asks for it.
+  /// The progress to pass to the work. This object must outlive the work. Stops the work when the user asks for it.
   base::Progress progress();
 
  private:
@@ -36,9 +36,9 @@ class ProgressReport {
   void print(const Stage& stage, bool last);
 
   Style style_;
-  std::chrono::steady_clock::time_point start_, printed_;  ///< of the stage
+  std::chrono::steady_clock::time_point start_, printed_;  ///< start of the stage, time of the last print
   std::mutex mutex_;
-  std::uint64_t rays_ = 0;  ///< of the stage's finished sectors
+  std::uint64_t rays_ = 0;  ///< rays of the stage's finished sectors
   std::string note_;
   nlohmann::ordered_json members_ = nlohmann::ordered_json::object();
 };

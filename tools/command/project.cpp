@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin project: the spherical harmonics of a cubemap or latlong.
+// welkin project: computes the spherical harmonics of a cubemap or latlong.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

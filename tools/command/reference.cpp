@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin reference: irradiance in a level, path traced, with its standard error.
+// welkin reference: path traces the irradiance at a point of a level, with its standard error.
 #include "probes/reference/reference.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ struct Options {
   bool json = false;
 };
 
-/// "X,Y,Z,R,G,B" or "X,Y,Z,R,G,B,RADIUS". Throws Error(usage).
+/// Parses "X,Y,Z,R,G,B" or "X,Y,Z,R,G,B,RADIUS". Throws Error(usage).
 reference::LocalLight parseLight(const std::string& text) {
   const auto refuse = [&] {
     return base::Error(

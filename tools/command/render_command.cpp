@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin render: pictures of a baked sky by the runtime's own Vulkan passes.
+// welkin render: draws pictures of a baked sky with the runtime's own Vulkan passes.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -18,7 +18,7 @@
 namespace welkin::command {
 namespace {
 
-/// A level as the passes draw it: its textures as their mean colours.
+/// A level as the passes draw it: mean colours replace its textures.
 level::Scene sceneOf(const base::TomlFile& level) {
   level::Scene scene = loader::readScene(level::levelFileOf(level));
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());

@@ -14,7 +14,7 @@
 namespace welkin::command {
 namespace {
 
-/// The value named by `text`. Throws Error(usage) that lists the names.
+/// The value whose name is `text`. Throws Error(usage) with a list of the names.
 template <typename Value, std::size_t N>
 Value choose(const char* option, const std::string& text, const std::pair<const char*, Value> (&values)[N]) {
   std::string names;

@@ -18,19 +18,19 @@ struct RenderOptions {
   std::string sky;
   std::string output;
   std::vector<std::string> times;
-  std::string view;  ///< empty: level with a level, else dome for one time, sheet for several
+  std::string view;  ///< empty: "level" if a level is given, else "dome" for one time, "sheet" for several
   std::string size;
   std::string source;     ///< empty: analytic
   std::string sky_light;  ///< empty: sh for a level, both for the spheres
   std::string exposure = "auto";
-  std::optional<double> yaw_deg;    ///< else the sun's or the moon's azimuth; of a level its middle
-  std::optional<double> pitch_deg;  ///< else 18; of a level its middle
+  std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
+  std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
   double fov_deg = 60.0;
   bool no_tint = false;
   bool validate = false;
   std::string level;   ///< level.toml
-  std::string probes;  ///< the folder of a baked level; empty: none are drawn
-  std::string camera;  ///< empty: where the whole level is seen
+  std::string probes;  ///< folder of a baked level whose probes are drawn; empty: none
+  std::string camera;  ///< position "X,Y,Z"; empty: a place that sees the whole level
 };
 
 struct Size {
@@ -43,10 +43,10 @@ render::SkyLight parseSkyLight(const RenderOptions& options);
 Size parseSize(const RenderOptions& options, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);
-/// The camera's position, metres; nothing when none is given.
+/// The camera's position, metres; nothing if none is given.
 std::optional<f64::Number3> parseCamera(const RenderOptions& options);
 
-/// Throws for every value that is out of its domain, and for options that do not go together.
+/// Throws Error(usage) if a value is out of its domain or options do not go together.
 void checkOptions(const RenderOptions& options);
 
 }  // namespace welkin::command

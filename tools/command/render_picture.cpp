@@ -14,7 +14,7 @@
 namespace welkin::command {
 namespace {
 
-/// Mean radiance over the upper hemisphere, cosine-weighted, at the brightest of the day's quarter hours: E(up) / pi.
+/// Luminance of E(up) / pi, the cosine-weighted mean over the upper hemisphere, at the day's brightest quarter hour.
 double brightestLuminance(const Sky& sky) {
   double brightest = 0.0;
   for (int quarter = 0; quarter < 96; ++quarter) {
@@ -48,7 +48,7 @@ std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOp
   return images;
 }
 
-/// Calls `draw` for every hour asked for, exposes what it returns, and lays several hours side by side.
+/// Calls `draw` for every requested hour, exposes its pictures, and lays several hours side by side.
 render::Picture drawTimes(const Sky& sky, const RenderOptions& options, bool sheet, uint32_t samples,
                           const std::function<std::vector<render::FloatImage>(double time_h)>& draw) {
   const std::optional<double> stops = parseExposure(options.exposure);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures that `welkin render` is asked for.
+// The pictures of `welkin render`.
 #pragma once
 
 #include <welkin/welkin.hpp>

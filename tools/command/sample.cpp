@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin sample: a baked sky at one time, through the runtime.
+// welkin sample: prints a baked sky at one time, as the runtime gives it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -21,7 +21,7 @@ Json vectorJson(const Number3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// {"r": [direction][number], "g":, "b":} of value(direction, number).
+/// {"r": [direction][number], "g": ..., "b": ...} from value(direction, number).
 template <typename Value>
 Json channelsJson(std::size_t numbers, const Value& value) {
   Json json;
@@ -82,7 +82,7 @@ Json roomsJson(const std::vector<geometry::Room>& rooms) {
   return list;
 }
 
-/// By cell from above; empty arrays in a sector without probes.
+/// The occlusion tile, one number per cell seen from above; empty arrays in a sector without probes.
 Json occlusionJson(const sectors::SectorFile& s, const transfer::SectorProbes& decoded) {
   const auto tile = sectors::occlusionTileOf(s.top, decoded);
   const Json none = Json::array();
@@ -101,7 +101,7 @@ Json modesJson(const transfer::SunModes& m) {
   return {{"sun_time_h", m.sun_time_h}, {"moon_time_h", m.moon_time_h}, {"modes", modes}};
 }
 
-/// What the bytes of "probes" hold.
+/// Adds the sizes of the parts of "probes".
 void addParts(Json& bytes, const transfer::ProbeBytes& probes) {
   bytes["probes_position"] = probes.position;
   bytes["probes_visibility"] = probes.visibility;

@@ -9,10 +9,10 @@
 
 namespace welkin::command {
 
-/// Bytes of a sector's file by what they hold; they add up to `total`.
+/// Sizes of the parts of a sector's file, bytes; they add up to `total`.
 nlohmann::ordered_json bytesJson(const sectors::SectorFile& sector, std::size_t total);
 
-/// Everything in it, decoded; `total` bytes.
+/// Everything in a sector, decoded. `total`: size of its file, bytes.
 nlohmann::ordered_json sectorJson(const sectors::SectorFile& sector, std::size_t total);
 
 nlohmann::ordered_json indexJson(const sectors::LevelIndex& index);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that several commands have, and mean the same by.
+// Options that several commands share.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -26,11 +26,11 @@ struct ProgressOption {
 
 /// --threads.
 struct ThreadsOption {
-  int count = 0;  ///< 0: all
+  int count = 0;  ///< most threads; 0: one per processor
 
-  /// `what` says what depends on it.
+  /// Adds the option. `what` is the end of its help text.
   void addTo(CLI::App& command, const std::string& what);
-  /// Holds as long as it lives; null for all.
+  /// Limits oneTBB's threads for as long as the result lives; null without a limit.
   std::unique_ptr<tbb::global_control> limit() const;
 };
 

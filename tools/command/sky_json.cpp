@@ -35,7 +35,7 @@ Json modesJson(const Sky& sky) {
   return {{"count", m.count}, {"columns", m.columns}, {"rows", m.rows}};
 }
 
-/// Null when nothing was measured.
+/// The certificate; null if nothing was measured.
 Json certificateJson(const Sky& sky) {
   WelkinCertificate c{};
   welkin_sky_certificate(sky.get(), &c);

@@ -7,7 +7,7 @@
 
 namespace welkin::command {
 
-/// Everything in it: members "sky" and "settings".
+/// Everything in a baked sky: members "sky" and "settings".
 nlohmann::ordered_json skyJson(const Sky& sky);
 
 }  // namespace welkin::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin study: cost against error of every way to bake a sky file, as a folder of tables, charts and words.
+// welkin study: writes a folder of tables, charts and words about cost and error of every way to bake a sky file.
 #include "study/study.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ void study(const Options& options) {
   catchInterrupts();
   const auto limit = options.threads.limit();
   const bake::SkyFile file = bake::readSkyFile(options.file);
-  base::makeFolder(options.folder);  // a minute before it is needed: who asked is still there
+  base::makeFolder(options.folder);  // early, so that an error shows while the user is still there
   ProgressReport shown(options.progress.style());
   const study::StudyOptions how{options.quick, shown.progress().stage("study", study::kAxes)};
   const study::StudyReport report = study::studySky(file, how);

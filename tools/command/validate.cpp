@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin validate: whether files are what they should be.
+// welkin validate: checks files.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -40,7 +40,7 @@ void validateFile(const std::string& path) {
     openSky(path);
 }
 
-/// Sectors without an index are half of a level.
+/// Throws Error(content) if the folder has sectors. Called for a folder without an index, whose level is incomplete.
 void requireNoSectors(const std::filesystem::path& folder) {
   std::error_code error;
   if (std::filesystem::is_directory(folder / "sectors", error) && !std::filesystem::is_empty(folder / "sectors", error))
@@ -50,7 +50,7 @@ void requireNoSectors(const std::filesystem::path& folder) {
                                   folder.string()));
 }
 
-/// A folder is its sky and, where it has sectors, the level that the index names.
+/// Checks paths. A folder stands for its sky and, if it has an index, for the level's files that the index names.
 void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     if (build::isLevelFolder(path))

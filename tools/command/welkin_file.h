@@ -9,10 +9,10 @@ namespace welkin::command {
 
 enum class Holds { sky, sector, level };
 
-/// What a file holds; a sky where that cannot be told, whose opening says why.
+/// The kind of a file's content. It is sky for unreadable content too; opening it as a sky then gives the reason.
 Holds whatHolds(const std::string& path);
 
-/// Throws Error.
+/// Opens a baked sky. Throws Error.
 Sky openSky(const std::string& path);
 
 }  // namespace welkin::command

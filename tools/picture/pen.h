@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines and rings on a PNG, by cairo.
+// Draws lines and rings into a PNG with cairo.
 #pragma once
 
 #include <cairo.h>
@@ -18,7 +18,7 @@ struct Colour {
 
 constexpr Colour kInk = {0.13, 0.13, 0.13};
 
-/// The colour of the i-th of many things: seven that colour-blind people tell apart, again and again.
+/// The colour of the i-th of many things. Seven colours repeat; colour-blind people can tell them apart.
 Colour colourOf(std::size_t index);
 
 /// A corner of a line, in pixels from the top left.
@@ -28,13 +28,13 @@ struct Corner {
 
 class Pen {
  public:
-  /// A white picture of so many pixels. Throws Error(internal) with cairo's words when it has no memory.
+  /// Starts a white picture; sizes in pixels. Throws Error(internal) with cairo's message if memory runs out.
   Pen(int width, int height);
 
   void line(const std::vector<Corner>& corners, const Colour& colour, double width, bool dashed = false);
   void ring(const Corner& at, double radius, const Colour& colour);
 
-  /// Ends the drawing: the bytes of a PNG. Throws Error(internal) with cairo's words when it failed.
+  /// Ends the drawing and returns the bytes of a PNG. Throws Error(internal) with cairo's message if drawing failed.
   std::string finish();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Placement and grid of a level as pictures: where the probes are, and which cells each one serves.
+// Pictures of a level's placement and grid: the places of the probes, and the cells that each probe serves.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@
 
 namespace welkin::picture {
 
-/// From above, north up: the level in greys (higher is lighter, steeper darker, white where there is nothing), the
-/// borders of sectors, every probe, and a line from each cell's middle to the probe that serves what is seen there.
-/// The bytes of a PNG of at most 2000 pixels a side. Throws Error(internal) when there is no memory.
+/// Draws the level from above, north up, in greys: higher is lighter, steeper is darker, nothing is white. Adds the
+/// borders of sectors, every probe, and a line from each cell's middle to the probe for surfaces seen from above.
+/// Returns the bytes of a PNG with sides of at most 2000 pixels. Throws Error(internal) if memory runs out.
 std::string drawFromAbove(const geometry::Tracer& tracer, const std::vector<geometry::PlacedSector>& sectors);
 
-/// Looking north at the plane of a z, metres: grey where the plane is inside geometry, a line from the middle of each
-/// cell of that row to its probe, a cross where a cell has none. East is right; to 8 m above the highest probe named.
+/// Draws the section at `z` metres, looking north, with east to the right. The inside of geometry is grey. A line goes
+/// from the middle of each cell of that row to its probe; a cell without a probe has a cross. The section ends 8 m
+/// above the highest probe shown. Result and errors as in drawFromAbove.
 std::string drawSection(const geometry::Tracer& tracer, const std::vector<geometry::PlacedSector>& sectors, double z);
 
 }  // namespace welkin::picture

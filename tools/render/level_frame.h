@@ -14,7 +14,7 @@ namespace welkin::render {
 struct LevelOptions {
   bool flat_light = false;      ///< ambient light of one colour instead of the spherical harmonics
   bool tint = true;             ///< the dome's polarising tint
-  bool waves = true;            ///< else the sea is a mirror
+  bool waves = true;            ///< false: the sea is a mirror
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
   uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels

@@ -32,7 +32,7 @@ class LevelView {
   /// WELKIN_PROBE_RADIUS and albedo 1, each lit by its own probe alone. They neither cast nor receive shadows.
   void setProbes(std::span<const ProbeSphere> probes);
 
-  /// Draws with one sample a pixel. The sky behind the level and the discs are included.
+  /// Draws with one sample per pixel. The sky behind the level and the discs are included.
   FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace welkin::render {
 
-/// Radiance, rows from the top, four floats a pixel.
+/// Radiance, rows from the top, four floats per pixel.
 struct FloatImage {
   uint32_t width = 0;
   uint32_t height = 0;

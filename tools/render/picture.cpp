@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint32_t kMostAcross = 4;  // Single pictures in a row. Columns of several pictures stay side by side.
+constexpr uint32_t kMostAcross = 4;  // Most single pictures in a row. Columns of several pictures stay side by side.
 constexpr uint32_t kMargin = 8;
 constexpr uint32_t kLabelHeight = 24;
 constexpr int kLabelSize = 18;

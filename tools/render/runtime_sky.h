@@ -11,10 +11,10 @@
 
 namespace welkin::render {
 
-/// Throws Error(internal) when a runtime call fails that cannot fail.
+/// Throws Error(internal) if `result`, of a runtime call that should never fail, is an error.
 void require(WelkinResult result, const char* call);
 
-/// For a sky drawn into Offscreen's format, without a depth attachment.
+/// The create info for a sky drawn into Offscreen's format, without a depth attachment.
 WelkinVulkanCreateInfo createInfo(const VulkanDevice& device, uint32_t frames_in_flight);
 
 class RuntimeSky {

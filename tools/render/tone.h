@@ -10,7 +10,7 @@
 
 namespace welkin::render {
 
-/// sRGB-encoded, rows from the top, three bytes a pixel.
+/// An sRGB-encoded picture: rows from the top, three bytes per pixel.
 struct Picture {
   uint32_t width = 0;
   uint32_t height = 0;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Bakes a level on a Slurm cluster: an array of jobs, one a shard, and the merge after the last of them.
+# Bakes a level on a Slurm cluster: an array of jobs, one per shard, and a merge after the last of them.
 #   tools/slurm/bake_level.sh LEVEL.toml DIR SHARDS [OPTION...]     OPTIONs of welkin bake; prints the merge's job id
 # LEVEL.toml and DIR are on a file system that all nodes see. WELKIN names the program (default: welkin). SBATCH_OPTIONS
 # holds further options of sbatch (partition, time, CPUs). The same command, run again, bakes only missing sectors.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# One job of the array of bake_level.sh: LEVEL.toml DIR SHARDS [OPTION...]
+# One job of the array of bake_level.sh. Arguments: LEVEL.toml DIR SHARDS [OPTION...]
 set -eu
 level=$1 folder=$2 shards=$3
 shift 3

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Header-only C++ over welkin.h: ownership and results, nothing else.
+// C++ wrapper of welkin.h, header only. It adds ownership and results with messages, nothing else.
 #pragma once
 
 #include <welkin/welkin.h>
@@ -10,14 +10,14 @@
 
 namespace welkin {
 
-/// Result of a call. `message` gives the reason of a failure, and is empty on success.
+/// Result of a call; true means success. `message` gives the reason for a failure, and is empty on success.
 struct Status {
   WelkinResult code = WELKIN_OK;
   std::string message;
   explicit operator bool() const { return code == WELKIN_OK; }
 };
 
-/// Owns a WelkinSky. Movable; empty until an open succeeds. The rules of welkin.h about threads hold for it.
+/// Owns a WelkinSky. Movable; empty until an open succeeds. The thread rules of welkin.h apply.
 class Sky {
  public:
   Sky() = default;
@@ -30,7 +30,7 @@ class Sky {
   Sky& operator=(const Sky&) = delete;
   ~Sky() { welkin_sky_close(sky_); }
 
-  /// Opens a file and closes the sky held before. On an error that sky stays.
+  /// Opens a file and closes the sky held before. On an error the sky held before stays open.
   Status open(const std::string& path) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};
@@ -38,7 +38,7 @@ class Sky {
     return adopt(code, sky, message);
   }
 
-  /// The same for bytes in memory, aligned to 16. They stay unchanged for as long as the sky is open.
+  /// Opens bytes in memory likewise. `data` must be aligned to 16. Keep the bytes unchanged while the sky is open.
   Status open(const void* data, std::size_t size) {
     WelkinSky* sky = nullptr;
     WelkinMessage message{};
@@ -46,16 +46,18 @@ class Sky {
     return adopt(code, sky, message);
   }
 
+  /// The sky for the functions of welkin.h; null when none is open.
   const WelkinSky* get() const { return sky_; }
   explicit operator bool() const { return sky_ != nullptr; }
 
+  /// Sizes and constants of the sky; all 0 when none is open.
   WelkinSkyInfo info() const {
     WelkinSkyInfo info{};
     welkin_sky_info(sky_, &info);
     return info;
   }
 
-  /// False when `time_h` is not finite or no sky is open.
+  /// Writes the sky at `time_h` hours to `out`. False when `time_h` is not finite or no sky is open.
   bool sample(double time_h, WelkinSkySample& out) const { return welkin_sky_sample(sky_, time_h, &out) == WELKIN_OK; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every shared formula for a list of arguments; parity_test.cpp does the same in double. WELKIN_PARITY_COUNT floats each.
+// Every shared formula for a list of arguments, WELKIN_PARITY_COUNT floats each. parity_test.cpp has them in double.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "welkin/formulas.glsl"

@@ -27,8 +27,8 @@ vec4 reflectionAt(vec2 uv) {
 }
 
 struct Waves {
-  vec2 slope;      // dy/dx, dy/dz of what a pixel can tell apart
-  float variance;  // of the rest, along either axis
+  vec2 slope;      // dy/dx, dy/dz of the waves that a pixel resolves
+  float variance;  // of the slopes of smaller waves, along either axis
 };
 
 // The sum of the waves, filtered over a pixel's footprint. A wave of wave number k, seen through a Gaussian of standard

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ambient light of the sky: the best of the file, for which its certificate holds, and the light of one colour. The
-// best comes from the modes with WELKIN_LIGHT_OF_MODES, otherwise from the coefficients.
+// Ambient light of the sky: the file's best light, which its certificate describes, and the light of one colour. With
+// WELKIN_LIGHT_OF_MODES the best light comes from the modes, otherwise from the coefficients.
 #ifndef WELKIN_SKY_LIGHT_GLSL
 #define WELKIN_SKY_LIGHT_GLSL
 

@@ -29,7 +29,7 @@ push;
 #define WELKIN_LIGHT_BOTH 2  // flat on the left sphere, by direction on the right
 
 #define WELKIN_SPHERE_COUNT 2
-#define WELKIN_SPHERE_RADIUS 0.4  // of the distance between centres; of the picture's height where that is less
+#define WELKIN_SPHERE_RADIUS 0.4  // share of the distance between centres, or of the picture's height if that is less
 #define WELKIN_SPHERE_ALBEDO 0.8  // a light probe, as in the notes' figures 10 and 11
 
 #endif
