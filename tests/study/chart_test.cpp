@@ -83,6 +83,43 @@ TEST_CASE("Chart, ShowsEveryWordOnce") {
   for (const ReferenceLine& line : chart.lines) CHECK(svg.find(line.label) != std::string::npos);
 }
 
+struct Pixel {
+  double x, y;
+};
+
+/// Where the SVG puts the first thing whose element begins after a translation and matches `element`.
+Pixel placeOf(const std::string& svg, const std::string& before, const std::string& element) {
+  std::smatch match;
+  const std::string place = "translate\\(([0-9.]+),([0-9.]+)\\)";
+  REQUIRE(std::regex_search(svg, match, std::regex(before + place + element)));
+  return {std::stod(match[1]), std::stod(match[2])};
+}
+
+TEST_CASE("Chart, LabelsLieBesideTheirPointsAndOffTheLine") {
+  constexpr double kNearest = 5.0;  // pixels, the marker's radius
+  constexpr double kFurthest = 30.0;
+  for (const bool rising : {false, true}) {
+    Chart chart{"A line", {"x"}, {"y"}, {{"line", SeriesStyle::line, {{0.0, 1.0}, {1.0, 2.0, "label"}, {2.0, 3.0}}}}};
+    if (!rising) std::swap(chart.series[0].points[0].y, chart.series[0].points[2].y);
+    const std::string svg = draw(chart).svg;
+    const Pixel label = placeOf(svg, "<g transform=\"", "\"[^>]*>\\s*<text>label<");
+    const Pixel first = placeOf(svg, "gpPt6' transform='", "");
+    std::string rest = svg;
+    Pixel second = first;
+    while (second.x == first.x) {
+      rest = rest.substr(rest.find("gpPt6' transform='") + 1);
+      second = placeOf(rest, "gpPt6' transform='", "");
+    }
+    INFO(rising << ": " << label.x << ' ' << label.y << " at " << second.x << ' ' << second.y);
+    const double x = label.x - second.x;
+    const double y = second.y - label.y;  // upwards
+    CHECK(std::hypot(x, y) > kNearest);
+    CHECK(std::hypot(x, y) < kFurthest);
+    CHECK(x > 0.0);
+    CHECK((y > 0.0) == !rising);  // above a line that falls, and below one that rises
+  }
+}
+
 constexpr float kWhite = 0.999F;  // of 8 bits the last step is 0.009 in linear light
 
 /// Whether the outermost pixels are white, as they are where nothing is cut.

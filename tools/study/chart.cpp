@@ -9,6 +9,7 @@
 
 #include "sky/base/error.h"
 #include "study/chart_axis.h"
+#include "study/chart_label.h"
 #include "study/gnuplot.h"
 
 namespace welkin::study {
@@ -23,19 +24,29 @@ constexpr double kWideCharacter = 0.68;  // the same where nothing may be cut
 constexpr double kEdge = 16.0;           // free at the sides of the picture
 constexpr double kTop = 54.0;
 constexpr double kBottom = 62.0;
-constexpr double kSymbol = 44.0;  // of the legend
-constexpr std::size_t kLegendCharacters = 26;
-constexpr double kRightmost = 0.8;  // share of the axis: labels further right end at their points
-constexpr double kTopmost = 0.95;   // labels further up stand beside their points
+constexpr double kSymbol = 40.0;                  // of the legend
+constexpr double kYTitle = 3.0 * kAxisTitleSize;  // the title of the y axis, ticks and the gaps between
+constexpr double kLabelHeight = 1.25 * kLabelSize;
+constexpr std::size_t kLegendCharacters = 29;
 constexpr double kMarkerSize = 1.05;
+constexpr double kHalo = 0.35;         // added to the size of the white marker below
+constexpr double kMarkerRadius = 5.0;  // pixels
+constexpr double kFrontRadius = 9.0;   // of the circles of a front
 
 constexpr const char* kInk = "#212121";
 constexpr const char* kGrey = "#6b6b6b";
 constexpr const char* kGrid = "#e6e6e6";
 // Okabe and Ito's colours but yellow, which is too light on white. Pairs of colour and marker repeat after 56 series.
 constexpr std::array<unsigned, 7> kColours = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x595959};
-// Filled circle, square, triangles, diamond and pentagon of gnuplot, a cross and a star.
-constexpr std::array<int, 8> kMarkers = {7, 5, 9, 13, 11, 15, 2, 3};
+
+struct Marker {
+  int type;     // of gnuplot
+  double size;  // of gnuplot's: some are small
+};
+
+// Filled circle, square, triangles, diamond and pentagon, a cross and a star.
+constexpr std::array<Marker, 8> kMarkers = {
+    {{7, 1.0}, {5, 1.0}, {9, 1.1}, {13, 1.3}, {11, 1.1}, {15, 1.2}, {2, 1.0}, {3, 1.0}}};
 constexpr unsigned kWhite = 0xffffff;
 
 std::string terminal(std::string_view name) {
@@ -72,6 +83,11 @@ std::string fitting(const std::string& words, double size, double room, const ch
                      width > room ? size * room / width : size);
 }
 
+/// gnuplot's word.
+std::string_view nameOf(Alignment alignment) {
+  return alignment == Alignment::left ? "left" : alignment == Alignment::right ? "right" : "center";
+}
+
 /// Writes the script of a chart, its terminal apart.
 class Script {
  public:
@@ -81,12 +97,10 @@ class Script {
   std::string text() {
     addFrame();
     for (const ReferenceLine& line : chart_.lines) addLine(line);
-    for (const Series& series : chart_.series)
-      for (const Point& point : series.points)
-        if (!point.label.empty()) addLabel(point);
+    addLabels();
     for (std::size_t i = 0; i < chart_.series.size(); ++i) addData(i);
     std::string plots;
-    for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += pathOf(i);
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += lineOf(i);
     for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += markersOf(i);
     for (std::size_t i = 0; i < chart_.series.size(); ++i) plots += legendOf(i);
     plots.resize(plots.size() - 2);  // the last comma
@@ -107,9 +121,10 @@ class Script {
     std::size_t beside = 0;
     for (const ReferenceLine& line : chart_.lines) beside = std::max(beside, line.label.size());
     const double characters = kCharacter * kTextSize;
-    const double left = kEdge + 2.0 * kAxisTitleSize + characters * static_cast<double>(y_.labelLength());
+    const double left = kEdge + kYTitle + characters * static_cast<double>(y_.labelLength());
     const double key = kChartWidth - kEdge - kSymbol - characters * static_cast<double>(legend);
     const double right = key - 2.0 * kEdge - characters * static_cast<double>(beside);
+    frame_ = {left, kBottom, right, kChartHeight - kTop};
     add("set encoding utf8");
     add("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}", left / kChartWidth, right / kChartWidth);
     add("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}", kBottom / kChartHeight,
@@ -132,41 +147,80 @@ class Script {
 
   void addLine(const ReferenceLine& line) {
     const double y = y_.coordinate(line.y);
-    add("set arrow from graph 0,first {0:.17g} to graph 1,first {0:.17g} nohead back dt (10,7) lw 1.2 lc rgb '{1}'", y,
+    add("set arrow from graph 0,first {0:.17g} to graph 1,first {0:.17g} nohead back dt (16,10) lw 1.2 lc rgb '{1}'", y,
         kGrey);
     add("set label {} at graph 1,first {:.17g} left offset character 0.8,0 font ',{}' textcolor rgb '{}'",
         quoted(line.label), y, kLabelSize, kGrey);
   }
 
-  void addLabel(const Point& point) {
-    const bool right = x_.position(point.x) > kRightmost;
-    const double up = y_.position(point.y) > kTopmost ? 0.0 : 0.9;
-    add("set label {} at {:.17g},{:.17g} {} offset character {},{} front boxed font ',{}' textcolor rgb '{}'",
-        quoted(point.label), x_.coordinate(point.x), y_.coordinate(point.y), right ? "right" : "left",
-        right ? 0.8 : 0.9, up, kLabelSize, kInk);
+  double across(double x) const { return frame_.left + x_.position(x) * (frame_.right - frame_.left); }
+  double up(double y) const { return frame_.bottom + y_.position(y) * (frame_.top - frame_.bottom); }
+
+  /// Everything that labels stay off.
+  LabelRoom roomForLabels() const {
+    LabelRoom room(frame_);
+    for (const ReferenceLine& line : chart_.lines) room.addLine({frame_.left, up(line.y), frame_.right, up(line.y)});
+    for (const Series& series : chart_.series) {
+      const bool front = series.style == SeriesStyle::front;
+      for (const Point& point : series.points)
+        room.addMarker(across(point.x), up(point.y), front ? kFrontRadius : kMarkerRadius);
+      const std::vector<std::array<double, 2>> path = pathOf(series);
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto [x0, y0] = path[i - 1];
+        const auto [x1, y1] = path[i];
+        if (front) room.addLine({across(x1), up(y0), across(x1), up(y1)});
+        room.addLine({across(x0), up(y0), across(x1), up(front ? y0 : y1)});
+      }
+    }
+    return room;
+  }
+
+  void addLabels() {
+    LabelRoom room = roomForLabels();
+    for (const Series& series : chart_.series)
+      for (const Point& point : series.points) {
+        if (point.label.empty()) continue;
+        const double width = kWideCharacter * kLabelSize * static_cast<double>(point.label.size());
+        const auto [box, alignment] = room.place(across(point.x), up(point.y), width, kLabelHeight);
+        const double x = alignment == Alignment::left    ? box.left
+                         : alignment == Alignment::right ? box.right
+                                                         : (box.left + box.right) / 2.0;
+        add("set label {} at screen {:.5f},{:.5f} {} front boxed font ',{}' textcolor rgb '{}'", quoted(point.label),
+            x / kChartWidth, (box.bottom + box.top) / 2.0 / kChartHeight, nameOf(alignment), kLabelSize, kInk);
+      }
   }
 
   static unsigned colourOf(std::size_t series) { return kColours[series % kColours.size()]; }
-  static int markerOf(std::size_t series) { return kMarkers[series % kMarkers.size()]; }
+  static const Marker& markerOf(std::size_t series) { return kMarkers[series % kMarkers.size()]; }
+  static double sizeOf(std::size_t series) { return kMarkerSize * markerOf(series).size; }
 
   /// The points as coordinates, marker size and colour: each on a white one, which parts markers that overlap.
   void addData(std::size_t i) {
     const Series& series = chart_.series[i];
     add("$points{} << EOD", i);
     for (const Point& point : series.points)
-      for (const auto& [size, colour] : {std::pair(kMarkerSize + 0.35, kWhite), std::pair(kMarkerSize, colourOf(i))})
+      for (const auto& [size, colour] : {std::pair(sizeOf(i) + kHalo, kWhite), std::pair(sizeOf(i), colourOf(i))})
         add("{:.17g} {:.17g} {} {}", x_.coordinate(point.x), y_.coordinate(point.y), size, colour);
     add("EOD");
-    if (series.style == SeriesStyle::markers || series.points.empty()) return;
+    const std::vector<std::array<double, 2>> path = pathOf(series);
+    if (path.empty()) return;
     add("$path{} << EOD", i);
-    const bool front = series.style == SeriesStyle::front;
-    if (front) add("{:.17g} {:.17g}", x_.coordinate(series.points.front().x), y_.high());
-    for (const Point& point : series.points) add("{:.17g} {:.17g}", x_.coordinate(point.x), y_.coordinate(point.y));
-    if (front) add("{:.17g} {:.17g}", x_.high(), y_.coordinate(series.points.back().y));
+    for (const auto& [x, y] : path) add("{:.17g} {:.17g}", x, y);
     add("EOD");
   }
 
-  std::string pathOf(std::size_t i) const {
+  /// Coordinates that the line of a series joins, by steps for a front.
+  std::vector<std::array<double, 2>> pathOf(const Series& series) const {
+    std::vector<std::array<double, 2>> path;
+    if (series.style == SeriesStyle::markers || series.points.empty()) return path;
+    const bool front = series.style == SeriesStyle::front;
+    if (front) path.push_back({x_.coordinate(series.points.front().x), y_.high()});
+    for (const Point& point : series.points) path.push_back({x_.coordinate(point.x), y_.coordinate(point.y)});
+    if (front) path.push_back({x_.high(), y_.coordinate(series.points.back().y)});
+    return path;
+  }
+
+  std::string lineOf(std::size_t i) const {
     const Series& series = chart_.series[i];
     if (series.style == SeriesStyle::markers || series.points.empty()) return {};
     if (series.style == SeriesStyle::front)
@@ -179,8 +233,8 @@ class Script {
     if (series.points.empty()) return {};
     if (series.style == SeriesStyle::front)
       return fmt::format("$points{} using 1:2 with points pt 6 ps 2.4 lw 1.5 lc rgb '{}' notitle, ", i, kInk);
-    return fmt::format("$points{} using 1:2:3:4 with points pt {} ps variable lc rgb variable notitle, ", i,
-                       markerOf(i));
+    return fmt::format("$points{} using 1:2:3:4 with points pt {} ps variable lw 1.8 lc rgb variable notitle, ", i,
+                       markerOf(i).type);
   }
 
   std::string legendOf(std::size_t i) const {
@@ -188,7 +242,7 @@ class Script {
     if (series.name.empty()) return {};
     std::string symbol =
         fmt::format("{} pt {} ps {} lw 1.8 lc rgb {}", series.style == SeriesStyle::line ? "linespoints" : "points",
-                    markerOf(i), kMarkerSize, colourOf(i));
+                    markerOf(i).type, sizeOf(i), colourOf(i));
     if (series.style == SeriesStyle::front) symbol = fmt::format("linespoints pt 6 ps 2.4 lw 1.5 lc rgb '{}'", kInk);
     std::string text;
     for (const std::string& line : brokenIntoLines(series.name, kLegendCharacters)) {
@@ -201,6 +255,7 @@ class Script {
   const Chart& chart_;
   AxisScale x_;
   AxisScale y_;
+  Box frame_{};  // pixels
   std::string text_;
 };
 
