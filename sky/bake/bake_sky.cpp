@@ -34,14 +34,15 @@ class Stopwatch {
 };
 
 /// The certificate of a plan's table, and the bytes of its file without cubemaps that it was measured on.
-table::Certificate measure(const SkyFile& file, const SkyPlan& plan, Certify how, const base::Progress& progress) {
+table::Certificate measure(const SkyFile& file, const SkyPlan& plan, double brightest, Certify how,
+                           const base::Progress& progress) {
   const auto bytes = encodeSky(file, plan.table, {}, plan.encoding);
   WelkinSky* opened = nullptr;
   WelkinMessage message{};
   if (welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message) != WELKIN_OK)
     throw base::Error(base::ExitStatus::internal, fmt::format("the runtime refuses what was baked: {}", message.text));
   const std::unique_ptr<WelkinSky, void (*)(WelkinSky*)> owner(opened, welkin_sky_close);
-  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.quadrature};
+  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.quadrature, brightest};
   return certify(opened, baked, how, progress.stage("certificate", certifySteps(baked, how)));
 }
 
@@ -61,7 +62,7 @@ Certified planAndMeasure(const SkyFile& file, Certify how, const base::Progress&
   for (int attempt = 1;; ++attempt) {
     Certified result{planner.plan(aim), std::nullopt};
     plan_s += watch.lap();
-    if (how != Certify::none) result.certificate = measure(file, result.plan, how, progress);
+    if (how != Certify::none) result.certificate = measure(file, result.plan, planner.brightest(), how, progress);
     certify_s += watch.lap();
     timing["table_s"] = plan_s;
     timing["certify_s"] = certify_s;

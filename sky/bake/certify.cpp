@@ -99,13 +99,12 @@ Looked lookAt(const Instant& instant, const table::DayValues& day, std::size_t i
 }
 
 /// Largest difference between the irradiance of the baked moments and of converged ones.
-double quadratureOf(const Baked& baked, double brightest, const table::ErrorGrid& grid,
-                    const base::Progress& progress) {
+double quadratureOf(const Baked& baked, const table::ErrorGrid& grid, const base::Progress& progress) {
   std::vector<double> hours;
   for (std::size_t i = 0; i < kQuadratureChecks; ++i)
     hours.push_back(format::kDay_h * (static_cast<double>(i) + 0.5) / kQuadratureChecks);
   const model::IrradianceRule* circles = baked.quadrature.circles;
-  const table::DayFields fields = table::sampleDay(baked.sky, hours, brightest, progress,
+  const table::DayFields fields = table::sampleDay(baked.sky, hours, baked.brightest, progress,
                                                    circles != nullptr ? *circles : model::kIrradianceRules[0]);
   const table::DayValues day(fields, grid);
   const int bands = model::IrradianceProjector::kBands;
@@ -204,7 +203,6 @@ std::size_t certifySteps(const Baked& baked, Certify how) {
 
 table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const base::Progress& progress,
                            double step_h) {
-  const double brightest = table::brightestOf(baked.sky);
   const table::ErrorGrid grid;
   table::Certificate certificate;
   certificate.method = how == Certify::full ? table::Certificate::Method::full : table::Certificate::Method::fast;
@@ -215,11 +213,11 @@ table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify 
     const table::DayFields fields = table::sampleDay(
         baked.sky,
         {hours.begin() + static_cast<std::ptrdiff_t>(first), hours.begin() + static_cast<std::ptrdiff_t>(last)},
-        brightest, progress);
+        baked.brightest, progress);
     add(opened, baked, how, table::DayValues(fields, grid), progress, certificate, mean);
   }
   certificate.mean_error = mean.weight > 0.0 ? mean.sum / mean.weight : 0.0;
-  certificate.parts.quadrature = quadratureOf(baked, brightest, grid, progress);
+  certificate.parts.quadrature = quadratureOf(baked, grid, progress);
   return certificate;
 }
 

@@ -22,6 +22,7 @@ struct Baked {
   const table::DayTable& table;
   table::Encoding encoding;
   model::Quadrature quadrature;
+  double brightest;  ///< table::brightestOf the sky
 };
 
 /// Measures `opened`, the file of `baked`, at every `step_h` hours of the day, every key, the middle between two keys,

@@ -84,9 +84,8 @@ struct SkyPlanner::Day {
   table::DayFields fields;
   table::DayValues values;
 
-  Day(const SkyFile& file, double step_h, const base::Progress& progress)
-      : fields(table::sampleDay(file.sky, instantsFor(file, step_h), table::brightestOf(file.sky), progress,
-                                ruleFor(file))),
+  Day(const SkyFile& file, double step_h, double brightest, const base::Progress& progress)
+      : fields(table::sampleDay(file.sky, instantsFor(file, step_h), brightest, progress, ruleFor(file))),
         values(fields, grid) {}
 };
 
@@ -100,6 +99,11 @@ SkyPlan SkyPlanner::plan(double aim) {
   planGradients(plan);
   plan.left_out = leftOut(file_, plan);
   return plan;
+}
+
+double SkyPlanner::brightest() {
+  if (!brightest_) brightest_ = table::brightestOf(file_.sky);
+  return *brightest_;
 }
 
 void SkyPlanner::planTable(double aim, SkyPlan& plan) {
@@ -116,7 +120,8 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
                     file_.inputs.front().path.string()));
   if ((bake.max_error || fits) && !day_) {
     const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
-    day_ = std::make_unique<Day>(file_, step_h, progress_.stage("plan", instantsFor(file_, step_h).size()));
+    day_ =
+        std::make_unique<Day>(file_, step_h, brightest(), progress_.stage("plan", instantsFor(file_, step_h).size()));
   }
   if (bake.max_error) {
     table::PlanRequest request;

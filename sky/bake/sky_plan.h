@@ -61,6 +61,9 @@ class SkyPlanner {
   /// Error(interrupted).
   SkyPlan plan(double aim);
 
+  /// table::brightestOf the sky, computed once.
+  double brightest();
+
  private:
   struct Day;
   void planTable(double aim, SkyPlan& plan);
@@ -69,6 +72,7 @@ class SkyPlanner {
 
   const SkyFile& file_;
   base::Progress progress_;
+  std::optional<double> brightest_;
   std::unique_ptr<Day> day_;                      ///< sampled for the first plan under a budget
   std::optional<cubemap::CubemapPlan> cubemaps_;  ///< the same for every aim
   std::optional<double> dome_error_;              ///< of RGB9E5
