@@ -35,7 +35,7 @@ std::vector<double> instantsOf(const Baked& baked, double step_h) {
 }
 
 /// Errors of an instant by channel, before the division.
-struct Looked {
+struct InstantErrors {
   double error[3] = {};
   Number3 normal[3];
   double sum[3] = {};
@@ -72,13 +72,13 @@ class Instant {
   const model::SkyInstant& model() const { return instant_; }
 
   /// `shape` is the sky's irradiance at the normal, at intensity 1.
-  void look(const Number3& normal, const Number3& shape, Looked& looked) const {
+  void measure(const Number3& normal, const Number3& shape, InstantErrors& errors) const {
     const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
     float e[3];
     welkin_sky_irradiance(opened_, &sample_, n, e);
     const Number3 want =
         det::desaturate(shape * at_.intensity + ground_ * det::groundIrradiance(normal.y), at_.saturation);
-    looked.at(normal, {double{e[0]}, double{e[1]}, double{e[2]}}, want);
+    errors.at(normal, {double{e[0]}, double{e[1]}, double{e[2]}}, want);
   }
 
  private:
@@ -89,13 +89,13 @@ class Instant {
   Number3 along_, ground_;
 };
 
-Looked lookAt(const Instant& instant, const table::DayValues& day, std::size_t i) {
-  Looked looked;
+InstantErrors errorsAt(const Instant& instant, const table::DayValues& day, std::size_t i) {
+  InstantErrors errors;
   const std::size_t normals = day.grid->count();
   for (std::size_t p = 0; p < normals; ++p)
-    instant.look(instant.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0), day.value[i * normals + p],
-                 looked);
-  return looked;
+    instant.measure(instant.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0),
+                    day.value[i * normals + p], errors);
+  return errors;
 }
 
 /// Largest difference between the irradiance of the baked moments and of converged ones.
@@ -155,27 +155,27 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
     return directions;
   }();
   const model::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
-  std::vector<Looked> looked(instants.size());
-  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t i) {
+  std::vector<InstantErrors> errors(instants.size());
+  tbb::parallel_for(std::size_t{0}, errors.size(), [&](std::size_t i) {
     const Instant instant(opened, baked.sky, instants[i]);
-    looked[i] = lookAt(instant, day, i);
+    errors[i] = errorsAt(instant, day, i);
     if (how != Certify::full) return;
-    for (const Number3& n : kSpread) instant.look(n, direct.irradiance(instant.model(), n), looked[i]);
+    for (const Number3& n : kSpread) instant.measure(n, direct.irradiance(instant.model(), n), errors[i]);
     progress.step();
   });
-  for (std::size_t i = 0; i < looked.size(); ++i)
+  for (std::size_t i = 0; i < errors.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double divisor = instants[i].divisor[c];
       if (!(divisor > 0.0)) continue;
-      mean.sum += looked[i].sum[c] / divisor;
-      mean.weight += static_cast<double>(looked[i].normals);
-      if (looked[i].error[c] / divisor <= certificate.max_error) continue;
-      certificate.max_error = looked[i].error[c] / divisor;
+      mean.sum += errors[i].sum[c] / divisor;
+      mean.weight += static_cast<double>(errors[i].normals);
+      if (errors[i].error[c] / divisor <= certificate.max_error) continue;
+      certificate.max_error = errors[i].error[c] / divisor;
       certificate.time_h = instants[i].time_h;
-      certificate.normal = looked[i].normal[c];
+      certificate.normal = errors[i].normal[c];
       certificate.channel = c;
     }
-  certificate.instants += looked.size();
+  certificate.instants += errors.size();
   certificate.reference_error = std::max(certificate.reference_error, referenceErrorOf(baked.sky, instants));
   const auto parts = table::partsOf(day, table::atHoursOf(day, baked.representation), baked.table, baked.encoding);
   certificate.parts.truncation = std::max(certificate.parts.truncation, parts.truncation);

@@ -133,23 +133,23 @@ std::vector<double> instantsOf(const model::Sky& sky, const std::vector<double>&
 }
 
 /// An instant and its measurement.
-struct Found {
+struct MeasuredInstant {
   double time_h;
   AtInstant at;
 };
 
 /// The instant of the largest error; the first of equals.
-std::size_t worstOf(const std::vector<Found>& found) {
+std::size_t worstOf(const std::vector<MeasuredInstant>& measured) {
   std::size_t worst = 0;
-  for (std::size_t i = 1; i < found.size(); ++i)
-    if (found[i].at.error > found[worst].at.error) worst = i;
+  for (std::size_t i = 1; i < measured.size(); ++i)
+    if (measured[i].at.error > measured[worst].at.error) worst = i;
   return worst;
 }
 
-CubemapError summaryOf(const std::vector<Found>& found) {
+CubemapError summaryOf(const std::vector<MeasuredInstant>& measured) {
   CubemapError result;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto& [time_h, at] = found[i];
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const auto& [time_h, at] = measured[i];
     result.day.push_back({time_h, at.error});
     if (at.error > result.error) {
       result.error = at.error;
@@ -160,8 +160,8 @@ CubemapError summaryOf(const std::vector<Found>& found) {
     result.parts.resolution = std::max(result.parts.resolution, at.parts.resolution);
     result.parts.time = std::max(result.parts.time, at.parts.time);
     result.parts.encoding = std::max(result.parts.encoding, at.parts.encoding);
-    const double before = i > 0 ? found[i - 1].time_h : found.back().time_h - 24.0;
-    const double after = i + 1 < found.size() ? found[i + 1].time_h : found.front().time_h + 24.0;
+    const double before = i > 0 ? measured[i - 1].time_h : measured.back().time_h - 24.0;
+    const double after = i + 1 < measured.size() ? measured[i + 1].time_h : measured.front().time_h + 24.0;
     result.mean += at.error * (after - before) / 48.0;  // half of the span between the neighbours
   }
   return result;
@@ -174,16 +174,16 @@ CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, 
   const Density density = densityOf(effort);
   const Measurement measurement(sky, cubemaps, density.directions);
   const std::size_t count = cubemaps.time_h.size();
-  std::vector<Found> found;
-  for (const double time_h : instantsOf(sky, cubemaps.time_h, density)) found.push_back({time_h, {}});
-  const auto measure = [&](std::vector<Found>& list) {
-    std::vector<std::vector<Found*>> gaps(count);
-    for (Found& at : list) gaps[format::findSegment(cubemaps.time_h, at.time_h).first].push_back(&at);
+  std::vector<MeasuredInstant> measured;
+  for (const double time_h : instantsOf(sky, cubemaps.time_h, density)) measured.push_back({time_h, {}});
+  const auto measure = [&](std::vector<MeasuredInstant>& list) {
+    std::vector<std::vector<MeasuredInstant*>> gaps(count);
+    for (MeasuredInstant& at : list) gaps[format::findSegment(cubemaps.time_h, at.time_h).first].push_back(&at);
     constexpr std::size_t kGapsAtOnce = 4;  // two that meet share the look at the cubemap between them
     tbb::parallel_for(std::size_t{0}, (count + kGapsAtOnce - 1) / kGapsAtOnce, [&](std::size_t block) {
       std::optional<CubemapLook> next;
       for (std::size_t i = block * kGapsAtOnce; i < std::min((block + 1) * kGapsAtOnce, count); ++i) {
-        const std::vector<Found*>& gap = gaps[i];
+        const std::vector<MeasuredInstant*>& gap = gaps[i];
         if (gap.empty()) {
           next.reset();
           continue;
@@ -197,19 +197,20 @@ CubemapError measureCubemaps(const model::Sky& sky, const CubemapSet& cubemaps, 
       }
     });
   };
-  measure(found);
-  for (int round = 0; round < density.rounds && found.size() > 1; ++round) {
-    const std::size_t worst = worstOf(found);
-    const double here = found[worst].time_h;
-    const double before = worst > 0 ? found[worst - 1].time_h : found.back().time_h - 24.0;
-    const double after = worst + 1 < found.size() ? found[worst + 1].time_h : found.front().time_h + 24.0;
-    std::vector<Found> closer = {{format::wrapTime(0.5 * (before + here)), {}},
-                                 {format::wrapTime(0.5 * (here + after)), {}}};
+  measure(measured);
+  for (int round = 0; round < density.rounds && measured.size() > 1; ++round) {
+    const std::size_t worst = worstOf(measured);
+    const double here = measured[worst].time_h;
+    const double before = worst > 0 ? measured[worst - 1].time_h : measured.back().time_h - 24.0;
+    const double after = worst + 1 < measured.size() ? measured[worst + 1].time_h : measured.front().time_h + 24.0;
+    std::vector<MeasuredInstant> closer = {{format::wrapTime(0.5 * (before + here)), {}},
+                                           {format::wrapTime(0.5 * (here + after)), {}}};
     measure(closer);
-    found.insert(found.end(), closer.begin(), closer.end());
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.time_h < b.time_h; });
+    measured.insert(measured.end(), closer.begin(), closer.end());
+    std::sort(measured.begin(), measured.end(),
+              [](const MeasuredInstant& a, const MeasuredInstant& b) { return a.time_h < b.time_h; });
   }
-  return summaryOf(found);
+  return summaryOf(measured);
 }
 
 std::vector<CubemapError::Parts> partsAt(const model::Sky& sky, const CubemapSet& cubemaps,

@@ -23,7 +23,7 @@ constexpr MapSize kMaps[] = {{5, 3}, {5, 5}, {9, 5}, {9, 7}, {9, 9}, {9, 13}, {1
 /// Largest gain expected of a minimax fit. A fit costs 0.2 s a day, so only tables this close are fitted.
 constexpr double kWorthFitting = 1.7;
 constexpr int kFallbackBands = 3;          // Bands of the samples beside modes, unless the file says.
-constexpr std::size_t kInstantsApart = 4;  // in the first look at a way; keys are placed with all instants
+constexpr std::size_t kInstantsApart = 4;  // in the first look at a candidate; keys are placed with all instants
 
 /// The largest error of every kInstantsApart-th instant when it is a key.
 double errorAtKeys(const DayValues& day, const Representation& r) {
@@ -43,52 +43,53 @@ std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<doubl
   return keys;
 }
 
-class Search {
+class Planner {
  public:
-  Search(const DayValues& day, const PlanRequest& request, const base::Progress& progress)
+  Planner(const DayValues& day, const PlanRequest& request, const base::Progress& progress)
       : day_(day), request_(request), progress_(progress) {
     plan_.bytes = SIZE_MAX;
   }
 
   DayPlan run() {
     collect();
-    if (ways_.empty()) return std::move(plan_);
+    if (candidates_.empty()) return std::move(plan_);
     least_keys_ = leastKeys();
-    const auto closest = std::min_element(ways_.begin(), ways_.end(), byError);
+    const auto closest = std::min_element(candidates_.begin(), candidates_.end(), byError);
     const double close_enough = request_.max_error;
-    tryAll([&](const Way& way) { return way.choice.error <= close_enough; });
-    for (Way& way : ways_)
-      if (mayFit(way) && way.choice.error > close_enough && way.choice.error < kWorthFitting * close_enough &&
-          leastBytes(way.representation, format::kEncodings.back()) < plan_.bytes) {
+    tryAll([&](const Candidate& candidate) { return candidate.choice.error <= close_enough; });
+    for (Candidate& candidate : candidates_)
+      if (mayFit(candidate) && candidate.choice.error > close_enough &&
+          candidate.choice.error < kWorthFitting * close_enough &&
+          leastBytes(candidate.representation, format::kEncodings.back()) < plan_.bytes) {
         progress_.check();
-        fitWeights(day_, way.representation);
-        way.choice.name = way.representation.name();
-        way.choice.error = errorAtKeys(day_, way.representation);
-        way.fitted = true;
+        fitWeights(day_, candidate.representation);
+        candidate.choice.name = candidate.representation.name();
+        candidate.choice.error = errorAtKeys(day_, candidate.representation);
+        candidate.fitted = true;
       }
-    tryAll([&](const Way& way) { return way.fitted && way.choice.error <= close_enough; });
+    tryAll([&](const Candidate& candidate) { return candidate.fitted && candidate.choice.error <= close_enough; });
     if (!plan_.met) takeTheBest(*closest);
-    for (Way& way : ways_) plan_.considered.push_back(std::move(way.choice));
+    for (Candidate& candidate : candidates_) plan_.considered.push_back(std::move(candidate.choice));
     return std::move(plan_);
   }
 
  private:
-  /// A way to hold the day, and its result.
-  struct Way {
+  /// A representation of the day, and how it does.
+  struct Candidate {
     Representation representation;
     PlanChoice choice;
     bool fitted = false;
   };
-  static bool byError(const Way& a, const Way& b) { return a.choice.error < b.choice.error; }
-  bool mayFit(const Way& way) const {
-    return way.representation.modes || request_.reconstruction != Reconstruction::projected;
+  static bool byError(const Candidate& a, const Candidate& b) { return a.choice.error < b.choice.error; }
+  bool mayFit(const Candidate& candidate) const {
+    return candidate.representation.modes || request_.reconstruction != Reconstruction::projected;
   }
 
   void add(Representation r) {
     progress_.check();
     const double error = errorAtKeys(day_, r);
     std::string name = r.name();
-    ways_.push_back({std::move(r), {std::move(name), error}});
+    candidates_.push_back({std::move(r), {std::move(name), error}});
   }
   void collect() {
     if (request_.reconstruction != Reconstruction::modes)
@@ -104,16 +105,16 @@ class Search {
       const std::vector<Number3> weights = weightsOf(day_, set);
       const MapSize& finest = kMaps[std::size(kMaps) - 1];
       add(modesOf(day_, set, weights, finest.columns, finest.rows, bands));
-      if (ways_.back().choice.error > kWorthFitting * request_.max_error) continue;
+      if (candidates_.back().choice.error > kWorthFitting * request_.max_error) continue;
       for (const MapSize& map : kMaps)
         if (&map != &finest) add(modesOf(day_, set, weights, map.columns, map.rows, bands));
     }
   }
 
-  /// Number of keys of the way with the least error. No other way needs far fewer.
+  /// Number of keys of the candidate with the least error. No other one needs far fewer.
   std::size_t leastKeys() const {
     if (!request_.key_time_h.empty()) return request_.key_time_h.size();
-    const auto closest = std::min_element(ways_.begin(), ways_.end(), byError);
+    const auto closest = std::min_element(candidates_.begin(), candidates_.end(), byError);
     return std::max<std::size_t>(1, placeKeys(day_, closest->representation, request_.max_error).size());
   }
   std::size_t bytesOfKey(const Representation& r, Encoding encoding) const {
@@ -123,30 +124,30 @@ class Search {
     return r.fixedBytes() + least_keys_ * bytesOfKey(r, encoding);
   }
 
-  /// Tries the ways that `wanted` accepts, by growing least bytes, until none left can be smaller than the best.
+  /// Tries the candidates that `wanted` accepts, by growing least bytes, until none left can be smaller than the best.
   template <typename Wanted>
   void tryAll(Wanted&& wanted) {
-    struct Candidate {
-      Way* way;
+    struct Trial {
+      Candidate* candidate;
       Encoding encoding;
       std::size_t least_bytes;
     };
-    std::vector<Candidate> candidates;
-    for (Way& way : ways_)
+    std::vector<Trial> trials;
+    for (Candidate& candidate : candidates_)
       for (auto e = format::kEncodings.rbegin(); e != format::kEncodings.rend(); ++e)  // of equal bytes the coarser
-        if (wanted(way) && (!request_.encoding || *e == *request_.encoding))
-          candidates.push_back({&way, *e, leastBytes(way.representation, *e)});
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.least_bytes < b.least_bytes; });
-    for (const Candidate& c : candidates)
-      if (c.least_bytes < plan_.bytes) tryOne(*c.way, c.encoding);
+        if (wanted(candidate) && (!request_.encoding || *e == *request_.encoding))
+          trials.push_back({&candidate, *e, leastBytes(candidate.representation, *e)});
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.least_bytes < b.least_bytes; });
+    for (const Trial& t : trials)
+      if (t.least_bytes < plan_.bytes) tryOne(*t.candidate, t.encoding);
   }
 
   /// Places keys for an error that is lowered until the stored numbers keep the requested one.
-  void tryOne(Way& way, Encoding encoding) {
-    const Representation& r = way.representation;
+  void tryOne(Candidate& candidate, Encoding encoding) {
+    const Representation& r = candidate.representation;
     double aim = request_.max_error;
-    for (int attempt = 0; attempt < 5 && aim >= way.choice.error; ++attempt) {
+    for (int attempt = 0; attempt < 5 && aim >= candidate.choice.error; ++attempt) {
       progress_.check();
       const std::size_t most_keys = (plan_.bytes - r.fixedBytes()) / bytesOfKey(r, encoding);
       const auto keys =
@@ -162,8 +163,8 @@ class Search {
         plan_.table = std::move(table);
         plan_.encoding = encoding;
         plan_.predicted_error = error;
-        plan_.bytes = way.choice.bytes = bytes;
-        way.choice.keys = keys.size();
+        plan_.bytes = candidate.choice.bytes = bytes;
+        candidate.choice.keys = keys.size();
         return;
       }
       if (!request_.key_time_h.empty()) return;
@@ -172,8 +173,8 @@ class Search {
   }
 
   /// Used where the error cannot be met: every instant becomes a key and nothing is rounded.
-  void takeTheBest(const Way& way) {
-    plan_.representation = way.representation;
+  void takeTheBest(const Candidate& candidate) {
+    plan_.representation = candidate.representation;
     plan_.encoding = request_.encoding.value_or(Encoding::float32);
     std::vector<std::size_t> keys(day_.day->instant.size());
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = i;
@@ -186,7 +187,7 @@ class Search {
   const DayValues& day_;
   const PlanRequest& request_;
   const base::Progress& progress_;
-  std::vector<Way> ways_;
+  std::vector<Candidate> candidates_;
   std::size_t least_keys_ = 1;
   DayPlan plan_;
 };
@@ -198,7 +199,7 @@ std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding enc
 }
 
 DayPlan planDay(const DayValues& day, const PlanRequest& request, const base::Progress& progress) {
-  return Search(day, request, progress).run();
+  return Planner(day, request, progress).run();
 }
 
 }  // namespace welkin::table

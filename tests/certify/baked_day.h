@@ -31,9 +31,10 @@ struct BakedDay {
   /// Of `file` in place of the table's own when there is one.
   table::Certificate certificate(double step_h, bake::Certify how = bake::Certify::fast,
                                  const OpenedTable* file = nullptr) const {
-    return bake::certify((file != nullptr ? *file : opened).sky.get(),
-                         {day.sky, representation, table, encoding, {0.0, &model::kIrradianceRules[0]}}, how, {},
-                         step_h);
+    return bake::certify(
+        (file != nullptr ? *file : opened).sky.get(),
+        {day.sky, representation, table, encoding, {0.0, &model::kIrradianceRules[0]}, table::brightestOf(day.sky)},
+        how, {}, step_h);
   }
 
  private:

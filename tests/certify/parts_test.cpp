@@ -64,9 +64,10 @@ TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
   const auto& day = clearDay();
   const BakedDay baked(day, table::coefficientsOf(day.values, 5, false));
   const auto quadrature = [&](double tolerance) {
-    return bake::certify(baked.opened.sky.get(),
-                         {day.sky, baked.representation, baked.table, baked.encoding, {tolerance}}, bake::Certify::fast,
-                         {}, 12.0)
+    return bake::certify(
+               baked.opened.sky.get(),
+               {day.sky, baked.representation, baked.table, baked.encoding, {tolerance}, table::brightestOf(day.sky)},
+               bake::Certify::fast, {}, 12.0)
         .parts.quadrature;
   };
   const model::SkyProjector coarse(day.sky.luminance, 5, 1e-4);
