@@ -86,21 +86,16 @@ void ErrorGrid::addLower(std::vector<double>& upper, double vector_up, double ve
 
 DayFields::Error DayFields::errorOf(const DayInstant& at, const ErrorGrid& grid, std::span<const Number3> shape,
                                     const Number3& horizontal) const {
-  Error worst;
   const Number3 ground = sky->ground_albedo * horizontal;  // E / pi on a unit albedo, times pi (1 - y) / 2
+  Number3 largest(0.0);
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const double seen = 0.5 * (1.0 - grid.y(i));
     const Number3 off = det::desaturate((shape[i] + ground * seen) * at.intensity, at.saturation);
-    for (int c = 0; c < 3; ++c) {
-      const double error = at.divisor[c] > 0.0 ? std::abs(off[c]) / at.divisor[c] : 0.0;
-      worst.sum += error;
-      if (error > worst.value) {
-        worst.value = error;
-        worst.point = i;
-        worst.channel = c;
-      }
-    }
+    for (int c = 0; c < 3; ++c) largest[c] = std::max(largest[c], std::abs(off[c]));
   }
+  Error worst;
+  for (int c = 0; c < 3; ++c)
+    if (at.divisor[c] > 0.0) worst.value = std::max(worst.value, largest[c] / at.divisor[c]);
   return worst;
 }
 

@@ -61,13 +61,10 @@ struct DayFields {
   const model::Sky* sky = nullptr;
   std::vector<DayInstant> instant;  ///< ascending times
 
-  /// The largest error of an instant, with its normal and channel. `shape` is the error of the shape at intensity 1 at
+  /// The largest error of an instant over normals and channels. `shape` is the error of the shape at intensity 1 at
   /// the grid's normals, by channel; `horizontal` is the error of the horizontal irradiance.
   struct Error {
     double value = 0.0;
-    std::size_t point = 0;
-    int channel = 0;
-    double sum = 0.0;  ///< over normals and channels
   };
   Error errorOf(const DayInstant& at, const ErrorGrid& grid, std::span<const Number3> shape,
                 const Number3& horizontal) const;

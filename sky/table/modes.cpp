@@ -20,10 +20,20 @@ constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's norma
 
 }  // namespace
 
-std::vector<double> ModeSet::weightsOf(const FieldChannel& channel) const {
-  const std::vector<double> v = DayModes::vectorOf(channel);
-  std::vector<double> weight;
-  for (const auto& of_mode : vector) weight.push_back(sh::asVector(of_mode).dot(sh::asVector(v)));
+std::vector<double> ModeSet::weightsOf(std::span<const double> field) const {
+  constexpr std::size_t kAtOnce = 4;  // sums that do not wait for each other
+  std::vector<double> weight(count());
+  for (std::size_t first = 0; first < weight.size(); first += kAtOnce) {
+    const double* mode_of[kAtOnce];
+    double sum[kAtOnce];
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      mode_of[k] = vector[std::min(first + k, weight.size() - 1)].data();
+      sum[k] = mode_of[k][0] * field[0];
+    }
+    for (std::size_t i = 1; i < field.size(); ++i)
+      for (std::size_t k = 0; k < kAtOnce; ++k) sum[k] += mode_of[k][i] * field[i];
+    std::copy_n(sum, std::min(kAtOnce, weight.size() - first), weight.begin() + static_cast<std::ptrdiff_t>(first));
+  }
   return weight;
 }
 
@@ -34,8 +44,10 @@ std::vector<double> DayModes::vectorOf(const FieldChannel& channel) {
     const auto edge = [](double row) { return det::yOfModeRow(std::clamp(row / (kRows - 1.0), 0.0, 1.0)); };
     const double place = static_cast<double>(r);
     const double share = edge(place + 0.5) - edge(place - 0.5);  // Share of the upper hemisphere.
+    const double mean = std::sqrt(share);
+    const double turning = std::sqrt(0.5 * share);
     for (std::size_t m = 0; m < kOrdersCompared; ++m)
-      v.push_back(channel.series[r * kOrders + m] * std::sqrt(m == 0 ? share : 0.5 * share));
+      v.push_back(channel.series[r * kOrders + m] * (m == 0 ? mean : turning));
   }
   for (const std::size_t i : {model::polarIndex(1, 0), model::polarIndex(1, 1)})
     v.push_back(channel.moment[i] / det::kShLinear / 3.0);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sky/table/day_fields.h"
@@ -17,8 +18,8 @@ struct ModeSet {
   std::vector<std::vector<double>> vector;  ///< one vector for each mode, as DayModes::vectorOf
 
   std::size_t count() const { return mode.size(); }
-  /// Weights of the nearest combination of the modes.
-  std::vector<double> weightsOf(const FieldChannel& channel) const;
+  /// Weights of the combination of the modes that is nearest to a field, given as DayModes::vectorOf.
+  std::vector<double> weightsOf(std::span<const double> field) const;
 };
 
 /// Finds the modes of a day.

@@ -33,7 +33,9 @@ std::vector<Number3> irradianceOf(const Representation& r, std::span<const Numbe
   std::vector<Number3> irradiance(points);
   for (std::size_t p = 0; p < points; ++p) {
     const double* value = r.values.data() + p * r.functions;
-    for (std::size_t k = 0; k < r.functions; ++k) irradiance[p] += weight[k] * value[k];
+    Number3 sum(0.0);
+    for (std::size_t k = 0; k < r.functions; ++k) sum += weight[k] * value[k];
+    irradiance[p] = sum;
   }
   return irradiance;
 }
@@ -49,9 +51,12 @@ Number3 horizontalOf(const Representation& r, std::span<const Number3> weight) {
 
 DayValues::DayValues(const DayFields& day_, const ErrorGrid& grid_)
     : day(&day_), grid(&grid_), value(day_.instant.size() * grid_.count()) {
+  vector.resize(3 * day->instant.size());
   tbb::parallel_for(std::size_t{0}, day->instant.size(), [&](std::size_t i) {
     for (int c = 0; c < 3; ++c) {
-      const auto of_channel = grid->valuesOf(FieldChannel(day->instant[i].field, c));
+      const FieldChannel channel(day->instant[i].field, c);
+      vector[3 * i + static_cast<std::size_t>(c)] = DayModes::vectorOf(channel);
+      const auto of_channel = grid->valuesOf(channel);
       for (std::size_t p = 0; p < of_channel.size(); ++p) value[i * of_channel.size() + p][c] = of_channel[p];
     }
   });
@@ -109,7 +114,7 @@ std::vector<Number3> weightsOf(const DayValues& day, const ModeSet& modes) {
   const int channels = isGrey(*day.day->sky) ? 1 : 3;
   tbb::parallel_for(std::size_t{0}, day.day->instant.size(), [&](std::size_t i) {
     for (int c = 0; c < channels; ++c) {
-      const auto of_channel = modes.weightsOf(FieldChannel(day.day->instant[i].field, c));
+      const auto of_channel = modes.weightsOf(day.vector[3 * i + static_cast<std::size_t>(c)]);
       for (std::size_t k = 0; k < of_channel.size(); ++k) {
         Number3& weight = weights[i * modes.count() + k];
         if (channels == 1) weight = Number3(of_channel[k]);

@@ -18,7 +18,8 @@ struct DayValues {
 
   const DayFields* day;
   const ErrorGrid* grid;
-  std::vector<Number3> value;  ///< by instant and normal
+  std::vector<Number3> value;               ///< by instant and normal
+  std::vector<std::vector<double>> vector;  ///< DayModes::vectorOf, by instant and channel
 };
 
 /// One way to hold the irradiance: the functions that a table's rows weigh.

@@ -56,7 +56,7 @@ TEST_CASE("DayModes, WeightsOfACombinationAreItsFactors") {
   const double want[] = {3.0, -0.7, 0.25, 1e-3, 2.0};
   table::FieldChannel sum;
   for (std::size_t k = 0; k < 5; ++k) sum.add(set.mode[k], want[k]);
-  const std::vector<double> got = set.weightsOf(sum);
+  const std::vector<double> got = set.weightsOf(table::DayModes::vectorOf(sum));
   for (std::size_t k = 0; k < 5; ++k) CHECK(got[k] == Approx(want[k]).margin(1e-9));
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("DayModes, AsManyAsTheDayHasGiveItBack") {
     for (int c = 0; c < 3; ++c) {
       const table::FieldChannel want(at.field, c);
       table::FieldChannel left = want;
-      const std::vector<double> weight = set.weightsOf(want);
+      const std::vector<double> weight = set.weightsOf(table::DayModes::vectorOf(want));
       for (std::size_t k = 0; k < weight.size(); ++k) left.add(set.mode[k], -weight[k]);
       for (const double off : day.grid.valuesOf(left)) CHECK(std::abs(off) < 1e-6 * at.field.mean[c]);
     }
