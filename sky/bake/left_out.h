@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sky does not need, and what leaving it out saves.
+// The parts that a sky does not need, and the bytes that their omission saves.
 #pragma once
 
 #include "sky/bake/sky_plan.h"

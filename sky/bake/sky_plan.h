@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bake of a sky makes: as its file says, or what an error budget takes.
+// The plan of a sky's bake: as its file says, or as an error budget takes.
 #pragma once
 
 #include <memory>

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a table's moments come from, in words.
+/// The source of a table's moments, in words.
 std::string textOf(const model::Quadrature& quadrature) {
   if (quadrature.circles == nullptr) return fmt::format("coefficients within {:.0e} of c0", quadrature.tolerance);
   return fmt::format("circles in {} panels or more, within {:.1e} of the mean", quadrature.circles->panels,

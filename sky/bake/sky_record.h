@@ -16,13 +16,13 @@ namespace welkin::bake {
 /// shows, or another report.
 inline constexpr int kSkyBakeVersion = 2;
 
-/// What a sky's bake is asked for besides its inputs.
+/// The options of a sky's bake.
 struct SkyRequest {
   Certify certify = Certify::fast;
   bool force = false;  ///< bake what is up to date as well
 };
 
-/// What a bake finds in a sky's place.
+/// The state of a sky's file before a bake.
 struct SkyState {
   std::string stale;            ///< why it is to be baked; empty: it is up to date
   nlohmann::ordered_json made;  ///< when it is up to date: what recordText was told of it

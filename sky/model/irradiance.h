@@ -36,7 +36,7 @@ struct IrradianceRule {
 /// From the finest to the least work; the first is what certificates compare with.
 inline constexpr IrradianceRule kIrradianceRules[] = {{12, 8e-5}, {4, 2.3e-4}, {2, 1e-3}};
 
-/// What a table's moments come from.
+/// The source of a table's moments.
 struct Quadrature {
   double tolerance = kTolerance;            ///< of SkyProjector
   const IrradianceRule* circles = nullptr;  ///< those of IrradianceProjector instead
