@@ -8,34 +8,12 @@
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
+#include "sky/base/descriptor.h"
 #include "sky/base/error.h"
 
 namespace welkin::base {
 namespace {
-
-/// A file descriptor that closes on destruction.
-struct Descriptor {
-  int fd;
-  explicit Descriptor(int fd_) : fd(fd_) {}
-  Descriptor(Descriptor&& other) noexcept : fd(std::exchange(other.fd, -1)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-  /// Returns 0 or the error. After EINTR the file is closed all the same (Linux).
-  int close() { return ::close(std::exchange(fd, -1)) != 0 && errno != EINTR ? errno : 0; }
-};
-
-/// Repeats a system call as long as signals interrupt it.
-template <typename Call>
-auto uninterrupted(const Call& call) {
-  auto result = call();
-  while (result < 0 && errno == EINTR) result = call();
-  return result;
-}
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* verb, int error) {
   throw Error(ExitStatus::file, fmt::format("{}: cannot {}: {}", path.string(), verb, std::strerror(error)));
@@ -99,26 +77,82 @@ std::vector<std::byte> readUpTo(int fd, std::size_t most, const std::filesystem:
   return bytes;
 }
 
+constexpr ByteRange kWhole;
+constexpr int kMostAttempts = 1000;
+
+std::filesystem::path temporaryPath(const std::filesystem::path& path, int number) {
+  std::filesystem::path temporary = path;
+  temporary += number == 0 ? ".tmp" : fmt::format(".{}.tmp", number);
+  return temporary;
+}
+
+/// Removes a temporary file that no process writes any more, or a link in its place. Returns whether it is gone.
+bool removeLeftover(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) return errno == ENOENT;
+  if (S_ISLNK(status.st_mode)) return ::unlink(path.c_str()) == 0;
+  if (!S_ISREG(status.st_mode)) return false;
+  const Descriptor file(
+      uninterrupted([&] { return ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
+  // Who has the lock and finds the file in its place is the only one to move it.
+  return file.fd >= 0 && lockRange(file, kWhole) == Locked::yes && isAt(file, path) && ::unlink(path.c_str()) == 0;
+}
+
+/// A new file beside `path`, locked as long as it is being written.
+struct Temporary {
+  std::filesystem::path path;
+  Descriptor file;
+  Descriptor lock;  ///< a copy of `file`, which is closed before the file gets its name
+};
+
+Temporary makeTemporary(const std::filesystem::path& path) {
+  int number = 0;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    Temporary made{temporaryPath(path, number), Descriptor(), Descriptor()};
+    made.file = Descriptor(uninterrupted(
+        [&] { return ::open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666); }));
+    if (made.file.fd < 0) {
+      if (errno != EEXIST) refuse(path, "write", errno);
+      if (!removeLeftover(made.path)) ++number;
+      continue;
+    }
+    made.lock = Descriptor(::fcntl(made.file.fd, F_DUPFD_CLOEXEC, 0));
+    if (made.lock.fd < 0) {
+      const int error = errno;
+      ::unlink(made.path.c_str());
+      refuse(path, "write", error);
+    }
+    waitForRange(made.lock, kWhole);
+    if (isAt(made.lock, made.path)) return made;  // else it was taken for a leftover before it was locked
+  }
+  refuse(path, "write", EEXIST);
+}
+
+/// Makes names in a folder last through a loss of power.
+void syncFolder(const std::filesystem::path& folder) {
+  const Descriptor opened(
+      uninterrupted([&] { return ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+  if (opened.fd < 0) return;  // a folder that may be written and not read
+  if (uninterrupted([&] { return ::fsync(opened.fd); }) != 0 && errno != EINVAL) refuse(folder, "write", errno);
+}
+
 }  // namespace
 
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   if (isDevice(path)) return writeDevice(path, bytes);
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
   if (holds(path, bytes)) {
-    ::unlink(temporary.c_str());  // Left by a run that was killed.
+    removeLeftover(temporaryPath(path, 0));
     return;
   }
-  Descriptor file(
-      uninterrupted([&] { return ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }));
-  if (file.fd < 0) refuse(path, "write", errno);
-  int error = writeAll(file.fd, bytes);
-  if (const int at_close = file.close(); error == 0) error = at_close;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  Temporary temporary = makeTemporary(path);
+  int error = writeAll(temporary.file.fd, bytes);
+  if (const int at_close = temporary.file.close(); error == 0) error = at_close;
+  if (error == 0 && ::rename(temporary.path.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
-    ::unlink(temporary.c_str());
+    ::unlink(temporary.path.c_str());
     refuse(path, "write", error);
   }
+  syncFolder(path.parent_path());
 }
 
 void writeFile(const std::filesystem::path& path, std::string_view text) {
@@ -140,12 +174,25 @@ std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t 
   return readUpTo(file.fd, most, path);
 }
 
+void requireSize(const std::filesystem::path& path, std::uint64_t bytes) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+      static_cast<std::uint64_t>(status.st_size) == bytes)
+    return;
+  throw Error(
+      ExitStatus::file,
+      fmt::format("{}: something else has removed or changed it since it was written; bake again", path.string()));
+}
+
 void makeFolder(const std::filesystem::path& path) {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  if (std::filesystem::is_directory(path, error)) return;
+  if (path.has_parent_path() && path.parent_path() != path) makeFolder(path.parent_path());
+  const bool made = std::filesystem::create_directory(path, error);
   if (error || !std::filesystem::is_directory(path, error))
     throw Error(ExitStatus::file, fmt::format("{}: cannot make the folder: {}", path.string(),
                                               error ? error.message() : "a file is in the way"));
+  if (made) syncFolder(path.parent_path());
 }
 
 }  // namespace welkin::base

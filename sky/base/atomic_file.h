@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -10,9 +11,10 @@
 
 namespace welkin::base {
 
-/// Writes the bytes to `path`.tmp, flushes them to the device and renames the file. On failure it removes its temporary
-/// file and throws Error(ExitStatus::file). A file that already holds these bytes is left untouched, its date included.
-/// A `path`.tmp left by a killed run is removed. A device or a pipe is written in place.
+/// Writes the bytes to a new file, flushes it to the device, renames it to `path` and flushes the folder. The new file
+/// is `path`.tmp, or `path`.N.tmp while another process writes the former; one left by a killed process is removed,
+/// and no link is followed. On failure it removes its temporary file and throws Error(ExitStatus::file). A file that
+/// already holds these bytes is left untouched, its date included. A device or a pipe is written in place.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
 
@@ -22,6 +24,9 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t l
 
 /// Reads the first bytes of a regular file, at most `most`. Throws Error(ExitStatus::file) naming the file.
 std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t most);
+
+/// Throws Error(ExitStatus::file) unless a regular file of so many bytes is there, as was written before.
+void requireSize(const std::filesystem::path& path, std::uint64_t bytes);
 
 /// Makes a folder and its parents; throws Error(ExitStatus::file).
 void makeFolder(const std::filesystem::path& path);

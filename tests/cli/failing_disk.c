@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A disk that fails, for LD_PRELOAD. It counts the calls that change files, from 1: open() for writing; write(),
- * fsync() and close() of such files; rename(), mkdir(), unlink() and remove(). WELKIN_DISK_BYTES=N  N bytes of room:
- * the first write() that does not fit is cut, the next fails with ENOSPC WELKIN_DISK_FAULT=F  the call WELKIN_DISK_CALL
- * fails with the error F: ENOSPC, EIO, EDQUOT, EROFS; or EINTR  open(), write(), fsync() or close() is interrupted
- * (only these are counted then) short  write() writes a third of its bytes kill   the process kills itself before the
- * call, or in the middle of a write() WELKIN_DISK_CALL=K   number of the call that fails; "K+": all later calls fail
- * too, with EINTR every second one WELKIN_DISK_LOG=P    adds a line to this file for each call that succeeded: its name
- * and its paths unlink() and remove() are counted only with kill and with "K+", so that a failed write can be cleaned
- * up. There is no lock: the program must not make these calls at the same time. */
+ * fsync() and close() of such files; fsync() of folders; rename(), mkdir(), unlink() and remove().
+ * WELKIN_DISK_NO_LOCKS=1 a file system without locks. WELKIN_DISK_BYTES=N  N bytes of room: the first write() that does
+ * not fit is cut, the next fails with ENOSPC WELKIN_DISK_FAULT=F  the call WELKIN_DISK_CALL fails with the error F:
+ * ENOSPC, EIO, EDQUOT, EROFS, EPERM; or EINTR  open(), write(), fsync() or close() is interrupted (only these are
+ * counted then) short  write() writes a third of its bytes kill   the process kills itself before the call, or in the
+ * middle of a write() WELKIN_DISK_CALL=K   number of the call that fails; "K+": all later calls fail too, with EINTR
+ * every second one WELKIN_DISK_LOG=P    adds a line to this file for each call that succeeded: its name and its paths
+ * unlink() and remove() are counted only with kill and with "K+", so that a failed write can be cleaned up. There is no
+ * lock: the program must not make these calls at the same time. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -29,14 +30,15 @@ static long at = 0;    /* number of the call that fails */
 static int stays = 0;  /* whether later calls fail too */
 static long calls = 0; /* number of calls so far */
 static int log_file = -1;
-static char* path_of[kMostFiles]; /* by file descriptor, of files opened for writing */
+static char* path_of[kMostFiles]; /* by file descriptor, of files opened for writing, and of folders */
+static char is_folder[kMostFiles];
 
 static __attribute__((constructor)) void readEnvironment(void) {
   static const struct {
     const char* name;
     int fault;
-  } kFaults[] = {{"ENOSPC", ENOSPC}, {"EIO", EIO},      {"EDQUOT", EDQUOT}, {"EROFS", EROFS},
-                 {"EINTR", EINTR},   {"short", kShort}, {"kill", kKill}};
+  } kFaults[] = {{"ENOSPC", ENOSPC}, {"EIO", EIO},     {"EDQUOT", EDQUOT}, {"EROFS", EROFS},
+                 {"EPERM", EPERM},   {"EINTR", EINTR}, {"short", kShort},  {"kill", kKill}};
   const char* text = getenv("WELKIN_DISK_BYTES");
   if (text != NULL) room = atol(text);
   text = getenv("WELKIN_DISK_FAULT");
@@ -100,9 +102,11 @@ API int open(const char* path, int flags, ...) {
   const int writes = (flags & O_ACCMODE) != O_RDONLY;
   if (writes && refused(1)) return -1;
   const int fd = (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
-  if (writes && fd >= 0 && fd < kMostFiles) {
+  const int folder = (flags & O_DIRECTORY) != 0;
+  if ((writes || folder) && fd >= 0 && fd < kMostFiles) {
     path_of[fd] = strdup(path);
-    note("open", path, NULL);
+    is_folder[fd] = (char)folder;
+    if (writes) note("open", path, NULL);
   }
   return fd;
 }
@@ -135,15 +139,28 @@ API int fsync(int fd) {
 API int close(int fd) {
   char* path = (char*)pathOf(fd);
   if (path == NULL) return (int)syscall(SYS_close, fd);
-  const int bad = refused(1);
+  const int bad = !is_folder[fd] && refused(1);
   const int error = errno;
   const int result = (int)syscall(SYS_close, fd);
   path_of[fd] = NULL;
-  if (!bad && result == 0) note("close", path, NULL);
+  if (!bad && result == 0 && !is_folder[fd]) note("close", path, NULL);
   free(path);
   if (!bad) return result;
   errno = error;
   return -1;
+}
+
+API int fcntl(int fd, int command, ...) {
+  va_list arguments;
+  va_start(arguments, command);
+  void* argument = va_arg(arguments, void*);
+  va_end(arguments);
+  if (getenv("WELKIN_DISK_NO_LOCKS") != NULL &&
+      (command == F_OFD_SETLK || command == F_OFD_SETLKW || command == F_OFD_GETLK)) {
+    errno = ENOLCK;
+    return -1;
+  }
+  return (int)syscall(SYS_fcntl, fd, command, argument);
 }
 
 API int rename(const char* from, const char* to) {

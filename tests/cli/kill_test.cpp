@@ -31,7 +31,7 @@ TEST_CASE("Kill, AtEveryCallThatChangesTheDisk") {
   const bool fresh = GENERATE(false, true);
   TwoBakes bakes(4);
   INFO((fresh ? "in a new folder" : "over an old bake"));
-  killAtEveryCall(sweepOf(bakes, fresh), 5 * 8);
+  killAtEveryCall(sweepOf(bakes, fresh), 6 * 8);
 }
 
 TEST_CASE("Kill, AtAnyTime") {

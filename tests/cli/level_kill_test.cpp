@@ -54,7 +54,7 @@ KillSweep sweepOf(const SmallLevel& level) {
 TEST_CASE("LevelKill, AtEveryCallThatChangesTheDisk") {
   const SmallLevel level;
   level.bake("whole");
-  killAtEveryCall(sweepOf(level), 5 * (kSectors + 3));
+  killAtEveryCall(sweepOf(level), 6 * (kSectors + 3));
 }
 
 TEST_CASE("LevelKill, AtAnyTime") {
