@@ -13,6 +13,7 @@
 #include "sky/bake/sky_domain.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/folder_lock.h"
 
 namespace welkin::build {
 namespace {
@@ -46,7 +47,6 @@ std::filesystem::path ruleTarget(const std::filesystem::path& folder, const std:
 }
 
 void writeRule(const BakeRequest& request, const BakeInput& read) {
-  base::makeFolder(request.folder);
   std::vector<std::filesystem::path> inputs;
   for (const auto& input : read.inputs) inputs.push_back(input.path);
   if (read.level)
@@ -85,6 +85,9 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   const BakeInput read = readInput(request, progress);
   LevelOptions wanted{request.folder, request.shard, {}, request.force};
   if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->sectors());
+  base::makeFolder(request.folder);
+  const base::FolderLock lock(request.folder, request.shard ? std::optional(request.shard->index) : std::nullopt);
+  if (!request.shard) removeTemporaries(request.folder);  // those of shards may be at work
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
   if (!request.depfile.empty()) writeRule(request, read);
@@ -94,7 +97,10 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
     report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force}, progress, timing);
   if (read.level) bakeSectors(*read.level, wanted, progress, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  base::writeFile(timingPath(request.folder, request.shard), reportText(timing));
+  if (report.contains("outputs"))
+    for (const Json& output : report["outputs"])
+      base::requireSize(request.folder / output.at("file").get<std::string>(), output.at("bytes").get<std::uint64_t>());
+  if (!lock.readOnly()) base::writeFile(timingPath(request.folder, request.shard), reportText(timing));
   base::writeFile(request.report.empty() ? reportPath(request.folder, request.shard) : request.report,
                   reportText(report));
   return report;

@@ -37,8 +37,9 @@ struct BakeInput {
 /// Reads the request's file. Throws Error: usage for a budget outside its domain, or sectors asked of a sky.
 BakeInput readInput(const BakeRequest& request, const base::Progress& progress);
 
-/// Bakes what is out of date, measures it, and writes report and timing. Returns the report. Throws Error; files that
-/// were finished before stay, and every one is whole.
+/// Bakes what is out of date, measures it, and writes report and timing. Returns the report. Throws Error, of status
+/// file while another bake has the folder or the shard; files that were finished before stay, and every one is whole. A
+/// folder that may not be written gets no timing, and no error where all is up to date.
 nlohmann::ordered_json bakeFile(const BakeRequest& request, const base::Progress& progress);
 
 /// A report as text. A file name that is not UTF-8 is shown with replacement characters.

@@ -96,6 +96,11 @@ std::optional<std::vector<sectors::SectorEntry>> completed(const LevelBake& leve
   return entries;
 }
 
+/// Throws Error(file) where a sector's file has gone since it was found or written.
+void requireFiles(const std::filesystem::path& folder, const std::vector<sectors::SectorEntry>& entries) {
+  for (const auto& s : entries) base::requireSize(sectorPath(folder, s.id), s.bytes);
+}
+
 /// What every sector must be baked from, as shards must agree on.
 base::Hash128 hashOfAll(const LevelBake& level, const LevelOptions& options, const base::Progress& progress) {
   std::vector<sectors::SectorEntry> entries;
@@ -130,6 +135,7 @@ void bakeSectors(const LevelBake& level, const LevelOptions& options, const base
   sectors::LevelIndex index = level.index();
   if (options.shard) {
     removeParts(options.folder, options.shard->count);
+    requireFiles(options.folder, entries);
     index.sector = std::move(entries);
     index.all_sectors = hashOfAll(level, options, progress);
     base::writeFile(partPath(options.folder, *options.shard), sectors::encodeLevel(index));
@@ -137,6 +143,7 @@ void bakeSectors(const LevelBake& level, const LevelOptions& options, const base
   }
   auto all = completed(level, options, progress, std::move(entries), warnings);
   if (!all) return;
+  requireFiles(options.folder, *all);
   index.sector = std::move(*all);
   index.all_sectors = hashOf(index.sector);
   writeIndex(options.folder, index);

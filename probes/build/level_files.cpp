@@ -16,6 +16,7 @@
 #include "sky/bake/runtime_error.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/folder_lock.h"
 
 namespace welkin::build {
 namespace {
@@ -56,7 +57,8 @@ std::vector<std::byte> readSky(const fs::path& folder, const LevelIndex& index) 
   std::vector<std::byte> bytes = base::readFile(path);
   WelkinSky* sky = nullptr;
   WelkinMessage message{};
-  const WelkinResult result = welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, &message);
+  const void* start = bytes.empty() ? &bytes : static_cast<const void*>(bytes.data());  // null is a fault of the caller
+  const WelkinResult result = welkin_sky_open_memory(start, bytes.size(), &sky, &message);
   welkin_sky_close(sky);
   bake::require(result, path.string(), message.text);
   checkPaths(path, bytes, index);
@@ -139,15 +141,25 @@ void writeIndex(const fs::path& folder, LevelIndex index) {
 }
 
 void removeOtherSectors(const fs::path& folder, const LevelIndex& index) {
-  static const std::regex kOurs("sector_(-?[0-9]+_-?[0-9]+)\\.welkin(\\.tmp)?");
+  static const std::regex kOurs("sector_(-?[0-9]+_-?[0-9]+)\\.welkin");
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder / "sectors", error)) {
     std::smatch match;
     const std::string name = entry.path().filename().string();
     if (!std::regex_match(name, match, kOurs)) continue;
     const auto known = [&](const SectorEntry& s) { return nameOf(s.id) == match[1].str(); };
-    if (match[2].matched || std::none_of(index.sector.begin(), index.sector.end(), known))
-      fs::remove(entry.path(), error);
+    if (std::none_of(index.sector.begin(), index.sector.end(), known)) fs::remove(entry.path(), error);
+  }
+}
+
+void removeTemporaries(const fs::path& folder) {
+  static const std::regex kOurs(
+      "((sky|level|report|timing)(\\.[0-9]+-of-[0-9]+)?\\.(welkin|json)|sector_-?[0-9]+_-?[0-9]+\\.welkin|"
+      "sky_[0-9]{9}(_latlong)?\\.exr)(\\.[0-9]+)?\\.tmp");
+  for (const fs::path& place : {folder, folder / "cubemaps", folder / "sectors"}) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(place, error))
+      if (std::regex_match(entry.path().filename().string(), kOurs)) fs::remove(entry.path(), error);
   }
 }
 
@@ -176,6 +188,8 @@ void checkLevel(const fs::path& folder, const LevelIndex& index) {
 }
 
 LevelIndex mergeParts(const fs::path& folder) {
+  const base::FolderLock lock(folder);
+  removeTemporaries(folder);
   const Parts parts = readParts(folder);
   LevelIndex index = parts.part.at(0);
   for (const auto& [i, part] : parts.part) {

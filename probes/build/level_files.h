@@ -24,6 +24,9 @@ void writeIndex(const std::filesystem::path& folder, sectors::LevelIndex index);
 /// Removes sectors' files that the index does not name; a bake makes no others of such names.
 void removeOtherSectors(const std::filesystem::path& folder, const sectors::LevelIndex& index);
 
+/// Removes the temporary files of bakes that were killed. For the owner of the folder's lock.
+void removeTemporaries(const std::filesystem::path& folder);
+
 /// Removes the parts of shards, all but those of `count` shards.
 void removeParts(const std::filesystem::path& folder, std::optional<int> count);
 
@@ -32,7 +35,7 @@ void removeParts(const std::filesystem::path& folder, std::optional<int> count);
 void checkLevel(const std::filesystem::path& folder, const sectors::LevelIndex& index);
 
 /// Makes the index of the shards' parts, and one report of theirs; removes sectors of an earlier bake. Throws Error:
-/// content where they do not agree, file where one is missing.
+/// content where they do not agree, file where one is missing or a bake is at work.
 sectors::LevelIndex mergeParts(const std::filesystem::path& folder);
 
 }  // namespace welkin::build

@@ -108,8 +108,6 @@ Json warningsOf(const table::Certificate* certificate, std::size_t saturated, fo
 /// Bakes anew, and says what was made.
 Json bakeAnew(const SkyFile& given, const std::filesystem::path& folder, Certify how, const base::Progress& progress,
               Json& timing) {
-  base::makeFolder(
-      folder);  // a wrong path shows before the work, but no file is written before the budget is known to be kept
   Stopwatch watch;
   Certified certified = planAndMeasure(given, how, progress, watch, timing);
   const SkyPlan& plan = certified.plan;

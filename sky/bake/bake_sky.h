@@ -10,10 +10,10 @@
 
 namespace welkin::bake {
 
-/// Bakes into `folder` and measures what was baked, unless that is there and up to date or `request` says otherwise.
-/// `inputs`: everything that was read, for the report: the sky's, and a level's.
-/// Returns the report, which is the same either way; `timing` gets what each part cost in seconds, and "sky_baked".
-/// Throws Error, before anything is written when a budget cannot be met.
+/// Bakes into `folder`, which is there and locked, and measures what was baked, unless that is there and up to date or
+/// `request` says otherwise. `inputs`: everything that was read, for the report: the sky's, and a level's. Returns the
+/// report, which is the same either way; `timing` gets what each part cost in seconds, and "sky_baked". Throws Error,
+/// before anything is written when a budget cannot be met.
 nlohmann::ordered_json bakeSky(const SkyFile& file, const std::vector<Input>& inputs,
                                const std::filesystem::path& folder, const SkyRequest& request,
                                const base::Progress& progress, nlohmann::ordered_json& timing);

@@ -29,7 +29,7 @@ void SkyOutputs::write(const std::string& name, std::span<const std::byte> bytes
 }
 
 void removeLeftovers(const std::filesystem::path& folder, const Json& outputs) {
-  static const std::regex kOurs("sky_[0-9]{9}(_latlong)?\\.exr(\\.tmp)?");
+  static const std::regex kOurs("sky_[0-9]{9}(_latlong)?\\.exr");
   const auto isOutput = [&](const std::string& name) {
     return std::any_of(outputs.begin(), outputs.end(), [&](const Json& o) { return o["file"] == "cubemaps/" + name; });
   };
@@ -38,7 +38,6 @@ void removeLeftovers(const std::filesystem::path& folder, const Json& outputs) {
     const std::string name = entry.path().filename().string();
     if (std::regex_match(name, kOurs) && !isOutput(name)) std::filesystem::remove(entry.path(), error);
   }
-  for (const char* name : {"sky.welkin.tmp", "sky.json.tmp"}) std::filesystem::remove(folder / name, error);
 }
 
 }  // namespace welkin::bake

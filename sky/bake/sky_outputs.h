@@ -31,8 +31,7 @@ class SkyOutputs {
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
 };
 
-/// Removes what earlier bakes left and a finished one, whose outputs are listed, has not: other cubemaps, and files
-/// that were not finished.
+/// Removes cubemaps of earlier bakes that a finished one, whose outputs are listed, has not.
 void removeLeftovers(const std::filesystem::path& folder, const nlohmann::ordered_json& outputs);
 
 }  // namespace welkin::bake

@@ -75,6 +75,28 @@ TEST_CASE("LevelFiles, MergeSaysWhatIsMissingOrAnother") {
   REQUIRE(runTool({"merge", level / "out"}).status == 0);
 }
 
+TEST_CASE("LevelFiles, AnEmptyFileIsWrongContent") {
+  const SmallLevel level;
+  for (const char* shard : {"0/2", "1/2"}) REQUIRE(runTool(level.command("out", {"--shard", shard})).status == 0);
+  REQUIRE(runTool({"merge", level / "out"}).status == 0);
+  const auto requireContent = [&](const std::string& command, const std::string& file) {
+    const Run run = runTool({command, level / "out"});
+    INFO(command << ": " << run.err);
+    REQUIRE(run.status == 3);
+    REQUIRE(run.err.starts_with("welkin: " + level / ("out/" + file) + ": "));
+    REQUIRE_FALSE(run.said("null pointer"));
+  };
+  for (const std::string file : {"sky.welkin", "level.welkin", "level.1-of-2.welkin", "sectors/sector_0_0.welkin"}) {
+    const std::string path = level / ("out/" + file);
+    const std::string whole = readBytes(path);
+    fs::resize_file(path, 0);
+    if (file != "level.1-of-2.welkin") requireContent("validate", file);
+    if (file != "level.welkin") requireContent("merge", file);
+    std::ofstream(path, std::ios::binary) << whole;
+  }
+  REQUIRE(runTool({"validate", level / "out"}).status == 0);
+}
+
 TEST_CASE("LevelFiles, DamagedSectorsAreFoundAndBakedAgain") {
   const SmallLevel level;
   level.bake("out");

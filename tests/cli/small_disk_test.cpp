@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 
+#include "level_text.h"
 #include "two_bakes.h"
 
 using namespace welkin::tests;
@@ -145,6 +146,7 @@ TEST_CASE("SmallDisk, ReadOnly") {
     bakes.putOld();
     REQUIRE(mountAt(folder.path(), "", MS_REMOUNT | MS_RDONLY));
     requireStatus(bakes, 2, "Read-only file system");
+    REQUIRE(runTool(bakes.command("old")).status == 0);  // it is up to date
     bakes.requireIs("old");
     const Run run = runTool({"bake", bakes.file("new_level/sky.toml"), "-o", folder / "none"});
     REQUIRE(run.status == 2);
@@ -152,5 +154,29 @@ TEST_CASE("SmallDisk, ReadOnly") {
     REQUIRE(mountAt(folder.path(), "", MS_REMOUNT));
     requireStatus(bakes, 0);
     bakes.requireIs("new");
+  });
+}
+
+TEST_CASE("SmallDisk, ReadOnlyAndUpToDateIsNoError") {
+  const Folder folder;
+  const SmallLevel level;
+  const auto bake = [&](const std::string& transfer) {
+    level.writeLevel(transfer);
+    return runTool({"bake", level / "level.toml", "-o", folder / "out", "--progress", "none", "--certify", "none"});
+  };
+  onSmallDisk(folder.path(), "size=1m", [&] {
+    REQUIRE(bake("rays = 64").status == 0);
+    std::ofstream(folder / "out/.welkin.lock") << "of a killed bake";
+    REQUIRE(mountAt(folder.path(), "", MS_REMOUNT | MS_RDONLY));
+    const std::string timing = readBytes(folder / "out/timing.json");
+    const Run same = bake("rays = 64");
+    INFO(same.err);
+    REQUIRE(same.status == 0);
+    REQUIRE(readBytes(folder / "out/timing.json") == timing);
+    const Run other = bake("rays = 128");
+    INFO(other.err);
+    REQUIRE(other.status == 2);
+    REQUIRE(other.said("Read-only file system"));
+    REQUIRE(runTool({"validate", folder / "out"}).status == 0);
   });
 }

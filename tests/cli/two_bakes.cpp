@@ -15,8 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What a killed process may leave.
 bool isTemporary(const std::string& name) {
-  return name.ends_with(".tmp");
+  return name.ends_with(".tmp") || name == ".welkin.lock";
 }
 
 /// Whether the outputs have the checksums in the report.

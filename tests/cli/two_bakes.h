@@ -23,7 +23,7 @@ class TwoBakes {
 
   /// Requires every file of `out` to be the old or the new one. No file that the sky there needs may be missing. After
   /// putOld() only stale cubemaps may be missing. If report.json fits the files, all must be of one bake. *.tmp files
-  /// are allowed only with `may_have_temporaries`.
+  /// and a lock are allowed only with `may_have_temporaries`.
   void requireWhole(bool may_have_temporaries = false) const;
   /// Requires `out` to be one of the bakes, "old" or "new", and nothing else.
   void requireIs(const std::string& sky) const;

@@ -16,6 +16,7 @@
 #include "sky/bake/warnings.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/folder_lock.h"
 
 namespace welkin::command {
 namespace {
@@ -50,16 +51,24 @@ void requireNoSectors(const std::filesystem::path& folder) {
                                   folder.string()));
 }
 
-/// Checks paths. A folder stands for its sky and, if it has an index, for the level's files that the index names.
+/// Checks a path. A folder stands for its sky and, if it has an index, for the level's files that the index names.
+void validatePath(const std::string& path) {
+  if (build::isLevelFolder(path))
+    build::checkLevel(path, build::readIndex(build::indexPath(path)));
+  else
+    requireNoSectors(path);
+  validateFile(skyFileOf(path));
+}
+
 void validate(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    if (build::isLevelFolder(path))
-      build::checkLevel(path, build::readIndex(build::indexPath(path)));
-    else
-      requireNoSectors(path);
-    const std::string file = skyFileOf(path);
-    validateFile(file);
-    fmt::print("{}: ok\n", file);
+    try {
+      validatePath(path);
+    } catch (const base::Error&) {
+      base::requireUnused(path);  // a bake at work is why the files do not agree
+      throw;
+    }
+    fmt::print("{}: ok\n", skyFileOf(path));
   }
 }
 
