@@ -13,7 +13,7 @@ namespace welkin::loader {
 
 /// An image and its placing: its coordinates are scale x (u, v) + offset, with v from the bottom.
 struct MtlMap {
-  std::string file;  ///< relative to the MTL file, with / as separator
+  std::string file;  ///< relative to the MTL file, with / as separator; the line's comment is part of it
   double scale[2] = {1.0, 1.0};
   double offset[2] = {0.0, 0.0};
   bool clamped = false;
@@ -28,8 +28,13 @@ struct MtlMaterial {
   std::string alpha_map;                ///< map_d; empty: none
 };
 
-/// Reads Kd, Ke, d, Tr, map_Kd and map_d of every material. Throws Error: `file` if the file cannot be read, `content`
-/// naming the line.
-std::vector<MtlMaterial> readMtl(const std::filesystem::path& path);
+struct MtlFile {
+  std::vector<MtlMaterial> materials;  ///< the first of each name
+  std::vector<std::string> warnings;   ///< without the file's name
+};
+
+/// Reads Kd, Ke, d, Tr, map_Kd and map_d of every material; keywords may have any case. Throws Error: `file` if the
+/// file cannot be read, `content` naming the line.
+MtlFile readMtl(const std::filesystem::path& path);
 
 }  // namespace welkin::loader

@@ -4,23 +4,31 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "probes/loader/polygon.h"
 #include "probes/loader/text_lines.h"
+#include "probes/loader/unknown_words.h"
 #include "sky/base/atomic_file.h"
+#include "sky/base/message.h"
 
 namespace welkin::loader {
 namespace {
 
 using f64::Number3;
 
+/// Keywords that change no light: points, lines, smoothing, and how other programs show a model.
+const std::set<std::string_view> kWithoutLight = {"p",        "l",        "s",  "mg",         "lod",      "bevel",
+                                                  "c_interp", "d_interp", "vp", "shadow_obj", "trace_obj"};
+
 class ObjReader {
  public:
   ObjReader(const std::filesystem::path& path, std::string_view text) : lines_(path.string(), text) {}
 
   ObjFile read() {
-    while (lines_.next()) readLine(lines_.words()[0]);
+    while (lines_.next()) readLine(lines_.keyword());
+    file_.unknown_words = unknown_.text();
     return std::move(file_);
   }
 
@@ -35,11 +43,22 @@ class ObjReader {
     else if (keyword == "f")
       readFace();
     else if (keyword == "o" || keyword == "g")
-      object_ = lines_.rest();
+      object_ = lines_.nameFrom(1);
     else if (keyword == "usemtl")
-      material_ = lines_.rest();
+      material_ = lines_.nameFrom(1);
     else if (keyword == "mtllib")
-      file_.material_files.emplace_back(lines_.rest());
+      readLibrary();
+    else if (kWithoutLight.count(keyword) == 0)
+      unknown_.add(keyword, lines_.lineNumber());
+  }
+
+  /// Exporters repeat the line before every object.
+  void readLibrary() {
+    constexpr std::size_t kMostBytes = 65536;
+    std::string names(lines_.nameFrom(1));
+    if (names.size() > kMostBytes)
+      lines_.refuse(fmt::format("mtllib with {} bytes of names; at most {} are allowed", names.size(), kMostBytes));
+    if (libraries_.insert(names).second) file_.libraries.push_back(std::move(names));
   }
 
   float numberAt(std::size_t i) const { return static_cast<float>(lines_.number(i)); }
@@ -61,7 +80,8 @@ class ObjReader {
   /// Converts an index that counts from 1, or from the end if negative, to an index into a list of `count`.
   int32_t placeOf(std::string_view word, std::size_t count, const char* what) const {
     int i = 0;
-    if (!parseWhole(word, i)) lines_.refuse(fmt::format("\"{}\" is not the number of a {}", word.substr(0, 40), what));
+    if (!parseWhole(word, i))
+      lines_.refuse(fmt::format("\"{}\" is not the number of a {}", base::shortened(word, 40), what));
     const auto n = static_cast<int64_t>(count);
     const int64_t place = i < 0 ? n + i : int64_t{i} - 1;
     if (i == 0 || place < 0 || place >= n)
@@ -84,7 +104,7 @@ class ObjReader {
   }
 
   void readFace() {
-    constexpr std::size_t kMostCorners = 1024;
+    constexpr std::size_t kMostCorners = 16384;
     const std::size_t count = lines_.words().size() - 1;
     if (count < 3 || count > kMostCorners)
       lines_.refuse(fmt::format("a face with {} corners; 3 to {} are allowed", count, kMostCorners));
@@ -111,6 +131,8 @@ class ObjReader {
   std::string object_;
   std::string material_;
   std::map<std::pair<std::string, std::string>, std::size_t> parts_;
+  std::set<std::string> libraries_;
+  UnknownWords unknown_;
 };
 
 }  // namespace

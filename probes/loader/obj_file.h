@@ -32,11 +32,12 @@ struct ObjFile {
   std::vector<std::array<float, 2>> uv;      ///< v from the bottom
   std::vector<std::array<float, 3>> normal;
   std::vector<ObjPart> parts;
-  std::vector<std::string> material_files;  ///< names from `mtllib`
+  std::vector<std::string> libraries;  ///< what follows each `mtllib`, each once: one or several file names
+  std::string unknown_words;           ///< keywords that are not read, with their lines, for a warning; empty: none
 };
 
-/// Reads the file; polygons become triangles. Numbers need not be finite. Everything that is no polygon is skipped:
-/// points, lines, curves, smoothing. Throws Error: `file` if the file cannot be read, `content` naming the line.
+/// Reads the file; polygons become triangles. Numbers need not be finite. Points, lines and smoothing are skipped, and
+/// keywords may have any case. Throws Error: `file` if the file cannot be read, `content` naming the line.
 ObjFile readObj(const std::filesystem::path& path);
 
 }  // namespace welkin::loader

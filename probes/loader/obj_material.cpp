@@ -4,48 +4,102 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "probes/loader/text_lines.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/image/coded_image.h"
 
 namespace welkin::loader {
 namespace {
 
-bool isThere(const std::filesystem::path& path) {
+bool isFile(const std::filesystem::path& path) {
   std::error_code none;
-  return std::filesystem::exists(path, none);
+  return std::filesystem::is_regular_file(path, none);
+}
+
+std::string withSlashes(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// Adds the file names in the words of a mtllib. They may hold spaces: a name ends where it is a file or has the suffix
+/// of one.
+void addNames(const std::filesystem::path& folder, const std::string& words, std::vector<std::string>& names) {
+  constexpr std::size_t kLongestPath = 4096;
+  for (std::size_t first = 0; first < words.size();) {
+    std::size_t end = first;
+    for (bool whole = false; !whole && end < words.size();) {
+      end = std::min(words.find_first_of(" \t", end + 1), words.size());
+      const std::string name = words.substr(first, std::min(end - first, kLongestPath));
+      whole = lowerCase(name).ends_with(".mtl") || isFile(folder / name);
+    }
+    names.push_back(words.substr(first, end - first));
+    first = std::min(words.find_first_not_of(" \t", end), words.size());
+  }
+}
+
+std::vector<std::string> namesIn(const std::filesystem::path& folder, const std::vector<std::string>& libraries) {
+  std::vector<std::string> names;
+  for (const std::string& line : libraries) {
+    const std::string words = withSlashes(line);
+    if (isFile(folder / words))
+      names.push_back(words);
+    else
+      addNames(folder, std::string(withoutComment(words)), names);
+  }
+  return names;
+}
+
+void addOnce(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
 }  // namespace
 
-ObjMaterials::ObjMaterials(const std::filesystem::path& obj, const std::vector<std::string>& files,
+ObjMaterials::ObjMaterials(const std::filesystem::path& obj, const std::vector<std::string>& libraries,
                            level::SceneBuilder& builder)
     : obj_(obj.string()), builder_(builder) {
-  for (std::string name : files) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path path = obj.parent_path() / name;
-    if (!isThere(path)) {
+  const std::filesystem::path folder = obj.parent_path();
+  std::set<std::string> seen;
+  for (const std::string& name : namesIn(folder, libraries)) {
+    if (!seen.insert(name).second) continue;
+    if (isFile(folder / name))
+      readLibrary(folder / name);
+    else
       builder_.scene().warnings.push_back(
           fmt::format("{}: mtllib {} is not there: level.toml's albedo stands in for its materials", obj_, name));
-      continue;
-    }
-    const std::vector<MtlMaterial> materials = readMtl(path);
-    builder_.scene().files.push_back(path);
-    for (const MtlMaterial& material : materials)
-      sources_.insert_or_assign(material.name, Source{material, path.parent_path()});
   }
+  for (const auto& [name, source] : std::map(sources_)) sources_.emplace(withoutComment(name), source);
+}
+
+void ObjMaterials::readLibrary(const std::filesystem::path& path) {
+  const MtlFile file = readMtl(path);
+  for (const std::string& warning : file.warnings)
+    builder_.scene().warnings.push_back(fmt::format("{}: {}", path.string(), warning));
+  builder_.scene().files.push_back(path);
+  for (const MtlMaterial& material : file.materials)
+    sources_.emplace(material.name, Source{material, path.parent_path()});
+}
+
+/// In either file a comment may follow the name.
+const ObjMaterials::Source* ObjMaterials::find(const std::string& name) const {
+  auto found = sources_.find(name);
+  if (found == sources_.end()) found = sources_.find(std::string(withoutComment(name)));
+  return found != sources_.end() ? &found->second : nullptr;
 }
 
 std::optional<uint32_t> ObjMaterials::at(const std::string& name, bool has_uv) {
   if (name.empty()) return std::nullopt;
   const auto known = read_.find({name, has_uv});
   if (known != read_.end()) return known->second;
-  const auto source = sources_.find(name);
+  const Source* source = find(name);
   std::optional<uint32_t> result;
-  if (source == sources_.end())
+  if (source == nullptr)
     unknown_materials_.push_back(name);
   else
-    result = read(source->second, has_uv);
+    result = read(*source, has_uv);
   return read_[{name, has_uv}] = result;
 }
 
@@ -64,6 +118,9 @@ std::optional<uint32_t> ObjMaterials::read(const Source& source, bool has_uv) {
     surface.uv_row = {{{map.scale[0], 0.0, map.offset[0]},
                        {0.0, map.scale[1], 1.0 - map.scale[1] - map.offset[1]}}};  // vertices count v from the top
     surface.albedo = from.diffuse.value_or(f64::Number3(1.0));
+    if (surface.albedo.x == 0.0 && surface.albedo.y == 0.0 && surface.albedo.z == 0.0)
+      builder_.scene().warnings.push_back(
+          fmt::format("{}: material {}: black, as Kd 0 0 0 multiplies map_Kd", obj_, from.name));
   } else if (from.diffuse && !image_missing) {
     surface.albedo = *from.diffuse;
   }
@@ -88,17 +145,21 @@ void ObjMaterials::readAlpha(const MtlMaterial& material, geometry::Material& su
 }
 
 std::optional<int> ObjMaterials::readTexture(const MtlMap& map, const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / map.file;
-  if (!isThere(path)) {
-    if (std::find(missing_images_.begin(), missing_images_.end(), map.file) == missing_images_.end())
-      missing_images_.push_back(map.file);
+  const std::string bare(withoutComment(map.file));
+  const std::filesystem::path path = folder / (isFile(folder / map.file) ? map.file : bare);
+  if (!isFile(path)) {
+    addOnce(missing_images_, bare);
     return std::nullopt;
   }
   level::TextureSource source;
   source.name = path.string();
   source.bytes = base::readFile(path);
-  source.wrap_u = source.wrap_v = map.clamped ? geometry::Texture::Wrap::clamped : geometry::Texture::Wrap::repeat;
   builder_.scene().files.push_back(path);
+  if (!image::isTexture(source.name, source.bytes)) {
+    addOnce(foreign_images_, bare);
+    return std::nullopt;
+  }
+  source.wrap_u = source.wrap_v = map.clamped ? geometry::Texture::Wrap::clamped : geometry::Texture::Wrap::repeat;
   return builder_.addTexture(std::move(source));
 }
 
@@ -108,6 +169,10 @@ void ObjMaterials::warn() {
     warnings.push_back(
         fmt::format("{}: {} images of its materials are not there, the first {}: level.toml's albedo stands in", obj_,
                     missing_images_.size(), missing_images_.front()));
+  if (!foreign_images_.empty())
+    warnings.push_back(fmt::format(
+        "{}: {} images of its materials are in a format that is not read, the first {}: level.toml's albedo stands in",
+        obj_, foreign_images_.size(), foreign_images_.front()));
   if (!unknown_materials_.empty())
     warnings.push_back(
         fmt::format("{}: {} materials are in none of its mtllib, the first {}: level.toml's albedo stands in", obj_,

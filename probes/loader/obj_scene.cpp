@@ -2,6 +2,8 @@
 // Turns the parts of an OBJ file into a scene.
 #include "probes/loader/obj_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -63,7 +65,9 @@ class ObjSource : public level::GeometrySource {
   ObjSource(const std::filesystem::path& path, level::SceneBuilder& builder) : path_(path), builder_(builder) {
     const ObjFile file = readObj(path);
     builder.scene().files.push_back(path);
-    ObjMaterials materials(path, file.material_files, builder);
+    if (!file.unknown_words.empty())
+      builder.scene().warnings.push_back(fmt::format("{}: not read: {}", path.string(), file.unknown_words));
+    ObjMaterials materials(path, file.libraries, builder);
     for (const ObjPart& part : file.parts) {
       const PartVertices vertices(file, part);
       level::MeshPiece piece = level::appendPiece(builder.scene(), vertices.attributes(), vertices.indices(),

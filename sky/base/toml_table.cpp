@@ -9,17 +9,17 @@
 #include <numeric>
 #include <sstream>
 
+#include "sky/base/message.h"
+
 namespace welkin::base {
 namespace {
 
-std::string shortened(const std::string& text) {
-  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
-}
+constexpr std::size_t kMostShown = 60;  // bytes of a value in a message
 
 std::string written(const toml::node& node) {
   std::ostringstream text;
   text << toml::node_view<const toml::node>(node);
-  return shortened(text.str());
+  return shortened(text.str(), kMostShown);
 }
 
 /// Returns the end of the string whose first quote is at `i`: its last quote, or the place where it is cut off.
@@ -278,7 +278,7 @@ void TomlTable::finish() const {
   if (table_ == nullptr) return;
   for (const auto& [key, value] : *table_) {
     if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-    const std::string name = shortened(std::string(key.str()));
+    const std::string name = shortened(key.str(), kMostShown);
     const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
       return editDistance(name, a) < editDistance(name, b);
     });

@@ -31,6 +31,10 @@ const char* formatOf(const std::string& name, std::string_view start) {
 
 }  // namespace
 
+bool isTexture(const std::string& name, std::span<const std::byte> bytes) {
+  return formatOf(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()})[0] != '\0';
+}
+
 CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::string_view format = formatOf(name, text);

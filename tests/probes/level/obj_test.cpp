@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // OBJ and MTL: polygons, objects, colours and images; missing parts, and errors with their place.
+#include <cmath>
+
 #include "level_text.h"
+#include "probes/loader/polygon.h"
 #include "sh/deterministic.h"
 #include "sky/image/image.h"
 
@@ -82,6 +85,102 @@ TEST_CASE("Obj, PolygonsOfAnyShapeAreCoveredOnce") {
   CHECK(area(arrow) == Approx(4.0));
 }
 
+TEST_CASE("Obj, LargePolygonsAreCoveredOnce") {
+  // A ribbon between two circles that are open at one place: half of its corners turn inwards.
+  constexpr std::size_t kCorners = 8192;
+  constexpr std::size_t kHalf = kCorners / 2;
+  std::vector<Number3> ring(kCorners, Number3(0.0));
+  for (std::size_t i = 0; i < kHalf; ++i) {
+    const double angle = 6.0 * static_cast<double>(i) / kHalf;
+    ring[i] = {2.0 * std::cos(angle), 0.0, -2.0 * std::sin(angle)};
+    ring[kCorners - 1 - i] = {1.5 * std::cos(angle), 0.0, -1.5 * std::sin(angle)};
+  }
+  const auto triangles = loader::trianglesOf(ring);
+  REQUIRE(triangles.size() == kCorners - 2);
+  double sum = 0.0;
+  for (const auto& t : triangles) {
+    const double twice = cross(ring[t[1]] - ring[t[0]], ring[t[2]] - ring[t[0]]).y;
+    REQUIRE(twice > 0.0);
+    sum += 0.5 * twice;
+  }
+  const double step = 6.0 / kHalf;
+  const double sectors = 0.5 * (4.0 - 2.25) * std::sin(step) * (kHalf - 1);  // of the chords
+  CHECK(sum == Approx(sectors).epsilon(1e-12));
+}
+
+TEST_CASE("Obj, HolesJoinedToTheOutlineStayOpen") {
+  // A square of 3 x 3 with a hole of 1 x 1: an edge that is passed twice joins both.
+  const geometry::Surfaces s = surfacesOf(
+      {{"a.obj", "v 0 0 0\nv 0 0 3\nv 3 0 3\nv 3 0 0\nv 1 0 1\nv 2 0 1\nv 2 0 2\nv 1 0 2\nf 1 2 3 4 1 5 6 7 8 5\n"}});
+  CHECK(area(s) == Approx(8.0));
+  CHECK_FALSE(below(geometry::Tracer(s), 1.4, 1.7));
+}
+
+TEST_CASE("Obj, FilesAreReadAsExportersWriteThem") {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string mtl = "newmtl paint\nKd 0.1 0.2 0.3\n";
+  const auto albedo = [](const std::string& obj, const std::string& library, bool warned = false) {
+    INFO(obj << library);
+    const geometry::Surfaces s = surfacesOf({{"a.obj", obj}, {"a.mtl", library}, {"my lib.mtl", "newmtl other\n"}});
+    CHECK(s.warning.empty() != warned);
+    checkNear(geometry::Tracer(s).albedo(*below(geometry::Tracer(s), 0.2, 0.3)), {0.1, 0.2, 0.3}, 1e-12);
+  };
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const std::string obj = std::string("mtllib a.mtl\n") + kSquare;
+  albedo(mark + obj, mark + mtl);
+  albedo(mark + kSquare + mark + "mtllib a.mtl\n", mtl);
+  albedo(changed(obj, "\n", "\r\n"), changed(mtl, "\n", "\r"));
+  albedo(changed(obj, "\n", "\r"), mtl);
+  albedo("# C:\\models\\\n" + obj, mtl);
+  std::string capitals = kSquare;
+  const std::pair<const char*, const char*> words[] = {
+      {"usemtl", "USEMTL"}, {"f ", "F "}, {"vt ", "VT "}, {"v ", "V "}};
+  for (const auto& [small, capital] : words) capitals = changed(capitals, small, capital);
+  albedo("MtlLib a.mtl\n" + capitals, "NEWMTL paint\nkd 0.1 0.2 0.3\n");
+  albedo("mtllib my lib.mtl a.mtl\n" + std::string(kSquare), mtl);
+  albedo("mtllib \"a.mtl\"\n" + std::string(kSquare), mtl);
+  albedo("mtllib a.mtl my lib.mtl a.mtl\n" + std::string(kSquare), mtl);
+  albedo("mtllib none.mtl a.mtl\n" + std::string(kSquare), mtl, true);
+  albedo(changed(obj, "paint", "paint #1"), "newmtl paint #2\nKd 1 1 1\nnewmtl paint #1\nKd 0.1 0.2 0.3\n");
+  albedo(changed(obj, "paint", "paint # of the wall"), mtl);
+  albedo(obj, mtl + "newmtl paint\nKd 1 1 1\n", true);
+  albedo(obj, mtl + "d 1\nTr 1\n", true);
+}
+
+TEST_CASE("Obj, WordsThatAreNotReadAreNamedOnce") {
+  const geometry::Surfaces s =
+      surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare + "s 1\nsurf 0 1\nSurf 0 1\ncall b.obj\n"},
+                  {"a.mtl", "newmtl paint\nKa 1 1 1\nNs 10\nKd 0.5 0.5 0.5\nmap_Ke glow.png\nmap_ke glow.png\n"}});
+  REQUIRE(s.warning.size() == 2);
+  CHECK(warns(s, "a.obj: not read: surf (line 13), call (line 15)"));
+  CHECK(warns(s, "a.mtl: not read: map_ke (line 5)"));
+}
+
+TEST_CASE("Obj, OtherEncodingsAreRefusedByName") {
+  const auto wide = [](const std::string& text, bool mark) {
+    std::string bytes = mark ? "\xff\xfe" : "";
+    for (const char c : text) bytes += {c, '\0'};
+    return bytes;
+  };
+  checkSurfacesRefused({{"a.obj", wide(kSquare, true)}}, {"a.obj: is UTF-16"});
+  checkSurfacesRefused({{"a.obj", wide(kSquare, false)}}, {"a.obj: is UTF-16"});
+  checkSurfacesRefused({{"a.obj", std::string("mtllib a.mtl\n") + kSquare}, {"a.mtl", wide("newmtl paint\n", true)}},
+                       {"a.mtl: is UTF-16"});
+  checkSurfacesRefused({{"a.obj", std::string("\x4c\x01\x06\0\0\0v", 7)}}, {"a.obj: is a binary file"});
+}
+
+TEST_CASE("Obj, ABlackKdBesideAnImageIsSaid") {
+  const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                                           {"a.mtl", "newmtl paint\nKd 0 0 0\nmap_Kd a.tga\n"},
+                                           {"a.tga", targa(1, 1, {200, 100, 50, 255})}});
+  CHECK(warns(s, "a.obj: material paint: black, as Kd 0 0 0 multiplies map_Kd"));
+  checkNear(geometry::Tracer(s).albedo(*below(geometry::Tracer(s), 0.2, 0.3)), Number3(0.0), 0);
+}
+
 TEST_CASE("Obj, ImagesLieWithVFromTheBottom") {
   const std::uint8_t texels[2][2][3] = {{{250, 10, 40}, {200, 20, 80}}, {{90, 60, 10}, {70, 120, 30}}};
   const std::string image =
@@ -143,6 +242,8 @@ TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
        "a.obj: 1 materials are in none of its mtllib, the first paint");
   read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nmap_Kd x/none.png\n"}},
        "a.obj: 1 images of its materials are not there, the first x/none.png");
+  read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.dds\n"}, {"t.dds", "DDS |"}},
+       "a.obj: 1 images of its materials are in a format that is not read, the first t.dds");
 }
 
 TEST_CASE("Obj, VertexColoursAndNumbersThatAreNotFinite") {
