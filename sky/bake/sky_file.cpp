@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "sky/bake/sky_domain.h"
 #include "sky/base/atomic_file.h"
@@ -18,6 +18,8 @@ namespace welkin::bake {
 
 using det::Number3;
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = det::kPi / 180.0;
 
@@ -198,6 +200,25 @@ void warnOfPath(base::TomlTable& table, const std::string& light, const model::L
   }
 }
 
+/// TOML as JSON. Dates are no values of a sky file, and the keys are checked before.
+Json jsonOf(const toml::node& node) {
+  if (const toml::table* table = node.as_table()) {
+    Json json = Json::object();
+    for (const auto& [key, value] : *table) json[std::string(key.str())] = jsonOf(value);
+    return json;
+  }
+  if (const toml::array* array = node.as_array()) {
+    Json json = Json::array();
+    for (const toml::node& value : *array) json.push_back(jsonOf(value));
+    return json;
+  }
+  if (const auto* number = node.as_floating_point()) return number->get();
+  if (const auto* whole = node.as_integer()) return whole->get();
+  if (const auto* boolean = node.as_boolean()) return boolean->get();
+  if (const auto* text = node.as_string()) return text->get();
+  return {};
+}
+
 }  // namespace
 
 Input inputOf(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -244,9 +265,7 @@ SkyFile skyFileOf(const base::TomlFile& toml) {
   base::TomlTable checked(file, root.get_as<toml::table>("sky"), "sky.");
   if (const auto why = model::whyUnusable(sky.luminance, sky.sun.path))
     checked.refuse("luminance", checked.node("luminance"), *why);
-  std::ostringstream json;
-  json << toml::json_formatter(root, toml::format_flags::none);
-  result.settings = json.str();
+  result.settings = jsonOf(root).dump(2);
   result.inputs = std::move(reading.inputs);
   warnOfPath(sun.table(), "sun", sky.sun.path, result);
   if (sky.moon) warnOfPath(moon.table(), "moon", sky.moon->path, result);

@@ -29,9 +29,14 @@ Json requestJson(const BakeSettings& bake, Certify certify) {
           {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
 }
 
+/// A file's name may hold bytes that are no UTF-8, which JSON does not allow.
+std::string textOf(const Json& record, int indent) {
+  return record.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string checksumOf(Json record) {
   record.erase(kChecksum);
-  const std::string text = record.dump();
+  const std::string text = textOf(record, -1);
   return base::textOf(base::hashOf(std::as_bytes(std::span(text))));
 }
 
@@ -121,7 +126,7 @@ SkyState skyState(const fs::path& folder, const SkyFile& file, Certify certify) 
 std::string recordText(const BakeSettings& bake, Certify certify, const Json& made) {
   Json record = {{"request", requestJson(bake, certify)}, {"made", made}};
   record[kChecksum] = checksumOf(record);
-  return record.dump(2) + "\n";
+  return textOf(record, 2) + "\n";
 }
 
 }  // namespace welkin::bake

@@ -8,6 +8,7 @@
 
 #include "probes/build/bake_file.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 #include "sky/base/progress.h"
 
 namespace welkin {
@@ -61,13 +62,13 @@ BakeResult bakeFile(const BakeOptions& options, const BakeCallback& progress) no
     result.report = build::reportText(build::bakeFile(request, progressFor(progress)));
   } catch (const base::Error& e) {
     result.exit_status = static_cast<int>(e.status());
-    result.error = e.what();
+    result.error = base::oneLine(e.what());
   } catch (const std::bad_alloc&) {
     result.exit_status = static_cast<int>(base::ExitStatus::file);
     result.error = "out of memory";
   } catch (const std::exception& e) {
     result.exit_status = static_cast<int>(base::ExitStatus::internal);
-    result.error = e.what();
+    result.error = base::oneLine(e.what());
   }
   return result;
 }

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "sky/base/message.h"
+
 namespace welkin::command {
 
 using Json = nlohmann::ordered_json;
@@ -24,7 +26,8 @@ std::string certificateText(const Json& c) {
 
 void printWarnings(const Json& list) {
   for (const auto& warning : list)
-    std::fputs(fmt::format("welkin: warning: {}\n", warning["message"].get<std::string>()).c_str(), stderr);
+    std::fputs(fmt::format("welkin: warning: {}\n", base::oneLine(warning["message"].get<std::string>())).c_str(),
+               stderr);
 }
 
 }  // namespace welkin::command

@@ -15,6 +15,7 @@
 #include "command/version.h"
 #include "sh/arithmetic.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 
 namespace {
 
@@ -23,7 +24,8 @@ int status(welkin::base::ExitStatus s) {
 }
 
 int fail(welkin::base::ExitStatus s, const std::string& message) {
-  std::fputs(fmt::format("welkin: {}\n", message).c_str(), stderr);  // fmt::print throws when stderr is full
+  std::fputs(fmt::format("welkin: {}\n", welkin::base::oneLine(message)).c_str(),
+             stderr);  // fmt::print throws when stderr is full
   return status(s);
 }
 
@@ -61,7 +63,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0)
       return fail(welkin::base::ExitStatus::usage,
-                  fmt::format("{}\nRun \"welkin --help\" or \"welkin COMMAND --help\".", e.what()));
+                  fmt::format("{}; run \"welkin --help\" or \"welkin COMMAND --help\"", e.what()));
     app.exit(e);  // --help and --version
   }
   // If stdout is a file on a full disk, only the flush shows it.

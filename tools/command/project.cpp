@@ -8,6 +8,7 @@
 
 #include "command/commands.h"
 #include "sh/basis.h"
+#include "sky/base/message.h"
 #include "sky/cubemap/environment.h"
 
 namespace welkin::command {
@@ -25,7 +26,7 @@ void project(const Options& options) {
   if (environment.negative > 0) {
     const std::string message = fmt::format("{} values are below 0; they were taken as they are", environment.negative);
     warnings.push_back({{"id", "negative"}, {"count", environment.negative}, {"message", message}});
-    std::fputs(fmt::format("welkin: warning: {}: {}\n", options.image, message).c_str(), stderr);
+    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.image), message).c_str(), stderr);
   }
   const char* rule = environment.rule == sh::TexelRule::half_texel ? "half-texel" : "openexr";
   if (options.json) {

@@ -14,6 +14,7 @@
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 
 namespace welkin::command {
 namespace {
@@ -21,7 +22,8 @@ namespace {
 /// A level as the passes draw it: mean colours replace its textures.
 level::Scene sceneOf(const base::TomlFile& level) {
   level::Scene scene = loader::readScene(level::levelFileOf(level));
-  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const std::string& warning : scene.warnings)
+    std::fprintf(stderr, "welkin: warning: %s\n", base::oneLine(warning).c_str());
   loader::useMeanColours(scene);
   return scene;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "command/sky_json.h"
 #include "format/container.h"
 #include "format/sector_check.h"
 #include "probes/build/bake_section.h"
@@ -173,7 +174,7 @@ Json sectorJson(const sectors::SectorFile& s, std::size_t total) {
       {"occlusion", occlusionJson(s, decoded)},
       {"rooms", roomsJson(s.room)},
       {"unlit", s.unlit}};
-  return {{"sector", sector}, {"settings", Json::parse(s.settings, nullptr, false)}};
+  return {{"sector", sector}, {"settings", settingsJson(s.settings)}};
 }
 
 Json indexJson(const sectors::LevelIndex& index) {
@@ -190,7 +191,7 @@ Json indexJson(const sectors::LevelIndex& index) {
                 {"sky_xxh3_128", index.sky_checksum ? Json(textOf(*index.sky_checksum)) : Json(nullptr)},
                 {"sun", build::nameOf(index.sun)},
                 {"scale", {{"sky", index.scale.sky}, {"sun_bounce", index.scale.sun_bounce}}}};
-  return {{"level", level}, {"settings", Json::parse(index.settings, nullptr, false)}};
+  return {{"level", level}, {"settings", settingsJson(index.settings)}};
 }
 
 }  // namespace welkin::command

@@ -3,6 +3,7 @@
 
 #include "command/arguments.h"
 #include "format/cubemap_format.h"
+#include "sky/base/error.h"
 
 namespace welkin::command {
 namespace {
@@ -59,6 +60,13 @@ Json certificateJson(const Sky& sky) {
 
 }  // namespace
 
+Json settingsJson(const std::string& text) {
+  Json settings = Json::parse(text, nullptr, false);
+  if (settings.is_discarded())
+    throw base::Error(base::ExitStatus::content, "invalid content: settings are not JSON; bake the file again");
+  return settings;
+}
+
 Json skyJson(const Sky& sky) {
   const WelkinSkyInfo info = sky.info();
   WelkinLuminance l{};
@@ -93,7 +101,7 @@ Json skyJson(const Sky& sky) {
             {"cubemaps", cubemaps},
             {"keys", keys},
             {"certificate", certificateJson(sky)}}},
-          {"settings", Json::parse(settings, nullptr, false)}};
+          {"settings", settingsJson(settings)}};
 }
 
 }  // namespace welkin::command
