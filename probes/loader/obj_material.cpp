@@ -71,7 +71,7 @@ ObjMaterials::ObjMaterials(const std::filesystem::path& obj, const std::vector<s
       builder_.scene().warnings.push_back(
           fmt::format("{}: mtllib {} is not there: level.toml's albedo stands in for its materials", obj_, name));
   }
-  for (const auto& [name, source] : std::map(sources_)) sources_.emplace(withoutComment(name), source);
+  for (const auto& [name, source] : sources_) commented_.emplace(withoutComment(name), &source);
 }
 
 void ObjMaterials::readLibrary(const std::filesystem::path& path) {
@@ -83,10 +83,16 @@ void ObjMaterials::readLibrary(const std::filesystem::path& path) {
     sources_.emplace(material.name, Source{material, path.parent_path()});
 }
 
-/// In either file a comment may follow the name.
+/// In one of the files a comment may follow the name. Two names that differ after a # are two materials.
 const ObjMaterials::Source* ObjMaterials::find(const std::string& name) const {
-  auto found = sources_.find(name);
-  if (found == sources_.end()) found = sources_.find(std::string(withoutComment(name)));
+  const auto exact = sources_.find(name);
+  if (exact != sources_.end()) return &exact->second;
+  const std::string bare(withoutComment(name));
+  if (bare == name) {
+    const auto commented = commented_.find(name);
+    return commented != commented_.end() ? commented->second : nullptr;
+  }
+  const auto found = sources_.find(bare);
   return found != sources_.end() ? &found->second : nullptr;
 }
 

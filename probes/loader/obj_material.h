@@ -41,6 +41,7 @@ class ObjMaterials {
   std::string obj_;
   level::SceneBuilder& builder_;
   std::map<std::string, Source> sources_;
+  std::map<std::string, const Source*> commented_;  // by the name up to its first # after space
   std::map<std::pair<std::string, bool>, std::optional<uint32_t>> read_;
   std::vector<std::string> missing_images_;
   std::vector<std::string> foreign_images_;

@@ -240,6 +240,9 @@ TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
   read({{"a.obj", obj}}, "a.obj: mtllib a.mtl is not there");
   read({{"a.obj", obj}, {"a.mtl", "newmtl other\nKd 1 1 1\n"}},
        "a.obj: 1 materials are in none of its mtllib, the first paint");
+  std::string numbered = obj;
+  numbered.replace(numbered.find("paint"), 5, "paint #3");
+  read({{"a.obj", numbered}, {"a.mtl", "newmtl paint #2\nKd 1 1 1\n"}}, "the first paint #3");
   read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nmap_Kd x/none.png\n"}},
        "a.obj: 1 images of its materials are not there, the first x/none.png");
   read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.dds\n"}, {"t.dds", "DDS |"}},
