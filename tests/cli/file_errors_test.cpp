@@ -49,6 +49,27 @@ TEST_CASE("Files, MissingOnesAreNamed") {
   requireSkyRefused(folder, folder / "sky.toml", folder / "none.exr");
 }
 
+TEST_CASE("Files, NamesCannotSteerTheTerminal") {
+  const Folder folder;
+  const std::string name = "a\x1b[31m\nb\xff\u202e.toml";
+  for (const Run& run : {runTool({"plan", folder / name}), runTool({"inspect", folder / name}), runTool({name})}) {
+    INFO(run.err);
+    REQUIRE(run.status != 0);
+    REQUIRE(run.said("a\\x1b[31m\\nb\\xff\\u202e.toml"));
+    REQUIRE(run.err.find('\n') == run.err.size() - 1);
+  }
+}
+
+TEST_CASE("Files, AnyNameOfAPictureBakes") {
+  const Folder folder;
+  folder.write("\U0001f305.ppm", "P3 1 1 255 9 90 200\n");
+  const std::string sky = folder.write("sky.toml", skyText("gradient_sun = \"\U0001f305.ppm\""));
+  const Run run = runTool({"bake", sky, "-o", folder / "out", "--certify", "none"});
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  REQUIRE(runTool({"inspect", "--json", folder / "out"}).out.find("\U0001f305.ppm") != std::string::npos);
+}
+
 TEST_CASE("Files, FoldersAreNotFiles") {
   const Folder folder;
   fs::create_directory(folder / "empty");

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "sky/base/error.h"
@@ -213,6 +214,17 @@ TEST_CASE("SkyFile, InputsAreNamedAsWrittenAndHashedOnce") {
   REQUIRE(changed.inputs[1].xxh3_high == file.inputs[1].xxh3_high);
   REQUIRE(file.settings == changed.settings);  // a comment is no setting
   REQUIRE(file.settings.find("\"g.exr\"") != std::string::npos);
+}
+
+TEST_CASE("SkyFile, SettingsAreJsonForAnyName") {
+  const Folder folder;
+  writeExr(folder / "a.exr", 1, 1, {1.0F, 1.0F, 1.0F});
+  std::filesystem::copy_file(folder / "a.exr", folder / "\U0001f305.exr");
+  const bake::SkyFile file = read("[sky]\ngradient_sun = \"\U0001f305.exr\"\nintensity = 0.5\n" + kStill, folder);
+  const nlohmann::json settings = nlohmann::json::parse(file.settings);
+  CHECK(settings["sky"]["gradient_sun"] == "\U0001f305.exr");
+  CHECK(settings["sky"]["intensity"] == 0.5);
+  CHECK(settings["sun"]["path"] == nlohmann::json::parse("[[0, 0, 45]]"));
 }
 
 TEST_CASE("SkyFile, ErrorsCarryTheirStatus") {
