@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <string_view>
 
 #include "sky/base/error.h"
@@ -41,8 +40,7 @@ CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes
   if (format.empty())
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: not a texture that can be read: PNG, JPEG, WebP, BMP and Targa are", name));
-  std::istringstream stream{std::string(text)};
-  if (const auto why = whyHeaderUnusable(stream, format, limits.largest_side))
+  if (const auto why = whyHeaderUnusable(bytes, format, limits.largest_side))
     throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
   return imageModule().decode(name, format.data(), bytes, limits);
 }

@@ -2,14 +2,19 @@
 // Reads an EXR file.
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
+#include <span>
+#include <string>
 
 #include "sky/image/image.h"
 
 namespace welkin::image {
 
-/// Reads the channels R, G and B of a flat file's first part, or Y for all three, of any type, without conversion, and
-/// the `envmap` attribute. This is readImage's part for EXR and throws the same errors. It does not check the values.
-Image readExr(const std::filesystem::path& path, const ImageLimits& limits);
+/// readImage()'s part for EXR; it throws the same errors and does not check the values. With the attribute `envmap` the
+/// picture is the data window, as in OpenEXR's own maps. Without, it is the display window: texels outside of it are
+/// left out, and texels that the data window lacks are black; a note says so. Luminance and chroma become RGB by linear
+/// interpolation between the samples of the chroma, which is exact where the chroma is linear.
+Image readExr(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits,
+              const std::string& layer);
 
 }  // namespace welkin::image

@@ -16,11 +16,12 @@
 #include "sky/image/exr_read.h"
 #include "sky/image/image_header.h"
 #include "sky/image/image_module.h"
+#include "sky/image/pnm.h"
+#include "sky/image/radiance_hdr.h"
+#include "sky/image/stored_picture.h"
 
 namespace welkin::image {
 namespace {
-
-constexpr std::size_t kMagicBytes = 4;
 
 constexpr std::string_view kOpenExr = "openexr";
 
@@ -31,7 +32,7 @@ std::string_view formatOf(std::string_view start) {
     std::string_view bytes;
     const char* format;
   };
-  static constexpr std::array<Magic, 13> kMagic = {{{"\x89PNG"sv, "png"},
+  static constexpr std::array<Magic, 14> kMagic = {{{"\x89PNG"sv, "png"},
                                                     {"\x76\x2f\x31\x01"sv, kOpenExr.data()},
                                                     {"II*\0"sv, "tiff"},
                                                     {"MM\0*"sv, "tiff"},
@@ -43,24 +44,37 @@ std::string_view formatOf(std::string_view start) {
                                                     {"P3"sv, "pnm"},
                                                     {"P5"sv, "pnm"},
                                                     {"P6"sv, "pnm"},
-                                                    {"PF"sv, "pnm"}}};
+                                                    {"PF"sv, "pnm"},
+                                                    {"Pf"sv, "pnm"}}};
   for (const Magic& magic : kMagic)
     if (start.starts_with(magic.bytes)) return magic.format;
   return {};
 }
 
+/// A conversion of colours turns the rounding of halves, 2^-11 of a texel's largest value, into values below 0: up to
+/// 2e-3 of it, by the sums of the elements of common matrices. They become 0.
+void settleRounding(Image& image) {
+  constexpr float kRounding = 2e-3F;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    float* const texel = image.rgb.data() + i;
+    const float least = -kRounding * std::max({texel[0], texel[1], texel[2]});
+    for (int c = 0; c < 3; ++c)
+      if (texel[c] < 0.0F && texel[c] >= least) texel[c] = 0.0F;
+  }
+}
+
 /// Throws for the first value that is not finite, or is below 0 where that is not allowed.
-void requireValues(const std::filesystem::path& path, const Image& image, const ImageLimits& limits) {
+void requireValues(const std::string& name, const Image& image, const ImageLimits& limits) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   const float least = limits.negative ? -kLargest : 0.0F;
   const auto found =
       std::find_if_not(image.rgb.begin(), image.rgb.end(), [least](float v) { return v >= least && v <= kLargest; });
   if (found == image.rgb.end()) return;
   const auto i = found - image.rgb.begin();
-  throw base::Error(
-      base::ExitStatus::content,
-      fmt::format("{}: {} at column {}, row {} from the top, channel {}; finite values{} are allowed", path.string(),
-                  *found, i / 3 % image.width, i / 3 / image.width, i % 3, limits.negative ? "" : " from 0"));
+  throw base::Error(base::ExitStatus::content,
+                    fmt::format("{}: {} at column {}, row {} from the top, channel {}{}; finite values{} are allowed",
+                                name, *found, i / 3 % image.width, i / 3 / image.width, i % 3,
+                                image.converted ? ", converted to Rec. 709" : "", limits.negative ? "" : " from 0"));
 }
 
 }  // namespace
@@ -81,20 +95,32 @@ const ImageModule& imageModule() {
   return *kModule;
 }
 
-Image readImage(const std::filesystem::path& path, const ImageLimits& limits) {
-  // A missing or unreadable file is the system's error, not the image's.
-  const auto start = base::readStart(path, kMagicBytes);
-  const std::string_view format = formatOf({reinterpret_cast<const char*>(start.data()), start.size()});
+Image readImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits,
+                const std::string& layer) {
+  const std::string_view format = formatOf({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   if (format.empty())
     throw base::Error(
         base::ExitStatus::content,
-        fmt::format("{}: not an image that can be read: PNG, OpenEXR, TIFF, JPEG, Radiance HDR and PNM are",
-                    path.string()));
-  if (const auto why = whyHeaderUnusable(path, format, limits.largest_side))
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", path.string(), *why));
-  const Image image = format == kOpenExr ? readExr(path, limits) : imageModule().read(path, format.data(), limits);
-  requireValues(path, image, limits);
+        fmt::format("{}: not an image that can be read: PNG, OpenEXR, TIFF, JPEG, Radiance HDR and PNM are", name));
+  if (const auto why = whyHeaderUnusable(bytes, format, limits.largest_side))
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
+  if (!layer.empty() && format != kOpenExr)
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: no layer '{}': only OpenEXR has layers", name, layer));
+  const auto read = [&] {
+    if (format == kOpenExr) return readExr(name, bytes, limits, layer);
+    if (format == "hdr") return readRadiance(name, bytes, limits);
+    if (format == "pnm") return readPnm(name, bytes, limits);
+    return decoded(name, imageModule().read(name, format.data(), bytes, limits));
+  };
+  Image image = read();
+  if (image.converted && !limits.negative) settleRounding(image);
+  requireValues(name, image, limits);
   return image;
+}
+
+Image readImage(const std::filesystem::path& path, const ImageLimits& limits, const std::string& layer) {
+  return readImage(path.string(), base::readFile(path), limits, layer);
 }
 
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {

@@ -20,6 +20,8 @@ struct Image {
   int height = 0;
   std::vector<float> rgb;
   EnvironmentMap envmap = EnvironmentMap::none;
+  bool converted = false;          ///< whether the file's colours had other primaries
+  std::vector<std::string> notes;  ///< for the user: header fields that changed the numbers, and parts left out
 };
 
 /// Limits on the size and values of an image.
@@ -29,13 +31,18 @@ struct ImageLimits {
   bool negative = false;  ///< whether finite values below 0 are allowed
 };
 
-/// Reads the first subimage. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names a
-/// gamma; floating-point images are linear. One channel is grey; alpha is ignored. The first bytes give the format,
-/// whatever the file's name.
-/// Throws Error(file) when the file cannot be read. Throws Error(content) for a damaged or foreign file, more texels
-/// than the limits allow, or a value out of them; the message names file, column, row (from the top), channel and
-/// value.
-Image readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
+/// Decodes the bytes of a picture. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names
+/// a gamma; floating-point images are linear. One channel is grey; alpha is ignored. The first bytes give the format,
+/// whatever the name. `layer` selects a layer, view or part of an OpenEXR file by its name; if it is empty, the layer
+/// without a name comes first, then the only one, then the only one that ends in "Combined".
+/// Throws Error(content) for a damaged, cut or foreign file, a header that cannot be honoured, more texels than the
+/// limits allow, or a value out of them; the message names the file, and for a value column, row (from the top),
+/// channel and value.
+Image readImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits = {},
+                const std::string& layer = "");
+
+/// Reads a file and decodes it. Throws Error(file) when it cannot be read.
+Image readImage(const std::filesystem::path& path, const ImageLimits& limits = {}, const std::string& layer = "");
 
 /// Encodes width x height sRGB-encoded RGB texels, rows from the top, as the bytes of a PNG.
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb);

@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <fstream>
 
 #include "sky/base/error.h"
 
@@ -16,25 +15,23 @@ namespace {
 
 using Refusal = std::optional<std::string>;
 
-/// Reads a file of known length from front to back.
+/// Reads bytes from front to back. Past the end it reads zeros and `good` is false.
 struct Reader {
-  std::istream& stream;
-  std::streamoff end = 0;
+  std::span<const std::byte> bytes;
+  std::int64_t place = 0;
+  bool good = true;
 
-  explicit Reader(std::istream& file) : stream(file) {
-    stream.seekg(0, std::ios::end);
-    end = stream.tellg();
+  std::int64_t end() const { return static_cast<std::int64_t>(bytes.size()); }
+  char next() {
+    good = good && place < end();
+    return good ? static_cast<char>(bytes[static_cast<std::size_t>(place++)]) : '\0';
   }
-  std::streamoff place() { return stream.tellg(); }
-  void moveTo(std::streamoff place) { stream.seekg(place); }
-
   std::uint32_t number(std::endian order) {
-    std::array<char, 4> bytes{};
-    stream.read(bytes.data(), bytes.size());
-    if (order == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    std::array<char, 4> raw{};
+    for (char& c : raw) c = next();
+    if (order == std::endian::big) std::reverse(raw.begin(), raw.end());
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-      value |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    for (std::size_t i = 0; i < raw.size(); ++i) value |= std::uint32_t{static_cast<unsigned char>(raw[i])} << (8 * i);
     return value;
   }
   std::int64_t exrInt() { return static_cast<std::int32_t>(number(std::endian::little)); }
@@ -42,7 +39,11 @@ struct Reader {
   /// Reads a terminated name. OpenEXR allows at most 255 bytes.
   std::string exrName() {
     std::string name;
-    for (char c = '\0'; name.size() < 256 && stream.get(c) && c != '\0';) name.push_back(c);
+    while (name.size() < 256) {
+      const char c = next();
+      if (c == '\0') break;
+      name.push_back(c);
+    }
     return name;
   }
 };
@@ -66,11 +67,11 @@ Refusal whyValueImpossible(Reader& file, const std::string& name, const std::str
 }
 
 Refusal whyExrImpossible(Reader& file, int largest_side) {
-  constexpr std::streamoff kMagic = 4;
+  constexpr std::int64_t kMagic = 4;
   constexpr std::uint32_t kMultipart = 0x1000;  // Flag of the version: headers follow until an empty one.
-  file.moveTo(kMagic);
+  file.place = kMagic;
   const bool multipart = (file.number(std::endian::little) & kMultipart) != 0;
-  for (bool header_ended = false; file.stream;) {
+  for (bool header_ended = false; file.good;) {
     const std::string name = file.exrName();
     if (name.empty()) {  // Ends a header. At the start of a header it ends the list.
       if (!multipart || header_ended) break;
@@ -80,42 +81,37 @@ Refusal whyExrImpossible(Reader& file, int largest_side) {
     header_ended = false;
     const std::string type = file.exrName();
     const std::int64_t size = file.exrInt();
-    const std::streamoff at = file.place();
-    if (!file.stream) break;
-    if (size < 0 || size > file.end - at)
-      return fmt::format("the attribute {} has {} bytes; the file ends {} bytes on", name, size, file.end - at);
+    const std::int64_t at = file.place;
+    if (!file.good) break;
+    if (size < 0 || size > file.end() - at)
+      return fmt::format("the attribute {} has {} bytes; the file ends {} bytes on", name, size, file.end() - at);
     if (const auto why = whyValueImpossible(file, name, type, largest_side)) return why;
-    file.moveTo(at + size);
+    file.place = at + size;
   }
   return std::nullopt;
 }
 
 Refusal whyPngImpossible(Reader& file) {
-  constexpr std::streamoff kSignature = 8;
+  constexpr std::int64_t kSignature = 8;
   constexpr std::uint32_t kEnd = 0x49454e44;  // "IEND"
-  constexpr std::streamoff kChecksum = 4;
-  file.moveTo(kSignature);
-  while (file.stream) {
+  constexpr std::int64_t kChecksum = 4;
+  file.place = kSignature;
+  while (file.good) {
     const std::int64_t length = file.number(std::endian::big);
     const bool last = file.number(std::endian::big) == kEnd;
-    const std::streamoff at = file.place();
-    if (!file.stream || last) break;
-    if (length > file.end - at)
-      return fmt::format("a chunk has {} bytes; the file ends {} bytes on", length, file.end - at);
-    file.moveTo(at + length + kChecksum);
+    const std::int64_t at = file.place;
+    if (!file.good || last) break;
+    if (length > file.end() - at)
+      return fmt::format("a chunk has {} bytes; the file ends {} bytes on", length, file.end() - at);
+    file.place = at + length + kChecksum;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-Refusal whyHeaderUnusable(const std::filesystem::path& path, std::string_view format, int largest_side) {
-  std::ifstream stream(path, std::ios::binary);
-  return whyHeaderUnusable(stream, format, largest_side);
-}
-
-Refusal whyHeaderUnusable(std::istream& stream, std::string_view format, int largest_side) {
-  Reader file(stream);
+Refusal whyHeaderUnusable(std::span<const std::byte> bytes, std::string_view format, int largest_side) {
+  Reader file{bytes};
   if (format == "openexr") return whyExrImpossible(file, largest_side);
   if (format == "png") return whyPngImpossible(file);
   return std::nullopt;

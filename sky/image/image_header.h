@@ -3,10 +3,10 @@
 // they check that the file holds them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <istream>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,9 +17,8 @@ namespace welkin::image {
 /// Returns the reason why a file must not be passed to its library, if there is one. OpenEXR: an attribute longer than
 /// the file, or a data window or tile with a side above `largest_side`. PNG: a chunk longer than the file. `format` is
 /// OpenImageIO's name. The libraries check everything else.
-std::optional<std::string> whyHeaderUnusable(const std::filesystem::path& path, std::string_view format,
+std::optional<std::string> whyHeaderUnusable(std::span<const std::byte> file, std::string_view format,
                                              int largest_side);
-std::optional<std::string> whyHeaderUnusable(std::istream& file, std::string_view format, int largest_side);
 
 /// Throws Error(content), naming the file, for a size out of the limits.
 void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Welkin's use of OpenImageIO and libwebp, as a module that is loaded when the first image is read or written. Linking
+// Welkin's use of OpenImageIO and of the codecs' libraries, as a module that is loaded when an image needs it. Linking
 // OpenImageIO pulls in some two hundred libraries, and loading them costs more than most bakes.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +11,14 @@
 
 #include "sky/image/coded_image.h"
 #include "sky/image/image.h"
+#include "sky/image/stored_picture.h"
 
 namespace welkin::image {
 
 /// Every function throws Error(content) for bad content of an image and Error(internal) for a failed encoding.
 struct ImageModule {
-  Image (*read)(const std::filesystem::path& path, const char* format, const ImageLimits& limits);
+  StoredPicture (*read)(const std::string& name, const char* format, std::span<const std::byte> bytes,
+                        const ImageLimits& limits);
   CodedImage (*decode)(const std::string& name, const char* format, std::span<const std::byte> bytes,
                        const ImageLimits& limits);
   std::vector<std::byte> (*encode_png)(int width, int height, int bits, const void* rgb);

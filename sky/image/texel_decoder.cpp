@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <webp/decode.h>
 
+#include <cstring>
 #include <string_view>
 
 #include "sky/base/error.h"
 #include "sky/image/image_header.h"
+#include "sky/image/jpeg_read.h"
+#include "sky/image/png_read.h"
 
 namespace welkin::image {
 namespace {
@@ -47,11 +50,44 @@ void spreadChannels(int channels, CodedImage& image) {
   }
 }
 
+/// Puts the channels of every texel into RGBA.
+void copyChannels(std::span<const std::uint8_t> code, int channels, CodedImage& image) {
+  const auto n = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < code.size(); ++i) image.rgba[i / n * kChannels + i % n] = code[i];
+  spreadChannels(channels, image);
+}
+
+CodedImage decodeJpegTexels(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
+  const JpegPicture jpeg = decodeJpeg(name, bytes, limits);
+  CodedImage image = imageOf(name, jpeg.width, jpeg.height, limits);
+  copyChannels(jpeg.code, jpeg.channels, image);
+  return image;
+}
+
+CodedImage decodePngTexels(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
+  const PngPicture png = decodePng(name, bytes, limits);
+  CodedImage image = imageOf(name, png.width, png.height, limits);
+  std::vector<std::uint8_t> code = png.code;
+  if (png.bits == 16) {
+    code.resize(png.code.size() / 2);
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      std::uint16_t wide = 0;
+      std::memcpy(&wide, png.code.data() + 2 * i, 2);
+      code[i] = static_cast<std::uint8_t>((wide * 255U + 32767U) / 65535U);
+    }
+  }
+  copyChannels(code, png.channels, image);
+  return image;
+}
+
 }  // namespace
 
 CodedImage decodeTexels(const std::string& name, const char* format, std::span<const std::byte> bytes,
                         const ImageLimits& limits) {
-  if (std::string_view(format) == "webp") return decodeWebp(name, bytes, limits);
+  const std::string_view f = format;
+  if (f == "webp") return decodeWebp(name, bytes, limits);
+  if (f == "jpeg") return decodeJpegTexels(name, bytes, limits);
+  if (f == "png") return decodePngTexels(name, bytes, limits);
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
