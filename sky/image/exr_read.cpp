@@ -200,7 +200,7 @@ Image readExr(const std::string& name, std::span<const std::byte> bytes, const I
   } catch (const base::Error&) {
     throw;
   } catch (const std::exception& e) {  // OpenEXR's exceptions, whatever their base, and exhausted memory
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, e.what()));
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, oneLine(e.what())));
   }
 }
 

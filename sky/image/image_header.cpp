@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cstdint>
+#include <cstdlib>
 
 #include "sky/base/error.h"
 
@@ -32,6 +34,13 @@ struct Reader {
     if (order == std::endian::big) std::reverse(raw.begin(), raw.end());
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < raw.size(); ++i) value |= std::uint32_t{static_cast<unsigned char>(raw[i])} << (8 * i);
+    return value;
+  }
+  /// A little-endian number of 1 to 4 bytes at a place.
+  std::int64_t at(std::int64_t from, int size) {
+    place = from;
+    std::int64_t value = 0;
+    for (int i = 0; i < size; ++i) value |= std::int64_t{static_cast<unsigned char>(next())} << (8 * i);
     return value;
   }
   std::int64_t exrInt() { return static_cast<std::int32_t>(number(std::endian::little)); }
@@ -108,12 +117,54 @@ Refusal whyPngImpossible(Reader& file) {
   return std::nullopt;
 }
 
+/// Why texels of rows from `from` on are not all within the file.
+Refusal whyTexelsMissing(const Reader& file, std::int64_t header, std::int64_t from, std::int64_t row_bytes,
+                         std::int64_t rows) {
+  if (!file.good || from < header || from > file.end()) return fmt::format("its texels start at byte {}", from);
+  if (row_bytes * rows > file.end() - from)
+    return fmt::format("its texels take {} bytes; the file ends {} bytes on", row_bytes * rows, file.end() - from);
+  return std::nullopt;
+}
+
+Refusal whyBmpImpossible(Reader& file) {
+  constexpr std::int64_t kFileHeader = 14, kOldHeader = 12;
+  const std::int64_t from = file.at(10, 4), header = file.at(14, 4);
+  const bool old = header == kOldHeader;
+  const std::int64_t width = old ? file.at(18, 2) : file.at(18, 4);
+  const std::int64_t height = old ? file.at(20, 2) : std::abs(std::int64_t{static_cast<std::int32_t>(file.at(22, 4))});
+  const std::int64_t bits = old ? file.at(24, 2) : file.at(28, 2);
+  const std::int64_t packing = old ? 0 : file.at(30, 4);
+  constexpr std::int64_t kRunLengths = 2;  // 1 and 2 pack rows of 8 and 4 bits
+  const bool packed = packing == 1 || packing == kRunLengths;
+  const std::int64_t row_bytes = packed ? 0 : (width * bits + 31) / 32 * 4;
+  return whyTexelsMissing(file, kFileHeader + header, from, row_bytes, height);
+}
+
+Refusal whyTargaImpossible(Reader& file) {
+  constexpr std::int64_t kHeader = 18, kPacked = 8;  // types from 9 on are run-length packed
+  const std::int64_t map_bytes = (file.at(1, 1) & 1) != 0 ? file.at(5, 2) * ((file.at(7, 1) + 7) / 8) : 0;
+  const std::int64_t from = kHeader + file.at(0, 1) + map_bytes;
+  const bool packed = file.at(2, 1) > kPacked;
+  const std::int64_t texel_bytes = packed ? 0 : (file.at(16, 1) + 7) / 8;
+  const std::int64_t width = file.at(12, 2), height = file.at(14, 2);
+  return whyTexelsMissing(file, kHeader, from, width * texel_bytes, height);
+}
+
 }  // namespace
+
+std::string oneLine(std::string message) {
+  while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return message;
+}
 
 Refusal whyHeaderUnusable(std::span<const std::byte> bytes, std::string_view format, int largest_side) {
   Reader file{bytes};
   if (format == "openexr") return whyExrImpossible(file, largest_side);
   if (format == "png") return whyPngImpossible(file);
+  if (format == "bmp") return whyBmpImpossible(file);
+  if (format == "targa") return whyTargaImpossible(file);
   return std::nullopt;
 }
 

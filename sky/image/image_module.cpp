@@ -98,9 +98,11 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   const auto input = OIIO::ImageInput::create("tiff");
   if (!input || !input->set_ioproxy(&memory))
-    throw base::Error(base::ExitStatus::file, fmt::format("{}: OpenImageIO lacks TIFF: {}", name, OIIO::geterror()));
+    throw base::Error(base::ExitStatus::file,
+                      fmt::format("{}: OpenImageIO lacks TIFF: {}", name, oneLine(OIIO::geterror())));
   OIIO::ImageSpec spec;
-  if (!input->open("picture.tif", spec, wanted)) throw invalid("not an image that can be read: " + input->geterror());
+  if (!input->open("picture.tif", spec, wanted))
+    throw invalid("not an image that can be read: " + oneLine(input->geterror()));
   if (spec.depth > 1) throw invalid(fmt::format("{} slices of texels; an image is flat", spec.depth));
   requireSize(name, spec.width, spec.height, limits);
   if (spec.nchannels < 1 || spec.nchannels > 16)
@@ -113,7 +115,7 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   const bool grey = spec.nchannels < 3;
   constexpr OIIO::stride_t kTexel = 3 * sizeof(float);
   if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, rgb.data(), kTexel))
-    throw invalid("damaged or cut: " + input->geterror());
+    throw invalid("damaged or cut: " + oneLine(input->geterror()));
   for (std::size_t i = 0; grey && i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
   picture.gamma = spec.format.is_floating_point() ? 1.0 : 0.0;
   picture.colours = fields.colours;
@@ -145,8 +147,9 @@ std::vector<std::byte> encodePng(int width, int height, int bits, const void* rg
   const OIIO::ImageSpec spec = specOf(width, height, bits);
   if (output == nullptr || !output->set_ioproxy(&memory) || !output->open("picture.png", spec) ||
       !output->write_image(spec.format, rgb) || !output->close())
-    throw base::Error(base::ExitStatus::internal, fmt::format("OpenImageIO cannot encode a PNG of {} x {}: {}", width,
-                                                              height, output ? output->geterror() : OIIO::geterror()));
+    throw base::Error(base::ExitStatus::internal,
+                      fmt::format("OpenImageIO cannot encode a PNG of {} x {}: {}", width, height,
+                                  oneLine(output ? output->geterror() : OIIO::geterror())));
   const auto bytes = std::as_bytes(std::span(memory.buffer()));
   return {bytes.begin(), bytes.end()};
 }

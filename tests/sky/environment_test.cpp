@@ -9,10 +9,14 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenImageIO/imageio.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "sky/base/error.h"
 #include "sky/cubemap/cubemap.h"
@@ -69,7 +73,8 @@ void writeImage(const std::string& path, int width, int height, const std::vecto
 
 /// Writes the function seen along `direction` as floats, black where the direction is zero, and projects the picture.
 cubemap::Environment projected(int width, int height, const DirectionOf& direction,
-                               std::optional<Imf::Envmap> envmap = std::nullopt, const char* name = "a.exr") {
+                               std::optional<Imf::Envmap> envmap = std::nullopt, const char* name = "a.exr",
+                               const cubemap::PictureChoice& choice = {}) {
   std::vector<float> rgb;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -82,7 +87,7 @@ cubemap::Environment projected(int width, int height, const DirectionOf& directi
     writeExr(folder / name, width, height, rgb, *envmap);
   else
     writeImage(folder / name, width, height, rgb);
-  return cubemap::projectImage(folder / name, 3);
+  return cubemap::projectImage(folder / name, 3, choice);
 }
 
 constexpr int kSize = 48;
@@ -100,9 +105,9 @@ Number3 directionOn(const std::vector<std::string>& faces, int column, int row) 
 
 TEST_CASE("ProjectImage, CubemapsWithoutAnAttribute") {
   for (const auto& [layout, faces] :
-       {std::pair<std::string, std::vector<std::string>>{"strip", {"0", "1", "2", "3", "4", "5"}},
-        {"strip", {"012345"}},
-        {"cross", {".2..", "1405", ".3.."}}}) {
+       {std::pair<std::string, std::vector<std::string>>{"vstrip", {"0", "1", "2", "3", "4", "5"}},
+        {"hstrip", {"012345"}},
+        {"hcross:+z+x", {".2..", "1405", ".3.."}}}) {
     const cubemap::Environment environment =
         projected(static_cast<int>(faces[0].size()) * kSize, static_cast<int>(faces.size()) * kSize,
                   [&, &rows = faces](int column, int row) { return directionOn(rows, column, row); });
@@ -125,8 +130,104 @@ TEST_CASE("ProjectImage, TheVerticalCrossFoldsIntoACube") {
   const Number3 below = direction(kSize + 7, 3 * kSize);
   REQUIRE(dot(above, below) > 0.99);
   const cubemap::Environment environment = projected(3 * kSize, 4 * kSize, direction);
-  REQUIRE(environment.layout == "cross");
+  REQUIRE(environment.layout == "vcross:+z+x");
   requireCoefficients(environment, kSize);
+}
+
+TEST_CASE("ProjectImage, AnUprightLastFaceIsToldApartByItsSeams") {
+  const auto direction = [](int column, int row) { return directionOn({".2.", "140", ".3.", ".5."}, column, row); };
+  const cubemap::Environment environment = projected(3 * kSize, 4 * kSize, direction);
+  REQUIRE(environment.layout == "vcross:+z+x:upright");
+  REQUIRE(environment.notes.size() == 2);
+  requireCoefficients(environment, kSize);
+}
+
+TEST_CASE("ProjectImage, AStripInOpenExrsOrientationIsToldApartByItsSeams") {
+  const cubemap::Environment environment = projected(kSize, 6 * kSize, [](int column, int row) {
+    return cubemap::directionOfTexel(cubemap::Layout::exr_cube, kSize, column, row);
+  });
+  REQUIRE(environment.layout == "exr-cube");
+  REQUIRE(environment.rule == sh::TexelRule::edge_centres);
+  requireCoefficients(environment, kSize - 1);
+}
+
+TEST_CASE("ProjectImage, EveryCrossByItsName") {
+  // The direction is found from the middle and right axes alone: a walk over the unfolded cube by quarter turns.
+  const auto axis = [](const std::string& text) {
+    const double sign = text[0] == '+' ? 1.0 : -1.0;
+    return text[1] == 'x' ? Number3(sign, 0.0, 0.0) : Number3(0.0, 0.0, sign);
+  };
+  for (const std::string name :
+       {"hcross:+z+x", "hcross:+z-x", "hcross:-z+x", "hcross:-z-x", "hcross:+x+z", "hcross:+x-z", "hcross:-x+z",
+        "vcross:-z+x", "vcross:-z-x", "vcross:+x+z", "vcross:+z-x", "vcross:-x-z:upright"}) {
+    INFO(name);
+    const bool across = name[0] == 'h';
+    const Number3 middle = axis(name.substr(7, 2)), right = axis(name.substr(9, 2)), up(0.0, 1.0, 0.0);
+    const auto direction = [&](int column, int row) {
+      const int i = column / kSize, j = row / kSize;
+      double s = 2.0 * (column % kSize + 0.5) / kSize - 1.0, t = 2.0 * (row % kSize + 0.5) / kSize - 1.0;
+      if (j == 1 && (across || i < 3)) {  // the belt: from the left -right, middle, right, -middle
+        const Number3 normal = i == 0 ? right * -1.0 : i == 1 ? middle : i == 2 ? right : middle * -1.0;
+        const Number3 along = i == 0 ? middle : i == 1 ? right : i == 2 ? middle * -1.0 : right * -1.0;
+        return normalised(normal + along * s - up * t);
+      }
+      if (i != 1) return Number3(0.0);
+      if (j == 0) return normalised(up + right * s + middle * t);
+      if (j == 2) return normalised(up * -1.0 + right * s - middle * t);
+      if (name.ends_with("upright")) s = -s, t = -t;
+      return normalised(middle * -1.0 + right * s + up * t);
+    };
+    cubemap::PictureChoice choice;
+    choice.layout = name;
+    const cubemap::Environment environment = projected(across ? 4 * kSize : 3 * kSize, across ? 3 * kSize : 4 * kSize,
+                                                       direction, std::nullopt, "a.exr", choice);
+    REQUIRE(environment.layout == name);
+    REQUIRE(environment.notes.empty());
+    requireCoefficients(environment, kSize);
+  }
+}
+
+TEST_CASE("ProjectImage, SixFaces") {
+  const Folder folder;
+  std::array<std::filesystem::path, 6> paths;
+  for (int face = 0; face < 6; ++face) {
+    std::vector<float> rgb;
+    for (int row = 0; row < kSize; ++row)
+      for (int column = 0; column < kSize; ++column) {
+        const Number3 radiance =
+            radianceAt(cubemap::directionOfTexel(cubemap::Layout::vulkan_cube, kSize, column, face * kSize + row));
+        for (int c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(radiance[c]));
+      }
+    paths[static_cast<std::size_t>(face)] = folder / (std::to_string(face) + ".exr");
+    writeImage(paths[static_cast<std::size_t>(face)], kSize, kSize, rgb);
+  }
+  const cubemap::Environment environment = cubemap::projectFaces(paths, 3);
+  REQUIRE(environment.layout == "faces");
+  REQUIRE(environment.width == kSize);
+  requireCoefficients(environment, kSize);
+
+  writeImage(paths[4], 2, 2, std::vector<float>(12, 1.0F));
+  REQUIRE_THROWS_WITH(cubemap::projectFaces(paths, 3),
+                      Catch::Contains("4.exr: 2 x 2 texels: the first face has 48 x 48"));
+  writeImage(paths[0], 4, 2, std::vector<float>(24, 1.0F));
+  REQUIRE_THROWS_WITH(cubemap::projectFaces(paths, 3), Catch::Contains("0.exr: 4 x 2 texels: a face is square"));
+}
+
+TEST_CASE("ProjectImage, LayoutsThatDoNotFitAreRefused") {
+  const auto any = [](int, int) { return Number3(0.0, 1.0, 0.0); };
+  for (const char* layout : {"hcross:+z+z", "hcross:+z-z", "hcross:+y+x", "hcross:", "hcross:+z", "hcross:+z+x:upright",
+                             "cross", "vcross:+z+x:", "strip"}) {
+    cubemap::PictureChoice choice;
+    choice.layout = layout;
+    REQUIRE_THROWS_WITH(projected(12, 9, any, std::nullopt, "a.exr", choice),
+                        Catch::Contains(std::string("no layout '") + layout));
+  }
+  for (const char* layout : {"vstrip", "hstrip", "exr-cube", "vcross:+z+x"}) {
+    cubemap::PictureChoice choice;
+    choice.layout = layout;
+    REQUIRE_THROWS_WITH(projected(12, 9, any, std::nullopt, "a.exr", choice),
+                        Catch::Contains(std::string(layout) + " is "));
+  }
 }
 
 TEST_CASE("ProjectImage, OpenExrsRuleAndOrientation") {

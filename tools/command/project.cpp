@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "command/commands.h"
 #include "sh/basis.h"
+#include "sky/base/error.h"
 #include "sky/base/message.h"
 #include "sky/cubemap/environment.h"
 
@@ -15,18 +21,36 @@ namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string image;
+  std::vector<std::string> images;
+  cubemap::PictureChoice choice;
   int bands = 3;
   bool json = false;
 };
 
+/// One picture, or six of one face each.
+cubemap::Environment environmentOf(const Options& options) {
+  if (options.images.size() == 1) return cubemap::projectImage(options.images[0], options.bands, options.choice);
+  if (options.images.size() != 6 || !options.choice.layout.empty())
+    throw base::Error(base::ExitStatus::usage, "project takes one picture, or six faces without --layout");
+  std::array<std::filesystem::path, 6> paths;
+  std::copy(options.images.begin(), options.images.end(), paths.begin());
+  return cubemap::projectFaces(paths, options.bands, options.choice.layer);
+}
+
 void project(const Options& options) {
-  const cubemap::Environment environment = cubemap::projectImage(options.image, options.bands);
+  const cubemap::Environment environment = environmentOf(options);
   nlohmann::ordered_json warnings = nlohmann::json::array();
+  const auto warn = [&](const std::string& message) {
+    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.images[0]), base::oneLine(message)).c_str(), stderr);
+  };
+  for (const std::string& note : environment.notes) {
+    warnings.push_back({{"id", "picture"}, {"message", base::oneLine(note)}});
+    warn(note);
+  }
   if (environment.negative > 0) {
     const std::string message = fmt::format("{} values are below 0; they were taken as they are", environment.negative);
     warnings.push_back({{"id", "negative"}, {"count", environment.negative}, {"message", message}});
-    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.image), message).c_str(), stderr);
+    warn(message);
   }
   const char* rule = environment.rule == sh::TexelRule::half_texel ? "half-texel" : "openexr";
   if (options.json) {
@@ -56,10 +80,15 @@ void addProject(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("project", "Project a cubemap or latlong into spherical harmonics");
   command
-      ->add_option("IMAGE", options->image,
-                   "OpenEXR with an envmap attribute; or any image: 2:1 a latlong, 1:6 or 6:1 the faces +x -x +y -y +z "
-                   "-z, 4:3 or 3:4 a cross")
-      ->required();
+      ->add_option("IMAGE", options->images,
+                   "A picture of the whole sphere: OpenEXR with an envmap attribute; or any image, 2:1 a latlong, 1:6 "
+                   "or 6:1 the faces +x -x +y -y +z -z, 4:3 or 3:4 a cross. Or six pictures, one of each face")
+      ->required()
+      ->expected(1, 6);
+  command->add_option("--layout", options->choice.layout,
+                      "Layout of the picture: latlong, exr-latlong, vstrip, hstrip, exr-cube, hcross:MR or vcross:MR, "
+                      "with the faces in its middle and right of it, such as hcross:-z+x (docs/pictures.md)");
+  command->add_option("--layer", options->choice.layer, "Layer, view or part of an OpenEXR file");
   command->add_option("--bands", options->bands, "Bands: bands^2 coefficients of radiance")
       ->check(CLI::Range(1, sh::kMostBands))
       ->capture_default_str();
