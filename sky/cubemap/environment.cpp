@@ -46,7 +46,7 @@ void projectCube(const CubeLayout& layout, const image::Image& image, int bands,
 CubeLayout layoutOf(const std::string& name, const image::Image& image, const std::string& wanted) {
   const auto layout = cubeLayout(wanted);
   if (!layout)
-    throw base::Error(base::ExitStatus::content,
+    throw base::Error(base::ExitStatus::usage,
                       fmt::format("{}: no layout '{}': latlong, exr-latlong, vstrip, hstrip, exr-cube, hcross:MR and "
                                   "vcross:MR[:upright] are, where M and R are two of +x -x +z -z, such as hcross:-z+x",
                                   name, wanted));

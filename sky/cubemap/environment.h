@@ -31,7 +31,7 @@ struct PictureChoice {
 /// Reads and projects an image. A chosen layout comes first, then OpenEXR's `envmap` attribute with its rule and
 /// orientation (texel centres on edges and poles), then the shape: 2:1 a latlong that lies as OpenEXR's does, otherwise
 /// layoutsOfShape(). Where a shape has several layouts, the faces' seams decide. `bands` in [1, sh::kMostBands]. Throws
-/// Error as readImage does, and Error(content) for another shape or an unknown layout.
+/// Error as readImage does, Error(content) for another shape and Error(usage) for an unknown layout.
 Environment projectImage(const std::filesystem::path& path, int bands, const PictureChoice& choice = {});
 
 /// Projects six square pictures of one size: +x -x +y -y +z -z, each oriented as Vulkan's face.

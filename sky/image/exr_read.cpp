@@ -16,6 +16,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "sky/base/error.h"
 #include "sky/image/colour.h"
@@ -70,7 +71,7 @@ struct Plane {
   }
 };
 
-/// Makes a plane of NaN for a channel and puts it into the frame buffer: a sample that is never written shows.
+/// Makes a plane of NaN for a channel and puts it into the frame buffer.
 Plane insertPlane(const Imf::Header& header, const std::string& channel, Imf::FrameBuffer& frame) {
   const Imf::Channel& stored = *header.channels().findChannel(channel);
   const Imath::Box2i& window = header.dataWindow();
@@ -106,8 +107,8 @@ void readChroma(const std::array<Plane, 3>& plane, const det::Number3& luminance
 }
 
 /// The picture of the display window, from that of the data window.
-Image windowed(const Image& data, const Imath::Box2i& from, const Imath::Box2i& to) {
-  Image image = data;
+Image windowed(Image image, const Imath::Box2i& from, const Imath::Box2i& to) {
+  const std::vector<float> data = std::move(image.rgb);
   image.width = static_cast<int>(widthOf(to));
   image.height = static_cast<int>(heightOf(to));
   image.rgb.assign(3 * static_cast<std::size_t>(widthOf(to) * heightOf(to)), 0.0F);
@@ -119,7 +120,7 @@ Image windowed(const Image& data, const Imath::Box2i& from, const Imath::Box2i& 
       const auto place = [&](const Imath::Box2i& window) {
         return 3 * ((std::int64_t{y} - window.min.y) * widthOf(window) + both.min.x - window.min.x);
       };
-      std::copy_n(data.rgb.begin() + place(from), 3 * widthOf(both), image.rgb.begin() + place(to));
+      std::copy_n(data.begin() + place(from), 3 * widthOf(both), image.rgb.begin() + place(to));
       covered += widthOf(both);
     }
   const std::int64_t missing = widthOf(to) * heightOf(to) - covered;
@@ -130,11 +131,12 @@ Image windowed(const Image& data, const Imath::Box2i& from, const Imath::Box2i& 
   return image;
 }
 
-/// Zip packs at most 1032 bytes into one and the others less, but for DWA, which drops frequencies.
+/// Whether a file of so many bytes can hold the samples of one channel. Zip packs at most 1032 bytes into one, and
+/// every other code less. DWA drops frequencies first: at least one number of 64 is left.
 bool canHold(const Imf::Header& header, std::size_t file_bytes, std::int64_t samples) {
-  constexpr std::int64_t kMostPacked = 1032;
+  constexpr std::int64_t kMostPacked = 1032, kDropped = 64, kSmallest = 2;  // bytes of a half
   const bool dwa = header.compression() == Imf::DWAA_COMPRESSION || header.compression() == Imf::DWAB_COMPRESSION;
-  return dwa || samples / kMostPacked <= static_cast<std::int64_t>(file_bytes) / 2;
+  return samples / (kMostPacked * (dwa ? kDropped : 1)) <= static_cast<std::int64_t>(file_bytes) / kSmallest;
 }
 
 Image read(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits,
@@ -155,6 +157,11 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   if (!canHold(header, bytes.size(), width * height))
     throw refuse(fmt::format("damaged or cut: {} bytes cannot hold {} x {} texels", bytes.size(), width, height));
 
+  Image image;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  // A sample that is never written shows as NaN.
+  image.rgb.assign(3 * static_cast<std::size_t>(width * height), std::numeric_limits<float>::quiet_NaN());
   const bool grey = layer.colours == ExrColours::grey;
   const bool chroma = layer.colours == ExrColours::chroma;
   const char* const channels[2][3] = {{"R", "G", "B"}, {"Y", "RY", "BY"}};
@@ -162,32 +169,39 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   std::array<Plane, 3> plane;
   for (std::size_t c = 0; c < (grey ? 1 : 3); ++c) {
     const std::string channel = layer.prefix + channels[grey || chroma][c];
-    plane[c] = insertPlane(header, channel, frame);
-    if ((plane[c].x_step != 1 || plane[c].y_step != 1) && !(chroma && c > 0))
+    const Imf::Channel& stored = *header.channels().findChannel(channel);
+    if ((stored.xSampling != 1 || stored.ySampling != 1) && !(chroma && c > 0))
       throw refuse(fmt::format("channel {} has not every texel", channel));
+    if (grey || chroma)
+      plane[c] = insertPlane(header, channel, frame);
+    else
+      frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + c, window, 3 * sizeof(float),
+                                             3 * sizeof(float) * static_cast<std::size_t>(width)));
   }
   Imf::InputPart part(file, layer.part);
   part.setFrameBuffer(frame);
   part.readPixels(window.min.y, window.max.y);
 
-  Image image;
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
-  image.rgb.resize(3 * static_cast<std::size_t>(width * height));
   const Chromaticities colours = chromaticitiesOf(header);
   if (chroma) {
     const auto xyz = toXyz(colours);
     if (!xyz) throw refuse("chromaticities that are no colour space: " + textOf(colours));
     readChroma(plane, {xyz->column[0].y, xyz->column[1].y, xyz->column[2].y}, width, image);
-  } else {
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = plane[grey ? 0 : i % 3].sample[i / 3];
+  } else if (grey) {
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = plane[0].sample[i / 3];
   }
   if (!grey) convertColours(name, colours, image);  // grey is as bright in any primaries
   if (const std::string note = leftOutNote(layers, layer); !note.empty()) image.notes.push_back(note);
+  if (Imf::hasWhiteLuminance(header))
+    image.notes.push_back(
+        fmt::format("whiteLuminance is {:.6g}; values are not multiplied by it", Imf::whiteLuminance(header)));
+  if (Imf::hasAdoptedNeutral(header))
+    image.notes.push_back(fmt::format("adoptedNeutral ({:.4g}, {:.4g}) is not read; the white of the chromaticities is",
+                                      Imf::adoptedNeutral(header).x, Imf::adoptedNeutral(header).y));
   if (envmap)
     image.envmap = Imf::envmap(header) == Imf::ENVMAP_CUBE ? EnvironmentMap::cube : EnvironmentMap::latlong;
   else if (window != header.displayWindow())
-    image = windowed(image, window, header.displayWindow());
+    image = windowed(std::move(image), window, header.displayWindow());
   return image;
 }
 

@@ -82,6 +82,7 @@ StoredPicture readPng(const std::string& name, std::span<const std::byte> bytes,
   picture.colours = png.colours;
   picture.icc = png.icc;
   picture.orientation = png.orientation;
+  picture.image.notes = png.notes;
   if (png.cicp) applyCicp(name, *png.cicp, picture);
   return picture;
 }
@@ -120,6 +121,7 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   picture.gamma = spec.format.is_floating_point() ? 1.0 : 0.0;
   picture.colours = fields.colours;
   picture.orientation = fields.orientation;
+  if (fields.has_more) picture.image.notes.push_back("the first picture was read; those behind it were left out");
   if (const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile"); icc != nullptr) {
     const auto* first = static_cast<const std::byte*>(icc->data());
     picture.icc.assign(first, first + icc->datasize());

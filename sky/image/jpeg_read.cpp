@@ -27,6 +27,7 @@ constexpr int kIcc = JPEG_APP0 + 2;
 struct Decoder {
   jpeg_decompress_struct state{};
   jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
   std::jmp_buf back{};
   char message[JMSG_LENGTH_MAX] = "";
 
@@ -48,6 +49,15 @@ struct Decoder {
   bool open(std::span<const std::byte> bytes) {
     if (setjmp(back) != 0) return false;  // NOLINT(cert-err52-cpp): libjpeg's way out
     jpeg_create_decompress(&state);
+    // Each scan of a few bytes may pass over the whole picture. Encoders write some ten.
+    progress.progress_monitor = [](j_common_ptr s) {
+      constexpr int kMostScans = 200;
+      if (reinterpret_cast<j_decompress_ptr>(s)->input_scan_number <= kMostScans) return;
+      auto* self = static_cast<Decoder*>(s->client_data);
+      std::snprintf(self->message, sizeof self->message, "more than %d scans", kMostScans);
+      std::longjmp(self->back, 1);  // NOLINT(cert-err52-cpp)
+    };
+    state.progress = &progress;
     jpeg_mem_src(&state, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_save_markers(&state, kExif, 0xffff);
     jpeg_save_markers(&state, kIcc, 0xffff);

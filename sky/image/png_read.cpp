@@ -8,6 +8,8 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
+#include <string_view>
+#include <utility>
 
 #include "sky/base/error.h"
 #include "sky/image/exif.h"
@@ -73,7 +75,34 @@ struct Decoder {
   }
 };
 
+/// Whether the file has a chunk of that name before its texels.
+bool hasChunk(std::span<const std::byte> file, std::string_view name) {
+  constexpr std::size_t kSignature = 8, kName = 4, kFrame = 12;
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  for (std::size_t at = kSignature; at + kFrame <= text.size();) {
+    const std::string_view found = text.substr(at + 4, kName);
+    if (found == name) return true;
+    if (found == "IDAT") return false;
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(text[at + i]);
+    if (length > text.size() - at - kFrame) return false;
+    at += kFrame + length;
+  }
+  return false;
+}
+
+/// Notes what is left out. libpng drops chunks about colours that contradict each other or themselves.
+void noteDropped(const Decoder& d, PngPicture& picture) {
+  constexpr std::pair<const char*, png_uint_32> kChunks[] = {
+      {"gAMA", PNG_INFO_gAMA}, {"cHRM", PNG_INFO_cHRM}, {"sRGB", PNG_INFO_sRGB}, {"iCCP", PNG_INFO_iCCP}};
+  for (const auto& [name, flag] : kChunks)
+    if (png_get_valid(d.png, d.info, flag) == 0 && hasChunk(d.bytes, name))
+      picture.notes.push_back(fmt::format("the chunk {} is damaged or contradicts another; it was ignored", name));
+  if (hasChunk(d.bytes, "acTL")) picture.notes.push_back("an animation (acTL); its first picture was read");
+}
+
 void readColours(Decoder& d, PngPicture& picture) {
+  noteDropped(d, picture);
   png_charp name = nullptr;
   int number = 0;
   png_bytep profile = nullptr;

@@ -26,6 +26,7 @@ struct PngPicture {
   std::vector<std::byte> icc;
   std::optional<std::array<std::uint8_t, 4>> cicp;  ///< code points of ITU-T H.273
   int orientation = 1;
+  std::vector<std::string> notes;  ///< parts that were left out
 };
 
 /// Throws Error(content), naming the file, for a damaged or cut file and sizes out of the limits.

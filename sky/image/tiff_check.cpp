@@ -114,6 +114,7 @@ TiffFields checkTiff(const std::string& name, std::span<const std::byte> bytes, 
 
   TiffFields fields;
   fields.orientation = fieldOf<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, 1);
+  fields.has_more = TIFFLastDirectory(tiff) == 0;
   float* white = nullptr;
   float* p = nullptr;
   if (TIFFGetField(tiff, TIFFTAG_WHITEPOINT, &white) != 0 && TIFFGetField(tiff, TIFFTAG_PRIMARYCHROMATICITIES, &p) != 0)
@@ -125,8 +126,10 @@ TiffFields checkTiff(const std::string& name, std::span<const std::byte> bytes, 
   const bool tiled = TIFFIsTiled(tiff) != 0;
   const std::uint32_t count = tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
   const tmsize_t size = tiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
-  constexpr tmsize_t kMost = tmsize_t{1} << 32;
-  if (size <= 0 || size > kMost) throw damaged("impossible strips or tiles");
+  // LZW packs at most 2730 bytes into one. Fax codes pack more, but of one bit a texel.
+  constexpr std::uint64_t kMostPacked = 4096, kAlways = std::uint64_t{1} << 26;
+  if (size <= 0 || static_cast<std::uint64_t>(size) > std::max(kAlways, kMostPacked * bytes.size()))
+    throw damaged("strips or tiles of more bytes than the file can hold");
   std::vector<std::byte> texels(static_cast<std::size_t>(size));
   const std::uint32_t rows = std::max(1U, std::min(height, fieldOf<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP, height)));
   const std::uint32_t strips_a_plane = (height + rows - 1) / rows;

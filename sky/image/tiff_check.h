@@ -17,6 +17,7 @@ namespace welkin::image {
 struct TiffFields {
   int orientation = 1;
   std::optional<Chromaticities> colours;
+  bool has_more = false;  ///< whether further pictures follow
 };
 
 /// Throws Error(content), naming the file, for a damaged or cut picture, sizes out of the limits, and what is not read:

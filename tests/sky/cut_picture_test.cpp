@@ -165,6 +165,31 @@ TEST_CASE("CutPicture, TexturesToo") {
   }
 }
 
+TEST_CASE("CutPicture, TexelsThatStartElsewhereAreRefused") {
+  const std::string whole = written("a.bmp", TypeDesc::UINT8, {});
+  const auto isTexture = [&](std::int64_t start) {
+    std::string bytes = whole;
+    for (std::size_t i = 0; i < 4; ++i) bytes[10 + i] = static_cast<char>(start >> (8 * i));
+    return accepts([&] { image::decodeImage("a.bmp", std::as_bytes(std::span(bytes))); });
+  };
+  const auto start = static_cast<std::int64_t>(whole.size()) - 3 * kWidth * kHeight;  // 3 x 48 bytes need no padding
+  REQUIRE(isTexture(start));
+  for (const std::int64_t bad :
+       {std::int64_t{0}, std::int64_t{13}, start - 1, start + 1, std::int64_t{0x7fffffff}, std::int64_t{0xffffffff}}) {
+    INFO(bad);
+    REQUIRE_FALSE(isTexture(bad));
+  }
+}
+
+TEST_CASE("CutPicture, AJpegOfThousandsOfScansIsRefused") {
+  const std::string whole = jpeg(true);
+  const std::string last = whole.substr(whole.rfind("\xff\xda"));  // its last scan, and the end
+  std::string scans = whole.substr(0, whole.size() - 2);
+  for (int i = 0; i < 1000; ++i) scans += last.substr(0, last.size() - 2);
+  const Sample sample{"many.jpg", scans + "\xff\xd9"};
+  REQUIRE_FALSE(isRead(sample, sample.bytes));
+}
+
 TEST_CASE("CutPicture, DamagedBytesGiveNoUnwrittenTexels") {
   // Bytes within the packed texels are changed. The picture is refused, or two reads agree.
   for (const Sample& sample : samples()) {

@@ -46,6 +46,10 @@ void requireCoefficients(const cubemap::Environment& environment, int size) {
   }
 }
 
+Number3 normalised(const Number3& v) {
+  return v * (1.0 / std::sqrt(dot(v, v)));
+}
+
 using DirectionOf = std::function<Number3(int column, int row)>;
 
 void writeExr(const std::string& path, int width, int height, const std::vector<float>& rgb, Imf::Envmap envmap) {

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -131,7 +133,7 @@ TEST_CASE("ExrHeader, LuminanceAndChromaBecomeColours") {
   const auto red = [](int x, int y) { return 0.25F + 0.125F * static_cast<float>(x + y); };  // linear: exact between
   for (const int step : {1, 2}) {
     const image::Image image = roundTrip(
-        Imf::Header(7, 5), {{"Y", {luminance}}, {"RY", {red, step}}, {"BY", {[](int, int) { return -0.5F; }, step}}},
+        Imf::Header(8, 6), {{"Y", {luminance}}, {"RY", {red, step}}, {"BY", {[](int, int) { return -0.5F; }, step}}},
         {16384, 1 << 24, true});
     for (int y = 0; y < 6; ++y)
       for (int x = 0; x < 8; ++x) {
@@ -146,6 +148,17 @@ TEST_CASE("ExrHeader, LuminanceAndChromaBecomeColours") {
 TEST_CASE("ExrHeader, LuminanceAloneIsGrey") {
   const image::Image image = roundTrip(Imf::Header(1, 1), {{"Y", {two}}});
   requireTexel(image, 0, 0, Number3(2.0));
+}
+
+TEST_CASE("ExrHeader, FieldsThatAreNotAppliedAreSaid") {
+  Imf::Header header(1, 1);
+  Imf::addWhiteLuminance(header, 250.0F);
+  Imf::addAdoptedNeutral(header, {0.3F, 0.3F});
+  const image::Image image = roundTrip(header, {{"Y", {two}}});
+  requireTexel(image, 0, 0, Number3(2.0));
+  REQUIRE(image.notes.size() == 2);
+  REQUIRE_THAT(image.notes[0], Catch::Contains("whiteLuminance is 250"));
+  REQUIRE_THAT(image.notes[1], Catch::Contains("adoptedNeutral"));
 }
 
 TEST_CASE("ExrHeader, ThePictureIsTheDisplayWindow") {
@@ -222,6 +235,46 @@ TEST_CASE("ExrHeader, PartsAreLayers") {
   REQUIRE(first.notes.size() == 1);
   REQUIRE_THAT(first.notes[0], Catch::Contains("layer read: 'left'; layers left out: 'right'"));
   requireTexel(image::readImage(path, {}, "right"), 0, 0, Number3(2.0));
+}
+
+TEST_CASE("ExrHeader, AFewKilobytesThatPromiseABigPictureAreRefused") {
+  // One chunk of 16 rows of zeros, whose header says 8192 rows; the table names that chunk 512 times.
+  constexpr int kWidth = 16384, kRows = 16, kPromised = 8192;
+  for (const Imf::Compression packing : {Imf::ZIP_COMPRESSION, Imf::DWAA_COMPRESSION}) {
+    const Folder folder;
+    {
+      Imf::Header header(kWidth, kRows);
+      header.compression() = packing;
+      Imf::FrameBuffer frame;
+      std::map<std::string, std::vector<float>> kept;
+      fill(header, frame, {{"R", {zero}}, {"G", {zero}}, {"B", {zero}}}, kept);
+      Imf::OutputFile file((folder / "a.exr").c_str(), header);
+      file.setFrameBuffer(frame);
+      file.writePixels(kRows);
+    }
+    std::string bytes = readBytes(folder / "a.exr");
+    for (const std::string window : {"dataWindow", "displayWindow"}) {
+      const std::size_t last_row = bytes.find(window) + window.size() + 1 + std::string("box2i").size() + 1 + 4 + 12;
+      REQUIRE(bytes.substr(last_row, 2) == std::string("\x0f\0", 2));
+      bytes[last_row] = static_cast<char>((kPromised - 1) & 0xff);
+      bytes[last_row + 1] = static_cast<char>((kPromised - 1) >> 8);
+    }
+    const auto offset = [](std::uint64_t v) {
+      return std::string{static_cast<char>(v), static_cast<char>(v >> 8U), static_cast<char>(v >> 16U), 0, 0, 0, 0, 0};
+    };
+    // The one entry of the table is the place right behind it.
+    std::size_t table = bytes.find("screenWindowWidth");
+    while (bytes.substr(table, 8) != offset(table + 8)) ++table;
+    const std::size_t chunks = packing == Imf::ZIP_COMPRESSION ? kPromised / 16 : kPromised / 32;
+    std::string entries;
+    for (std::size_t i = 0; i < chunks; ++i) entries += offset(table + 8 * chunks);
+    const std::string forged = bytes.substr(0, table) + entries + bytes.substr(table + 8);
+    CAPTURE(forged.size());
+    REQUIRE(forged.size() < 10000);
+    const image::ImageLimits limits{65536, std::size_t{1} << 27, true};
+    REQUIRE_THROWS_WITH(image::readImage("a.exr", std::as_bytes(std::span(forged)), limits),
+                        Catch::Contains("bytes cannot hold 16384 x 8192 texels"));
+  }
 }
 
 }  // namespace welkin::tests
