@@ -18,10 +18,10 @@ using table::Certificate;
 using table::Encoding;
 
 /// Maxima over other normals.
-constexpr double kOff = 0.1;
+constexpr double kPartOff = 0.1;
 
 /// A day whose sun and colours change quickly enough for every cause to show; no ground.
-const SampledDay& clearDay() {
+const SampledDay& sampledClearDay() {
   static const SampledDay day(someSkies()[0].sky, everyHours(1.0));
   return day;
 }
@@ -44,10 +44,11 @@ double largestOver(const std::vector<double>& time_h,
                    const std::function<Number3(const SkyInstant&, const Number3&)>& off) {
   double worst = 0.0;
   for (const double t : time_h) {
-    const SkyInstant instant(clearDay().sky, t);
+    const SkyInstant instant(sampledClearDay().sky, t);
     const Number3 divisor = divisorOf(instant);
     for (const Number3& n : evenNormals(24, 24)) {
-      const Number3 e = det::desaturate(off(instant, n) * instant.intensity(), clearDay().sky.ambient_saturation.at(t));
+      const Number3 e =
+          det::desaturate(off(instant, n) * instant.intensity(), sampledClearDay().sky.ambient_saturation.at(t));
       for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(e[c]) / divisor[c]);
     }
   }
@@ -55,13 +56,13 @@ double largestOver(const std::vector<double>& time_h,
 }
 
 std::vector<Number3> polarAt(const model::SkyProjector& projector, double time_h) {
-  return projector.projectPolar(SkyInstant(clearDay().sky, time_h)).radiance_sh;
+  return projector.projectPolar(SkyInstant(sampledClearDay().sky, time_h)).radiance_sh;
 }
 
 }  // namespace
 
 TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
-  const auto& day = clearDay();
+  const auto& day = sampledClearDay();
   const BakedDay baked(day, table::coefficientsOf(day.values, 5, false));
   const auto quadrature = [&](double tolerance) {
     return bake::certify(
@@ -85,13 +86,13 @@ TEST_CASE("CertificateParts, QuadratureIsTheTolerancesShare") {
     }
     return irradianceOf(difference, n);
   });
-  CHECK(quadrature(1e-4) == Approx(want).epsilon(kOff));
+  CHECK(quadrature(1e-4) == Approx(want).epsilon(kPartOff));
   CHECK(quadrature(1e-4) > 2.0 * quadrature(1e-5));
   CHECK(quadrature(1e-9) < 1e-7);
 }
 
 TEST_CASE("CertificateParts, TruncationIsWhatBandsLeaveOut") {
-  const auto& day = clearDay();
+  const auto& day = sampledClearDay();
   const BakedDay baked(day, table::coefficientsOf(day.values, 2, false));
   const Certificate c = baked.certificate(1.0);
   const model::SkyProjector projector(day.sky.luminance, 2, 1e-9);
@@ -107,7 +108,7 @@ TEST_CASE("CertificateParts, TruncationIsWhatBandsLeaveOut") {
     const double azimuth = std::atan2(n.x, n.z);
     return irradianceOf(polar, n) - direct.irradiance(instant, normalAt(instant, n.y, azimuth));
   });
-  CHECK(c.parts.truncation == Approx(want).epsilon(kOff));
+  CHECK(c.parts.truncation == Approx(want).epsilon(kPartOff));
   const BakedDay finer(day, table::coefficientsOf(day.values, 5, false));
   CHECK(finer.certificate(1.0).parts.truncation < 0.3 * c.parts.truncation);
 }
@@ -131,13 +132,13 @@ TEST_CASE("CertificateParts, TimeIsWhatLiesBetweenKeys") {
     }
     return irradianceOf(difference, n);
   });
-  CHECK(c.parts.time == Approx(want).epsilon(kOff));
-  const BakedDay denser(clearDay(), table::coefficientsOf(clearDay().values, 3, false));
+  CHECK(c.parts.time == Approx(want).epsilon(kPartOff));
+  const BakedDay denser(sampledClearDay(), table::coefficientsOf(sampledClearDay().values, 3, false));
   CHECK(denser.certificate(1.0).parts.time < 0.5 * c.parts.time);
 }
 
 TEST_CASE("CertificateParts, EncodingIsTheDifferenceOfTwoFiles") {
-  const auto& day = clearDay();
+  const auto& day = sampledClearDay();
   for (const Encoding encoding : {Encoding::fixed8, Encoding::fixed16}) {
     const BakedDay baked(day, table::coefficientsOf(day.values, 5, false), encoding);
     const OpenedTable exact(day.sky, baked.table);
@@ -152,7 +153,7 @@ TEST_CASE("CertificateParts, EncodingIsTheDifferenceOfTwoFiles") {
         for (int i = 0; i < 3; ++i) want = std::max(want, std::abs(off[i]) / divisor[i]);
       }
     }
-    CHECK(c.parts.encoding == Approx(want).epsilon(kOff));
+    CHECK(c.parts.encoding == Approx(want).epsilon(kPartOff));
     CHECK(c.parts.encoding > 0.0);
   }
 }

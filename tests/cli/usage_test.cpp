@@ -10,13 +10,13 @@ using namespace welkin::tests;
 
 namespace {
 
-struct Case {
+struct Misuse {
   std::vector<std::string> arguments;
   std::string said;
 };
 
-void requireUsage(const std::vector<Case>& cases) {
-  for (const Case& c : cases) {
+void requireUsage(const std::vector<Misuse>& cases) {
+  for (const Misuse& c : cases) {
     std::string line;
     for (const auto& word : c.arguments) line += word + " ";
     const Run run = runTool(c.arguments);

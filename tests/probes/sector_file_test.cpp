@@ -66,7 +66,7 @@ sectors::SectorFile someLitSector() {
   return s;
 }
 
-void checkRefused(const sectors::SectorFile& sector, const std::string& says) {
+void checkSectorRefused(const sectors::SectorFile& sector, const std::string& says) {
   INFO(says);
   try {
     sectors::decodeSector(sectors::encodeSector(sector), "the sector");
@@ -146,7 +146,7 @@ TEST_CASE("SectorFile, LocalTransferThatDoesNotFitIsRefused") {
   const auto refused = [](const std::string& says, auto change) {
     sectors::SectorFile s = someLitSector();
     change(*s.local);
-    checkRefused(s, says);
+    checkSectorRefused(s, says);
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   refused("position for every light", [](auto& l) { l.encoded.position.pop_back(); });
@@ -179,7 +179,7 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   const auto refused = [](const std::string& says, auto change) {
     sectors::SectorFile s = someSector();
     change(s);
-    checkRefused(s, says);
+    checkSectorRefused(s, says);
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   refused("the grid names a probe", [](auto& s) { s.grid[4095] = 2; });

@@ -18,7 +18,7 @@ namespace {
 using f64::Number3;
 
 /// Tolerance relative to the largest term: samples are floats, and sums have up to nine terms.
-constexpr double kFloats = 9.0 * 0x1p-24;
+constexpr double kModeFloats = 9.0 * 0x1p-24;
 
 struct Opened {
   explicit Opened(const Parts& parts) : bytes(format::seal(payloadOf(parts))) {
@@ -125,7 +125,7 @@ Number3 netOf(const WelkinSkySample& sample, const Number3& n) {
 
 void checkNear(const Number3& value, const Number3& expected, double scale) {
   CAPTURE(value.x, value.y, value.z, expected.x, expected.y, expected.z);
-  for (int c = 0; c < 3; ++c) CHECK(std::abs(value[c] - expected[c]) <= kFloats * scale);
+  for (int c = 0; c < 3; ++c) CHECK(std::abs(value[c] - expected[c]) <= kModeFloats * scale);
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ TEST_CASE("Modes, GroundHasTheIrradianceOfTheZenithsNormal") {
     for (std::size_t k = 0; k < 6; ++k) horizontal += modes.weight[(6 + k) * 3 + c] * modes.texelAt(3, 2, k);
     REQUIRE(horizontal > 0.1);
     const double albedo = std::ldexp(1.0, -1 - static_cast<int>(c));
-    CHECK(double{sample.ground_radiance[c]} == Approx(2.0 * albedo * horizontal / M_PI).epsilon(kFloats));
+    CHECK(double{sample.ground_radiance[c]} == Approx(2.0 * albedo * horizontal / M_PI).epsilon(kModeFloats));
   }
 }
 

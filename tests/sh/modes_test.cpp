@@ -11,8 +11,8 @@
 namespace welkin::sh {
 namespace {
 
-constexpr double kOrthonormal = 1e-13;  // as sh/modes.h states
-constexpr double kRounding = 1e-13;     // of snapshots of size 1 in up to 60 dimensions
+constexpr double kOrthonormal = 1e-13;   // as sh/modes.h states
+constexpr double kModeRounding = 1e-13;  // of snapshots of size 1 in up to 60 dimensions
 
 double largestOverlap(const Modes& modes) {
   double worst = 0.0;
@@ -64,7 +64,7 @@ TEST_CASE("LeadingModes, SpanWhatHasTheirRank") {
     CAPTURE(rank);
     CHECK(modes.count() == rank);
     CHECK(largestOverlap(modes) <= kOrthonormal);
-    CHECK(worstError(modes, snapshots, MaximumNorm{}) <= kRounding);
+    CHECK(worstError(modes, snapshots, MaximumNorm{}) <= kModeRounding);
     if (rank > 1) CHECK(worstError(leadingModes(snapshots, {}, rank - 1), snapshots, MaximumNorm{}) > 1e-2);
   }
 }
@@ -75,10 +75,10 @@ TEST_CASE("LeadingModes, KnownOnes") {
   const std::vector<double> weights = {1.0, 2.0, 1.0, 0.0};
   const Modes modes = leadingModes({value, 4}, weights, 2);
   REQUIRE(modes.count() == 2);
-  CHECK(modes.energy[0] == Approx((2.0 * 2.0 + 8.0) / 4.0).margin(kRounding));
-  CHECK(modes.energy[1] == Approx(9.0 / 4.0).margin(kRounding));
+  CHECK(modes.energy[0] == Approx((2.0 * 2.0 + 8.0) / 4.0).margin(kModeRounding));
+  CHECK(modes.energy[1] == Approx(9.0 / 4.0).margin(kModeRounding));
   const std::vector<double> expected = {0, std::sqrt(0.5), std::sqrt(0.5), 0, 1.0, 0, 0, 0};
-  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(modes.vector[i] == Approx(expected[i]).margin(kRounding));
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(modes.vector[i] == Approx(expected[i]).margin(kModeRounding));
 }
 
 TEST_CASE("LeadingModes, LeaveTheLeastMeanSquare") {
@@ -154,7 +154,7 @@ TEST_CASE("RefineModes, NearDelta") {
   for (int i = 0; i < 200; ++i)
     for (int j = 0; j < 30; ++j) value.push_back((j < 15 ? 1.0 : 0.01 * i) + (i == 77 && j == 21 ? 5.0 : 0.0));
   const Snapshots snapshots{value, 30};
-  CHECK(refineModes(snapshots, {}, 3, MaximumNorm{}, 40).error <= 10.0 * kRounding);
+  CHECK(refineModes(snapshots, {}, 3, MaximumNorm{}, 40).error <= 10.0 * kModeRounding);
   const RefinedModes two = refineModes(snapshots, {}, 2, MaximumNorm{}, 40);
   CHECK(two.start_error > 4.0);
   CHECK(two.error < 2.2);

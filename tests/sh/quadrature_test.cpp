@@ -8,7 +8,7 @@
 namespace welkin::sh {
 namespace {
 
-constexpr double kRounding = 1e-14;  // a few units in the last place of sums of up to 64 terms of size 1
+constexpr double kSumRounding = 1e-14;  // a few units in the last place of sums of up to 64 terms of size 1
 
 TEST_CASE("GaussLegendre, ExactForPolynomials") {
   for (const int n : {1, 2, 3, 5, 8, 24, 64}) {
@@ -17,7 +17,7 @@ TEST_CASE("GaussLegendre, ExactForPolynomials") {
       double sum = 0.0;
       forEachNode(rule, -1.0, 1.0, [&](double x, double w) { sum += w * std::pow(x, degree); });
       CAPTURE(n, degree);
-      CHECK(sum == Approx(degree % 2 == 0 ? 2.0 / (degree + 1) : 0.0).margin(kRounding));
+      CHECK(sum == Approx(degree % 2 == 0 ? 2.0 / (degree + 1) : 0.0).margin(kSumRounding));
     }
   }
 }

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "baked.h"
+#include "degree.h"
 
 namespace welkin::tests {
 
 using det::Number3;
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// The sun covers the whole range: the zenith at noon, the nadir at midnight.
 model::Sky equatorSky(const model::LuminanceModel& model, bool to_sun) {

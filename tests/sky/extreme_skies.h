@@ -5,10 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include "always.h"
+#include "degree.h"
 
 namespace welkin::tests {
-
-inline constexpr double kDegree = det::kPi / 180.0;
 
 /// A sun that stands still.
 inline model::LightPath still(double azimuth_rad, double elevation_rad) {

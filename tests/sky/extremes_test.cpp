@@ -9,7 +9,7 @@
 namespace welkin::tests {
 namespace {
 
-constexpr double kUnit = std::numeric_limits<double>::denorm_min();
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 /// Largest error of a coefficient, relative to c0, between a bake's rule and the rule that keeps 1e-12.
 double errorOfABake(const model::Sky& model, int bands) {
@@ -24,8 +24,8 @@ double errorOfABake(const model::Sky& model, int bands) {
 }
 
 const double kElevations[] = {0.0,
-                              kUnit,
-                              -kUnit,
+                              kLeast,
+                              -kLeast,
                               1e-12,
                               -1e-12,
                               1e-4,
@@ -56,9 +56,9 @@ TEST_CASE("Extremes, SunAtTheHorizonTheZenithAndTheNadir") {
 std::vector<model::LuminanceModel> modelsAtTheEnds(const model::LightPath& sun) {
   std::vector<model::LuminanceModel> models;
   for (const double a : {-1e4, -1.0, 0.0, 1e4})
-    for (const double b : {-1e4, -1.0, -1e-8, -kUnit})
+    for (const double b : {-1e4, -1.0, -1e-8, -kLeast})
       for (const double c : {-1e4, -1e-3, 24.0, 1e4})
-        for (const double d : {-1e4, -50.0, -1.0, -kUnit})
+        for (const double d : {-1e4, -50.0, -1.0, -kLeast})
           for (const double e : {-1e4, -0.9, 0.0, 1e4})
             if (const model::LuminanceModel m{a, b, c, d, e, 0.0}; !model::whyUnusable(m, sun)) models.push_back(m);
   return models;

@@ -15,7 +15,7 @@ namespace welkin::tests {
 namespace {
 
 using OIIO::TypeDesc;
-constexpr double kFloat = 4e-7;  // relative: the rounding of a float, times the slope of the decoding
+constexpr double kDecoding = 4e-7;  // relative: the rounding of a float, times the slope of the decoding
 
 /// Writes an image of `value`s between 0 and 1 (or any floats) and reads it back.
 image::Image roundTrip(const std::string& name, OIIO::ImageSpec spec, const std::vector<float>& value) {
@@ -30,9 +30,9 @@ image::Image roundTrip(const std::string& name, OIIO::ImageSpec spec, const std:
 }
 
 void requireTexel(const image::Image& image, std::size_t texel, double r, double g, double b) {
-  REQUIRE(double{image.rgb[3 * texel]} == Approx(r).epsilon(kFloat).margin(1e-12));
-  REQUIRE(double{image.rgb[3 * texel + 1]} == Approx(g).epsilon(kFloat).margin(1e-12));
-  REQUIRE(double{image.rgb[3 * texel + 2]} == Approx(b).epsilon(kFloat).margin(1e-12));
+  REQUIRE(double{image.rgb[3 * texel]} == Approx(r).epsilon(kDecoding).margin(1e-12));
+  REQUIRE(double{image.rgb[3 * texel + 1]} == Approx(g).epsilon(kDecoding).margin(1e-12));
+  REQUIRE(double{image.rgb[3 * texel + 2]} == Approx(b).epsilon(kDecoding).margin(1e-12));
 }
 
 double decoded(double encoded) {

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <mutex>
 
+#include "degree.h"
+
 namespace welkin::tests {
 
 using det::Number3;
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// A sky whose sun stands at an elevation, azimuth 40 degrees.
 model::Sky fixedSky(const model::LuminanceModel& model, double elevation_deg) {

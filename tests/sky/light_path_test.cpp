@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "degree.h"
 #include "sky/bake/sky_file.h"
 #include "sky/base/error.h"
 #include "sky/model/path_check.h"
@@ -18,7 +19,6 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kRounding = 1e-12;                       // of a few products in double; hours, radians
 constexpr double kEquationOfTime_h_day = 30.3 / 3600.0;   // its fastest change, at a winter solstice
 constexpr double kDeclination_rad_day = 0.403 * kDegree;  // its fastest change is below the sun's own

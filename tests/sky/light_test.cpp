@@ -5,12 +5,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "degree.h"
+
 namespace welkin::tests {
 
 using det::Number3;
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 TEST_CASE("SunPath, MeeusExample") {
   // Meeus (1998), examples 25.a and 28.b: 13 October 1992, 0 h TD: declination -7.78507 degrees, equation of time

@@ -6,10 +6,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "degree.h"
+
 namespace welkin::tests {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kMoonPrecision =
     1e-6;  // Precision of ln_get_lunar_ecl_coords: a thirtieth of the time for 0.0004 degrees.
 

@@ -5,13 +5,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "degree.h"
 #include "sky/bake/sky_file.h"
 #include "tests/folder.h"
 
 namespace welkin::tests {
 namespace {
-
-constexpr double kDegree = det::kPi / 180.0;
 
 struct Key {
   double time_h, azimuth_deg, elevation_deg;

@@ -9,6 +9,7 @@
 #include <vector>
 #include <welkin/welkin.hpp>
 
+#include "degree.h"
 #include "sky/bake/encode.h"
 #include "sky/base/toml_table.h"
 #include "sky/table/representation.h"
@@ -31,7 +32,6 @@ struct SampledDay {
 
 /// A grey sky of intensity 1 whose sun stands still at an elevation, azimuth 40 degrees.
 inline model::Sky stillSky(const model::LuminanceModel& model, double elevation_deg) {
-  constexpr double kDegree = M_PI / 180.0;
   model::Sky sky;
   sky.luminance = model;
   sky.sun.path.key_time_h = {0.0};

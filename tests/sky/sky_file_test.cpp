@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "degree.h"
 #include "sky/base/error.h"
 #include "tests/folder.h"
 
@@ -18,7 +19,6 @@ using det::Number3;
 namespace {
 
 constexpr double kRounding = 1e-12;  // of a product or two in double
-constexpr double kDegree = det::kPi / 180.0;
 const std::string kStill = "[sun]\npath = [[0, 0, 45]]\n";
 
 bake::SkyFile read(const std::string& text, const Folder& folder = Folder()) {

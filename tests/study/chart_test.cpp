@@ -17,7 +17,7 @@
 namespace welkin::study {
 namespace {
 
-Chart sample() {
+Chart sampleChart() {
   Chart chart = {.title = "Bytes against error",
                  .x = {"bytes", Quantity::bytes, Scale::log},
                  .y = {"worst error", Quantity::share, Scale::log},
@@ -48,17 +48,17 @@ unsigned bigEndianAt(const std::string& bytes, std::size_t at) {
 }
 
 TEST_CASE("Chart, SameBytesEveryTime") {
-  const ChartPictures first = draw(sample());
-  const ChartPictures second = draw(sample());
+  const ChartPictures first = draw(sampleChart());
+  const ChartPictures second = draw(sampleChart());
   CHECK((first.svg == second.svg));  // in brackets: a failure does not print the pictures
   CHECK((first.png == second.png));
-  Chart other = sample();
+  Chart other = sampleChart();
   other.series[0].points[0].y *= 1.5;
   CHECK((draw(other).svg != first.svg));
 }
 
 TEST_CASE("Chart, SizeAndKind") {
-  const ChartPictures pictures = draw(sample());
+  const ChartPictures pictures = draw(sampleChart());
   CHECK(pictures.png.substr(1, 3) == "PNG");
   CHECK(bigEndianAt(pictures.png, 16) == kChartWidth);
   CHECK(bigEndianAt(pictures.png, 20) == kChartHeight);
@@ -66,13 +66,13 @@ TEST_CASE("Chart, SizeAndKind") {
 }
 
 TEST_CASE("Chart, NamesNoDay") {
-  const ChartPictures pictures = draw(sample());
+  const ChartPictures pictures = draw(sampleChart());
   for (const char* word : {"tIME", "tEXt", "iTXt", "zTXt"}) CHECK_FALSE(pictures.png.find(word) != std::string::npos);
   CHECK_FALSE(std::regex_search(pictures.svg, std::regex("20[0-9][0-9]-[0-9][0-9]|<metadata")));
 }
 
 TEST_CASE("Chart, ShowsEveryWordOnce") {
-  Chart chart = sample();
+  Chart chart = sampleChart();
   chart.series[0].name = "it's `date`, a \\ and a name of many words that is broken into lines";
   const std::string svg = draw(chart).svg;
   for (const char* word : {"Bytes against error", "worst error", ">bytes<", "3 bands", "Pareto front", "0.3 %", "10 KB",
@@ -138,30 +138,30 @@ bool isWhiteAround(const std::string& png) {
 }
 
 TEST_CASE("Chart, NothingIsCut") {
-  Chart wordy = sample();
+  Chart wordy = sampleChart();
   for (int i = 0; i < 20; ++i)
     for (std::string* title : {&wordy.title, &wordy.x.title, &wordy.y.title}) *title += ", and words";
   wordy.series[0].name = "a name of many words that has to be broken into lines to fit beside the frame at all";
   wordy.series[4].points[1].label = "a label that is long, of a point in the lower right corner";
   wordy.lines.push_back({0.0029, "and a line with words"});
-  Chart many = sample();
+  Chart many = sampleChart();
   while (many.series.size() < kMostSeries) many.series.push_back(wordy.series[1]);
-  for (const Chart& chart : {sample(), wordy, many}) {
+  for (const Chart& chart : {sampleChart(), wordy, many}) {
     INFO(chart.title << ": " << chart.series.size());
     CHECK(isWhiteAround(draw(chart).png));
   }
 }
 
 TEST_CASE("Chart, RefusesWhatItCannotShow") {
-  Chart chart = sample();
+  Chart chart = sampleChart();
   chart.series[1].points[0].y = std::nan("");
   CHECK_THROWS_WITH(drawChart(chart), Catch::Contains("'worst error'"));
   chart.series[1].points[0].y = -0.1;
   CHECK_THROWS_AS(drawChart(chart), base::Error);
-  chart = sample();
+  chart = sampleChart();
   chart.series.resize(kMostSeries + 1, chart.series[0]);
   CHECK_THROWS_AS(drawChart(chart), base::Error);
-  chart = sample();
+  chart = sampleChart();
   chart.series.clear();
   CHECK_THROWS_AS(drawChart(chart), base::Error);
 }
@@ -186,7 +186,7 @@ std::string programIn(const tests::Folder& folder, const std::string& text) {
 TEST_CASE("Chart, IsLeftOutWithoutGnuplot") {
   const tests::Folder folder;
   const SearchPath path(folder / "empty");
-  CHECK_FALSE(drawChart(sample()));
+  CHECK_FALSE(drawChart(sampleChart()));
 }
 
 TEST_CASE("Chart, AFailingGnuplotIsOneError") {
@@ -199,7 +199,7 @@ TEST_CASE("Chart, AFailingGnuplotIsOneError") {
   }
   {
     const SearchPath path(programIn(folder, "echo '<svg>'\n"));  // as on a full disk
-    CHECK_THROWS_WITH(drawChart(sample()), Catch::Contains("'Bytes against error' is cut"));
+    CHECK_THROWS_WITH(drawChart(sampleChart()), Catch::Contains("'Bytes against error' is cut"));
   }
 }
 

@@ -14,7 +14,7 @@
 namespace welkin::study {
 namespace {
 
-StudyReport sample() {
+StudyReport sampleReport() {
   Table table({{"bands", ""}, {"error", "of 1", Quantity::share}});
   table.addRow({2.0, 0.4});
   table.addRow({3.0, 0.12});
@@ -30,7 +30,7 @@ StudyReport sample() {
 
 TEST_CASE("WriteReport, WritesEveryFile") {
   const tests::Folder folder;
-  CHECK(writeReport(sample(), folder / "out") == 0);
+  CHECK(writeReport(sampleReport(), folder / "out") == 0);
   CHECK(tests::filesUnder(folder / "out") == std::vector<std::string>{"bands.csv", "bands.json", "bands.png",
                                                                       "bands.svg", "conclusion.md", "more.csv",
                                                                       "more.json"});
@@ -46,7 +46,7 @@ TEST_CASE("WriteReport, WithoutGnuplotLeavesOutChartsAndSaysSo") {
   const tests::Folder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", (folder / "empty").c_str(), 1);
-  const std::size_t left_out = writeReport(sample(), folder / "out");
+  const std::size_t left_out = writeReport(sampleReport(), folder / "out");
   ::setenv("PATH", path.c_str(), 1);
   CHECK(left_out == 1);
   CHECK(tests::filesUnder(folder / "out") ==
@@ -59,11 +59,11 @@ TEST_CASE("WriteReport, WithoutGnuplotLeavesOutChartsAndSaysSo") {
 TEST_CASE("WriteReport, RefusesBeforeItWrites") {
   const tests::Folder folder;
   for (const char* name : {"", "../out", "a b", "more"}) {
-    StudyReport report = sample();
+    StudyReport report = sampleReport();
     report.tables[0].name = name;
     CHECK_THROWS_AS(writeReport(report, folder / "out"), base::Error);
   }
-  StudyReport report = sample();
+  StudyReport report = sampleReport();
   report.charts[0].chart.series.clear();
   CHECK_THROWS_AS(writeReport(report, folder / "out"), base::Error);
   CHECK_FALSE(std::filesystem::exists(folder / "out"));

@@ -46,8 +46,8 @@ level::Scene wall() {
   return loader::readScene(level);
 }
 
-struct Stage {
-  Stage() : bytes(testSkyFile({})), sky(openTestSky(bytes)), device(true), scene(wall()) {}
+struct ProbeStage {
+  ProbeStage() : bytes(testSkyFile({})), sky(openTestSky(bytes)), device(true), scene(wall()) {}
 
   FloatImage draw(const std::vector<ProbeSphere>& probes, const Camera& camera = kNorth, const Number3& eye = kEye) {
     if (!view)
@@ -71,14 +71,14 @@ ProbeSphere uneven(const Number3& position) {
           {{1.0F, 0.2F, 0.7F}, {0.3F, 0.9F, 0.5F}, {0.6F, 0.4F, 0.1F}, {0.15F, 0.25F, 0.35F}}};
 }
 
-Number3 vectorOf(const float v[3]) {
+Number3 numberOf(const float v[3]) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
 Number3 radianceOf(const ProbeSphere& probe, const Number3& normal) {
   const auto weight = transfer::shadingWeights(normal);
   Number3 sum;
-  for (std::size_t b = 0; b < kDirections; ++b) sum += vectorOf(probe.irradiance[b]) * weight[b];
+  for (std::size_t b = 0; b < kDirections; ++b) sum += numberOf(probe.irradiance[b]) * weight[b];
   return Number3(std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)) / f64::kPi;
 }
 
@@ -100,7 +100,7 @@ struct Meeting {
 };
 
 Meeting meet(const ProbeSphere& probe, const Number3& eye, const Number3& ray) {
-  const Number3 centre = vectorOf(probe.position) - eye;
+  const Number3 centre = numberOf(probe.position) - eye;
   const double along = dot(centre, ray);
   const double miss_2 = dot(centre, centre) - along * along;
   const double left = WELKIN_PROBE_RADIUS * WELKIN_PROBE_RADIUS - miss_2;
@@ -112,7 +112,7 @@ Meeting meet(const ProbeSphere& probe, const Number3& eye, const Number3& ray) {
 }  // namespace
 
 TEST_CASE("LevelProbes, SphereHasTheIrradianceOfItsProbeAtEveryNormal", "[vulkan]") {
-  Stage stage;
+  ProbeStage stage;
   const ProbeSphere probe = uneven({0.3, 2.1, 0.0});
   struct View {
     Camera camera;
@@ -148,7 +148,7 @@ TEST_CASE("LevelProbes, SphereHasTheIrradianceOfItsProbeAtEveryNormal", "[vulkan
 }
 
 TEST_CASE("LevelProbes, NothingIsBelowZero", "[vulkan]") {
-  Stage stage;
+  ProbeStage stage;
   ProbeSphere probe = uneven({0.2, 2.0, 0.0});
   for (auto& channel : probe.irradiance[1]) channel = 0.0F;
   for (auto& channel : probe.irradiance[3]) channel = 0.0F;
@@ -165,7 +165,7 @@ TEST_CASE("LevelProbes, NothingIsBelowZero", "[vulkan]") {
 }
 
 TEST_CASE("LevelProbes, WallsAndNearerSpheresHideThem", "[vulkan]") {
-  Stage stage;
+  ProbeStage stage;
   const FloatImage without = stage.draw({});
   CHECK(stage.draw({uneven({0.0, 2.0, -4.0})}).rgba == without.rgba);  // behind the wall
   CHECK(stage.draw({uneven({0.2, 2.0, 5.0})}).rgba == without.rgba);   // behind the camera

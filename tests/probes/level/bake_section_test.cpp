@@ -25,7 +25,7 @@ build::BakeSection sectionOf(const std::string& text) {
   return build::bakeSectionOf(base::readToml(folder.write("level.toml", text)));
 }
 
-void checkRefused(const std::string& text, const std::string& says) {
+void checkSectionRefused(const std::string& text, const std::string& says) {
   INFO(text);
   try {
     sectionOf(text);
@@ -147,31 +147,31 @@ TEST_CASE("BakeSection, EveryNumberAtTheEndsOfItsRange") {
     }
     for (const double outside :
          {beyond(p.range.low, -kInfinity), beyond(p.range.high, kInfinity), -kInfinity, kInfinity, std::nan("")})
-      checkRefused(fileOf(p, outside), fmt::format("{}.{} = ", p.section, p.key));
+      checkSectionRefused(fileOf(p, outside), fmt::format("{}.{} = ", p.section, p.key));
   }
 }
 
 TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
-  checkRefused("[probes]\nspacing = 4", "nearest known one is \"spacing_m\"");
-  checkRefused("[transfer]\nbounce = 4", "nearest known one is \"bounces\"");
-  checkRefused("[scale]\nsky_bounce = 4", "unknown key");
-  checkRefused("[[room]]\nbox = [0, 0, 0, 1, 1, 1]\nname = \"hut\"", "room[0].name");
-  checkRefused("[probes]\nadd = [1, 2, 3]", "[x, y, z]");
-  checkRefused("[probes]\nadd = [[1, 2]]", "[x, y, z]");
-  checkRefused("[probes]\nadd = [[1, 2, \"3\"]]", "must be a number");
-  checkRefused("[probes]\nremove = [[0, 0, 0, 1, 0, 1]]", "below its greatest");
-  checkRefused("[probes]\nremove = 1", "must be a list");
-  checkRefused("[[room]]\nbox = [1, 0, 0, 0, 1, 1]", "room[0].box");
-  checkRefused("[room]\nbox = [0, 0, 0, 1, 1, 1]", "[[room]]");
-  checkRefused("[transfer]\nrays = \"many\"", "whole number");
-  checkRefused("[transfer]\nreach_m = 0.5", "reach_m = 0.5");
-  checkRefused("[transfer]\nrays = 1028", "multiple of 8");
-  checkRefused("[transfer]\nrays = 1024.0", "whole number");
-  checkRefused("[transfer]\nsun = \"SH\"", "must be one of \"directional\", \"sh\", \"none\"");
-  checkRefused("[transfer]\nlocal_lights = 1", "list of sectors");
+  checkSectionRefused("[probes]\nspacing = 4", "nearest known one is \"spacing_m\"");
+  checkSectionRefused("[transfer]\nbounce = 4", "nearest known one is \"bounces\"");
+  checkSectionRefused("[scale]\nsky_bounce = 4", "unknown key");
+  checkSectionRefused("[[room]]\nbox = [0, 0, 0, 1, 1, 1]\nname = \"hut\"", "room[0].name");
+  checkSectionRefused("[probes]\nadd = [1, 2, 3]", "[x, y, z]");
+  checkSectionRefused("[probes]\nadd = [[1, 2]]", "[x, y, z]");
+  checkSectionRefused("[probes]\nadd = [[1, 2, \"3\"]]", "must be a number");
+  checkSectionRefused("[probes]\nremove = [[0, 0, 0, 1, 0, 1]]", "below its greatest");
+  checkSectionRefused("[probes]\nremove = 1", "must be a list");
+  checkSectionRefused("[[room]]\nbox = [1, 0, 0, 0, 1, 1]", "room[0].box");
+  checkSectionRefused("[room]\nbox = [0, 0, 0, 1, 1, 1]", "[[room]]");
+  checkSectionRefused("[transfer]\nrays = \"many\"", "whole number");
+  checkSectionRefused("[transfer]\nreach_m = 0.5", "reach_m = 0.5");
+  checkSectionRefused("[transfer]\nrays = 1028", "multiple of 8");
+  checkSectionRefused("[transfer]\nrays = 1024.0", "whole number");
+  checkSectionRefused("[transfer]\nsun = \"SH\"", "must be one of \"directional\", \"sh\", \"none\"");
+  checkSectionRefused("[transfer]\nlocal_lights = 1", "list of sectors");
   for (const char* name : {"1", "1_", "_1", "01_1", "-0_1", "1_2_3", "1_x", "15626_0", "0_-15626", " 1_1"})
-    checkRefused(fmt::format("[transfer]\nlocal_lights = [\"0_0\", \"{}\"]", name), "no sector");
-  checkRefused("[transfer]\nlocal_lights = [\"1_1\", \"0_0\", \"1_1\"]", "twice");
+    checkSectionRefused(fmt::format("[transfer]\nlocal_lights = [\"0_0\", \"{}\"]", name), "no sector");
+  checkSectionRefused("[transfer]\nlocal_lights = [\"1_1\", \"0_0\", \"1_1\"]", "twice");
   try {
     sectionOf("[[room]]\n");
     FAIL("it was read");

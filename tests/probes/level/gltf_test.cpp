@@ -22,8 +22,8 @@ level::Scene sceneOf(const std::string& text, const std::function<void(level::Ge
   return loader::readScene(level);
 }
 
-void checkRefused(const std::string& text, base::ExitStatus status, const std::string& says,
-                  const char* name = "a.gltf") {
+void checkGltfRefused(const std::string& text, base::ExitStatus status, const std::string& says,
+                      const char* name = "a.gltf") {
   INFO(says);
   try {
     sceneOf(text, nullptr, name);
@@ -44,7 +44,7 @@ std::string squareText(const std::function<void(json&)>& change) {
 }
 
 void checkWrong(const std::function<void(json&)>& change, const std::string& says) {
-  checkRefused(squareText(change), base::ExitStatus::content, says);
+  checkGltfRefused(squareText(change), base::ExitStatus::content, says);
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
   auto mesh = squareMesh();
   mesh.indices[4] = 4;
   beyond.addNode(beyond.addMesh(mesh));
-  checkRefused(beyond.text(), base::ExitStatus::content, "index 4 is 4, and there are 4 vertices");
+  checkGltfRefused(beyond.text(), base::ExitStatus::content, "index 4 is 4, and there are 4 vertices");
 }
 
 TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
@@ -192,18 +192,18 @@ TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
   textured.addMaterial({1, 1, 1});
   textured.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   textured.addNode(textured.addMesh(squareMesh(), 0));
-  checkRefused(textured.text(), base::ExitStatus::content, "baseColorTexture");
+  checkGltfRefused(textured.text(), base::ExitStatus::content, "baseColorTexture");
 }
 
 TEST_CASE("Gltf, CutForeignAndMissingFiles") {
   const std::string whole = squareText([](json&) {});
   for (std::size_t size = 0; size < whole.size(); size += 37)
-    checkRefused(whole.substr(0, size), base::ExitStatus::content, "not a whole glTF file");
-  checkRefused("\x89PNG\r\n\x1a\n", base::ExitStatus::content, "not a whole glTF file");
-  checkRefused("{}", base::ExitStatus::content, "not a whole glTF file");
-  checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
-               "a.glb");
-  checkRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
+    checkGltfRefused(whole.substr(0, size), base::ExitStatus::content, "not a whole glTF file");
+  checkGltfRefused("\x89PNG\r\n\x1a\n", base::ExitStatus::content, "not a whole glTF file");
+  checkGltfRefused("{}", base::ExitStatus::content, "not a whole glTF file");
+  checkGltfRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
+                   "a.glb");
+  checkGltfRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
   // Buffers beside the file: a missing one is an error of the system, a cut one an error of the file.
   const Folder folder;
   GltfText gltf;

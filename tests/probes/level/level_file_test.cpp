@@ -11,7 +11,7 @@ namespace welkin::tests {
 namespace {
 using f64::Number3;
 
-void checkRefused(const std::string& text, base::ExitStatus status, const std::string& says) {
+void checkLevelRefused(const std::string& text, base::ExitStatus status, const std::string& says) {
   const Folder folder;
   const std::string path = folder.write("level.toml", text);
   INFO(text);
@@ -73,21 +73,22 @@ sky = 1.0
 TEST_CASE("LevelFile, MessagesNameTheKeyAndWhatIsAllowed") {
   const std::string geometry = "[[geometry]]\nfile = \"a.gltf\"\n";
   const std::string level = kLevel;
-  checkRefused(level + geometry + "rol = \"static\"\n", base::ExitStatus::content, "nearest known one is \"role\"");
-  checkRefused(level + geometry + "role = \"water\"\n", base::ExitStatus::content, "must be one of");
-  checkRefused(level + geometry + "scale = 0\n", base::ExitStatus::content, "scale");
-  checkRefused(level + geometry + "scale = [1, 2]\n", base::ExitStatus::content, "scale");
-  checkRefused(level + geometry + "albedo = [0.1, 0.2, 1.3]\n", base::ExitStatus::content, "albedo");
-  checkRefused(level + geometry + "translation = [1, 2, nan]\n", base::ExitStatus::content, "translation");
-  checkRefused(level + geometry + "vegetation_nodes = [1]\n", base::ExitStatus::content, "vegetation_nodes");
-  checkRefused(level + geometry + "[probs]\n", base::ExitStatus::content, "nearest known one is \"probes\"");
-  checkRefused(level + "[[geometry]]\n", base::ExitStatus::content, "geometry[0].file");
-  checkRefused(level, base::ExitStatus::content, "geometry");
-  checkRefused(level + "geometry = 1\n", base::ExitStatus::content, "geometry");
-  checkRefused("[level]\n" + geometry, base::ExitStatus::content, "level.sky");
-  checkRefused(level + "probes = 1\n" + geometry, base::ExitStatus::content, "level.probes");
-  checkRefused("probes = 1\n" + level + geometry, base::ExitStatus::content, "must be a table");
-  checkRefused("[level", base::ExitStatus::content, "not TOML");
+  checkLevelRefused(level + geometry + "rol = \"static\"\n", base::ExitStatus::content,
+                    "nearest known one is \"role\"");
+  checkLevelRefused(level + geometry + "role = \"water\"\n", base::ExitStatus::content, "must be one of");
+  checkLevelRefused(level + geometry + "scale = 0\n", base::ExitStatus::content, "scale");
+  checkLevelRefused(level + geometry + "scale = [1, 2]\n", base::ExitStatus::content, "scale");
+  checkLevelRefused(level + geometry + "albedo = [0.1, 0.2, 1.3]\n", base::ExitStatus::content, "albedo");
+  checkLevelRefused(level + geometry + "translation = [1, 2, nan]\n", base::ExitStatus::content, "translation");
+  checkLevelRefused(level + geometry + "vegetation_nodes = [1]\n", base::ExitStatus::content, "vegetation_nodes");
+  checkLevelRefused(level + geometry + "[probs]\n", base::ExitStatus::content, "nearest known one is \"probes\"");
+  checkLevelRefused(level + "[[geometry]]\n", base::ExitStatus::content, "geometry[0].file");
+  checkLevelRefused(level, base::ExitStatus::content, "geometry");
+  checkLevelRefused(level + "geometry = 1\n", base::ExitStatus::content, "geometry");
+  checkLevelRefused("[level]\n" + geometry, base::ExitStatus::content, "level.sky");
+  checkLevelRefused(level + "probes = 1\n" + geometry, base::ExitStatus::content, "level.probes");
+  checkLevelRefused("probes = 1\n" + level + geometry, base::ExitStatus::content, "must be a table");
+  checkLevelRefused("[level", base::ExitStatus::content, "not TOML");
 }
 
 TEST_CASE("LevelFile, MissingIsARefusalOfTheSystem") {
