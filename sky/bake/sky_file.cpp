@@ -11,6 +11,7 @@
 #include "sky/bake/sky_domain.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 #include "sky/base/section.h"
 #include "sky/image/image.h"
 
@@ -23,22 +24,30 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = det::kPi / 180.0;
 
-/// The file's folder, and the inputs read so far.
+/// The file's folder, and the inputs read so far, with warnings of their headers.
 struct Reading {
   std::filesystem::path folder;
   std::vector<Input> inputs;
+  std::vector<model::Warning> warnings;
 
   void record(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
     for (const Input& input : inputs)
       if (input.path == path) return;
     inputs.push_back(inputOf(name, path, bytes));
   }
-  image::Image image(const base::TomlTable& table, const std::string& key, const toml::node& at) {
+  /// Reads the picture that `section`.`key` names.
+  image::Image image(const std::string& section, const base::TomlTable& table, const std::string& key,
+                     const toml::node& at) {
     const auto name = *at.value<std::string>();
     const std::filesystem::path path = folder / name;
     try {
       record(name, path, base::readFile(path));
-      return image::readImage(path);
+      image::Image image = image::readImage(path);
+      for (const std::string& note : image.notes)  // of what the header did to the numbers
+        warnings.push_back({"picture", 1,
+                            fmt::format("{}:{}: {}.{} = '{}': {}", inputs.front().name, at.source().begin.line, section,
+                                        key, base::oneLine(name), base::oneLine(note))});
+      return image;
     } catch (const base::Error& e) {
       table.refuse(key, &at, e.what(), e.status());
     }
@@ -48,7 +57,7 @@ struct Reading {
 model::Gradient readGradient(base::Section& section, const std::string& key, Reading& reading) {
   const toml::node* n = section.table().node(key);
   if (n == nullptr || !n->is_string()) return model::Gradient::constant(section.colour(key));
-  const image::Image image = reading.image(section.table(), key, *n);
+  const image::Image image = reading.image("sky", section.table(), key, *n);
   model::Gradient gradient{image.width, image.height, {}};
   const auto line = static_cast<std::size_t>(image.width) * 3;
   for (int row = image.height - 1; row >= 0; --row) {  // The file's last row is the horizon.
@@ -62,7 +71,7 @@ model::Gradient readGradient(base::Section& section, const std::string& key, Rea
 base::Curve readTint(base::Section& section, Reading& reading) {
   const toml::node* n = section.table().node("polarising_tint");
   if (n == nullptr || !n->is_string()) return section.colourCurve("polarising_tint");
-  const image::Image image = reading.image(section.table(), "polarising_tint", *n);
+  const image::Image image = reading.image("sky", section.table(), "polarising_tint", *n);
   base::Curve curve{3, {}, {}};
   for (int i = 0; i < image.width; ++i) {
     Number3 sum(0.0);
@@ -169,7 +178,7 @@ model::Stars readStars(base::Section section, const model::LightPath& sun, Readi
   const base::Range& values = section.rangeOf("image");
   const toml::node* n = table.node("image");
   if (n == nullptr || !n->is_string()) table.refuse("image", n, "must be the name of a star map, an image");
-  const image::Image image = reading.image(table, "image", *n);
+  const image::Image image = reading.image("stars", table, "image", *n);
   model::Stars stars;
   stars.width = image.width;
   stars.height = image.height;
@@ -233,7 +242,7 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
 SkyFile skyFileOf(const base::TomlFile& toml) {
   const std::string file = toml.path.string();
   const toml::table& root = toml.root;
-  Reading reading{toml.path.parent_path(), {}};
+  Reading reading{toml.path.parent_path(), {}, {}};
   reading.record(toml.path.filename().string(), toml.path, toml.bytes);
   SkyFile result;
   base::TomlTable top(file, &root, "");
@@ -267,6 +276,7 @@ SkyFile skyFileOf(const base::TomlFile& toml) {
     checked.refuse("luminance", checked.node("luminance"), *why);
   result.settings = jsonOf(root).dump(2);
   result.inputs = std::move(reading.inputs);
+  result.warnings = std::move(reading.warnings);
   warnOfPath(sun.table(), "sun", sky.sun.path, result);
   if (sky.moon) warnOfPath(moon.table(), "moon", sky.moon->path, result);
   return result;

@@ -192,7 +192,7 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   }
   if (!grey) convertColours(name, colours, image);  // grey is as bright in any primaries
   if (const std::string note = leftOutNote(layers, layer); !note.empty()) image.notes.push_back(note);
-  if (Imf::hasWhiteLuminance(header))
+  if (Imf::hasWhiteLuminance(header) && Imf::whiteLuminance(header) != 1.0F)
     image.notes.push_back(
         fmt::format("whiteLuminance is {:.6g}; values are not multiplied by it", Imf::whiteLuminance(header)));
   if (Imf::hasAdoptedNeutral(header))

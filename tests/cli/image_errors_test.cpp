@@ -9,6 +9,7 @@
 
 #include "run_tool.h"
 #include "sky_text.h"
+#include "tests/sky/png_bytes.h"
 
 using namespace welkin::tests;
 
@@ -30,24 +31,10 @@ std::string grey(const std::string& name, OIIO::TypeDesc type) {
   return imageBytes(name, 16, 16, std::vector<float>(16 * 16 * 3, 0.5F), type);
 }
 
-std::uint32_t crc32(const std::string& bytes) {
-  std::uint32_t crc = 0xffffffff;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned char>(c);
-    for (int i = 0; i < 8; ++i) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
-  }
-  return ~crc;
-}
-
-std::string bigEndian(std::uint32_t v) {
-  return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
-}
-
 /// A PNG header that promises so many texels, without any.
 std::string pngHeader(std::uint32_t width, std::uint32_t height) {
-  const std::string chunk = "IHDR" + bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5);
-  return "\x89PNG\r\n\x1a\n" + bigEndian(13) + chunk + bigEndian(crc32(chunk)) + bigEndian(0) + "IDAT" +
-         bigEndian(crc32("IDAT"));
+  const std::string fields = bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5);
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", fields) + chunk("IDAT", "");
 }
 
 void requireInvalid(const std::string& name, const std::string& bytes, const std::vector<std::string>& said,

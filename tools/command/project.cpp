@@ -41,7 +41,9 @@ void project(const Options& options) {
   const cubemap::Environment environment = environmentOf(options);
   nlohmann::ordered_json warnings = nlohmann::json::array();
   const auto warn = [&](const std::string& message) {
-    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.images[0]), base::oneLine(message)).c_str(), stderr);
+    std::fputs(
+        fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.images[0]), base::oneLine(message)).c_str(),
+        stderr);
   };
   for (const std::string& note : environment.notes) {
     warnings.push_back({{"id", "picture"}, {"message", base::oneLine(note)}});
