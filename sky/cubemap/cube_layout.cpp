@@ -149,8 +149,9 @@ double seamOf(const CubeLayout& layout, const image::Image& image) {
     for (int i = 0; i < size; ++i) {
       const double along = (2.0 * i + 1.0) / size - 1.0;
       const double inside = 1.0 - 1.0 / size, outside = 1.0 + 1.0 / size;
-      for (const auto& [s, t] : {std::pair(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+      for (const auto& side : {std::pair(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
         const auto towards = [&](double edge) {
+          const auto [s, t] = side;
           return face.normal + face.right * (s != 0.0 ? s * edge : along) + face.down * (t != 0.0 ? t * edge : along);
         };
         const float* const here = texelAt(faces, size, towards(inside));
