@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the headers of PNG, TIFF and JPEG say of colours, encoding and orientation, in small pictures made here.
-#include <jpeglib.h>
-#include <tiffio.h>
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+// jpeglib.h needs what cstdio declares
+#include <jpeglib.h>
+#include <tiffio.h>
 
 #include "icc_bytes.h"
 #include "png_bytes.h"
