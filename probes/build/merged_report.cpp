@@ -9,6 +9,7 @@
 #include "probes/geometry/sector_name.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/json_text.h"
 
 namespace welkin::build {
 namespace {
@@ -35,12 +36,11 @@ bool isListOf(const Json& report, const char* key, bool all_of_sectors) {
 
 Json readReport(const fs::path& path) {
   const auto bytes = base::readFile(path, kLargestReport);
-  const char* text = reinterpret_cast<const char*>(bytes.data());
-  Json report = Json::parse(text, text + bytes.size(), nullptr, false);
-  if (!isListOf(report, "warnings", false) || !isListOf(report, "sectors", true))
+  auto report = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!report || !isListOf(*report, "warnings", false) || !isListOf(*report, "sectors", true))
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: is no report of a shard; bake it again", path.string()));
-  return report;
+  return std::move(*report);
 }
 
 /// By sector, those of one in their order.

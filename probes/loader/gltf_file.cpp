@@ -99,6 +99,8 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
                                                   reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
                     : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
                                                  size, folder);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {  // from the JSON library, for types that glTF does not have there
     error = e.what();
   }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/bake/sky_record.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <regex>
 
 #include "sky/bake/checked_file.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/base/hash.h"
+#include "sky/base/json_text.h"
 
 namespace welkin::bake {
 namespace {
@@ -40,14 +44,38 @@ std::string checksumOf(Json record) {
   return base::textOf(base::hashOf(std::as_bytes(std::span(text))));
 }
 
+/// Whether `made` has all that reports, plans and comparisons take from it.
+bool isMade(const Json& made, const Json& request) {
+  Json form = {
+      {"table", {{"name", ""}, {"channels", 0}, {"encoding", ""}, {"keys", 0}, {"quadrature", ""}, {"bytes", 0}}},
+      {"cubemaps", {{"count", 0}, {"size", 0}, {"format", ""}, {"bytes", 0}}},
+      {"gradients", {{"format", ""}, {"bytes", 0}}},
+      {"left_out", Json::array({{{"what", ""}, {"why", ""}, {"bytes", 0}}})},
+      {"outputs", Json::array({{{"file", ""}, {"bytes", 0}, {kChecksum, ""}}})},
+      {"warnings", Json::array({{{"id", ""}, {"message", ""}}})}};
+  if (!request.value("max_error", Json()).is_null()) form["table"]["predicted_error"] = 0.0;
+  if (request.value("certify", "") != nameOf(Certify::none) || made.contains("certificate"))
+    form["certificate"] = {{"max_error", 0.0},
+                           {"time_h", 0.0},
+                           {"normal", {0.0, 0.0, 0.0}},
+                           {"channel", ""},
+                           {"mean_error", 0.0},
+                           {"parts", {{"quadrature", 0.0}, {"truncation", 0.0}, {"time", 0.0}, {"encoding", 0.0}}}};
+  if (made.contains("certificate") && made["certificate"].contains("cubemaps"))
+    form["certificate"]["cubemaps"] = {{"max_error", 0.0}};
+  static const std::regex kNames("sky\\.welkin|cubemaps/sky_[0-9]{9}(_latlong)?\\.exr");
+  return base::hasForm(made, form) &&
+         std::all_of(made["outputs"].begin(), made["outputs"].end(),
+                     [](const Json& output) { return std::regex_match(output["file"].get<std::string>(), kNames); });
+}
+
 /// Null where it is not a whole record.
 Json readRecord(const fs::path& path) {
   const auto bytes = base::readFile(path, kLargestRecord);
-  const char* text = reinterpret_cast<const char*>(bytes.data());
-  Json record = Json::parse(text, text + bytes.size(), nullptr, false);
-  for (const char* key : {kChecksum, "request", "made"})
-    if (!record.is_object() || !record.contains(key)) return {};
-  return record[kChecksum] == checksumOf(record) ? record : Json();
+  auto record = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!record || !base::hasForm(*record, {{kChecksum, ""}, {"request", Json::object()}, {"made", Json::object()}}))
+    return {};
+  return (*record)[kChecksum] == checksumOf(*record) ? std::move(*record) : Json();
 }
 
 /// Names in a list, each once.
@@ -84,11 +112,13 @@ void addChanged(const std::vector<Input>& now, const flatbuffers::Vector<flatbuf
 /// How the outputs that are there differ from those of the record.
 std::string differenceOf(const fs::path& folder, const Json& outputs) {
   Names missing, changed;
+  std::error_code none;
   for (const Json& output : outputs) {
     const std::string name = output["file"];
     if (!isThere(folder / name))
       missing.add(name);
-    else if (base::textOf(base::hashOf(base::readFile(folder / name))) != output[kChecksum])
+    else if (fs::file_size(folder / name, none) != output["bytes"].get<std::uintmax_t>() ||
+             base::textOf(base::hashOf(base::readFile(folder / name))) != output[kChecksum])
       changed.add(name);
   }
   if (!missing.text().empty()) return "missing: " + missing.text();
@@ -118,9 +148,23 @@ SkyState skyState(const fs::path& folder, const SkyFile& file, Certify certify) 
   for (const auto& [key, value] : request.items())
     if (record["request"].value(key, Json("")) != value) changed.add(key);
   if (!changed.text().empty()) return {"changed: " + changed.text(), {}};
+  if (!isMade(record["made"], request)) return {"unreadable: sky.json", {}};
   std::string difference = differenceOf(folder, record["made"]["outputs"]);
   if (!difference.empty()) return {std::move(difference), {}};
   return {"", std::move(record["made"])};
+}
+
+Json checkedRecord(const fs::path& folder) {
+  const fs::path path = folder / "sky.json";
+  if (!isThere(path)) return {};
+  Json record = readRecord(path);
+  if (record.is_null() || !isMade(record["made"], record["request"]))
+    throw base::Error(base::ExitStatus::content, path.string() + ": is damaged or was edited; bake again");
+  const std::string difference = differenceOf(folder, record["made"]["outputs"]);
+  if (!difference.empty())
+    throw base::Error(difference.starts_with("missing") ? base::ExitStatus::file : base::ExitStatus::content,
+                      fmt::format("{}: outputs that sky.json lists are {}; bake again", folder.string(), difference));
+  return std::move(record["made"]);
 }
 
 std::string recordText(const BakeSettings& bake, Certify certify, const Json& made) {

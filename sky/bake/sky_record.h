@@ -14,7 +14,7 @@ namespace welkin::bake {
 
 /// Version of the method. It grows by one whenever the same input gives other bytes, as tests/golden/same_bytes.txt
 /// shows, or another report.
-inline constexpr int kSkyBakeVersion = 2;
+inline constexpr int kSkyBakeVersion = 3;
 
 /// The options of a sky's bake.
 struct SkyRequest {
@@ -32,6 +32,10 @@ struct SkyState {
 /// checksum of, with what a bake into `folder` (none: a new one) of `file` would be. Throws Error(file) for what is
 /// there and cannot be read.
 SkyState skyState(const std::filesystem::path& folder, const SkyFile& file, Certify certify);
+
+/// What sky.json of a folder says that a bake made; null without the file. Throws Error: content where it is damaged, or
+/// where an output that it lists is another file; file where one is missing.
+nlohmann::ordered_json checkedRecord(const std::filesystem::path& folder);
 
 /// The content of sky.json, with a checksum of itself. `made` has "outputs": of each "file" and "xxh3_128".
 std::string recordText(const BakeSettings& bake, Certify certify, const nlohmann::ordered_json& made);

@@ -37,11 +37,18 @@ std::size_t endOfString(std::string_view text, std::size_t i) {
   return text.size();
 }
 
-/// Finds a key of more than kMostParts parts. toml++ recurses over the parts of a key and bounds only the nesting of
-/// values.
-std::optional<std::size_t> findDeepKey(std::string_view text) {
-  constexpr int kMostParts = 16;
+/// A place in a text, and what is wrong there.
+struct TooDeep {
+  std::size_t place;
+  const char* why;
+};
+
+/// Finds a key of more than 16 parts, and more than 16 lists and tables within each other. toml++ recurses over both;
+/// its own limit, 256 values, takes more than a small stack.
+std::optional<TooDeep> findTooDeep(std::string_view text) {
+  constexpr int kMostParts = 16, kDeepest = 16;
   int parts = 1;
+  int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '"' || c == '\'')
@@ -49,9 +56,12 @@ std::optional<std::size_t> findDeepKey(std::string_view text) {
     else if (c == '#')
       i = std::min(text.find('\n', i), text.size()) - 1;
     else if (c == '.' && ++parts > kMostParts)
-      return i;
+      return TooDeep{i, "a key has more than 16 parts"};
     else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos)
       parts = 1;
+    if ((c == '[' || c == '{') && ++depth > kDeepest)
+      return TooDeep{i, "more than 16 lists or tables within each other"};
+    if ((c == ']' || c == '}') && depth > 0) --depth;
   }
   return std::nullopt;
 }
@@ -80,9 +90,9 @@ std::vector<double> evenHours(int count) {
 }
 
 toml::table parseToml(const std::string& file, std::string_view text) {
-  if (const auto place = findDeepKey(text)) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*place), '\n');
-    throw Error(ExitStatus::content, fmt::format("{}:{}: a key has more than 16 parts", file, line));
+  if (const auto found = findTooDeep(text)) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(found->place), '\n');
+    throw Error(ExitStatus::content, fmt::format("{}:{}: {}", file, line, found->why));
   }
   try {
     return toml::parse(text, file);

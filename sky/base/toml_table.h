@@ -17,7 +17,8 @@ namespace welkin::base {
 
 using det::Number3;
 
-/// Parses a file's text. Throws Error(content) when it is not TOML or has a key of more than 16 parts.
+/// Parses a file's text. Throws Error(content) when it is not TOML, nests more than 16 lists or
+/// tables, or has a key of more than 16 parts.
 toml::table parseToml(const std::string& file, std::string_view text);
 
 /// A table of a file, or an absent table without keys. Getters throw Error(content). A key that no getter asked for is

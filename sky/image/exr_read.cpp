@@ -213,7 +213,9 @@ Image readExr(const std::string& name, std::span<const std::byte> bytes, const I
     return read(name, bytes, limits, layer);
   } catch (const base::Error&) {
     throw;
-  } catch (const std::exception& e) {  // OpenEXR's exceptions, whatever their base, and exhausted memory
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {  // OpenEXR's exceptions, whatever their base
     throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, oneLine(e.what())));
   }
 }

@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 #include <cfenv>
 #include <limits>
 #include <string_view>
+#include <thread>
 
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
@@ -77,10 +79,23 @@ void requireValues(const std::string& name, const Image& image, const ImageLimit
                                 image.converted ? ", converted to Rec. 709" : "", limits.negative ? "" : " from 0"));
 }
 
+/// Throws Error(file) where there is no room for the module: its 260 libraries abort, crash or hang when they run out
+/// of memory while they are loaded. They took 430 MB of addresses on two processors, and make a thread for each.
+void requireRoomForModule() {
+  const std::size_t room_mib = 432 + 8 * std::size_t{std::thread::hardware_concurrency()};
+  const std::size_t bytes = room_mib << 20;
+  void* room = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED)
+    throw base::Error(base::ExitStatus::file,
+                      fmt::format("out of memory: reading images takes {} MiB of addresses", room_mib));
+  munmap(room, bytes);
+}
+
 }  // namespace
 
 const ImageModule& imageModule() {
   static const ImageModule* const kModule = [] {
+    requireRoomForModule();
     std::fenv_t arithmetic;  // libraries built with -ffast-math change it when they are loaded
     std::fegetenv(&arithmetic);
     void* library = dlopen(WELKIN_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed: images may outlive any scope

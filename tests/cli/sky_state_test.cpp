@@ -201,6 +201,34 @@ TEST_CASE("SkyState, DamagedAndMissingFilesAreBakedAgain") {
   sky.requireBakes("changed: " + kCubemap);
 }
 
+TEST_CASE("SkyState, AForgedRecordIsNoRecord") {
+  const BakedSky sky;
+  REQUIRE(sky.bake("out", {}));
+  const ordered_json record = ordered_json::parse(readBytes(sky.out("sky.json")));
+  const auto requireUnreadable = [&](const ordered_json& forged) {
+    INFO(forged["made"].dump());
+    writeRecord(sky.out("sky.json"), forged);
+    REQUIRE(sky.plan({})["sky"]["why"] == "unreadable: sky.json");
+  };
+  for (const char* key : {"table", "cubemaps", "gradients", "left_out", "outputs", "warnings", "certificate"}) {
+    ordered_json forged = record;
+    forged["made"].erase(key);
+    requireUnreadable(forged);
+    for (const char* value : {"{}", "[{}]", "[1]", "1", "null"}) {
+      if (record["made"][key].is_object() && *value == '[') continue;
+      forged["made"][key] = ordered_json::parse(value);
+      requireUnreadable(forged);
+    }
+  }
+  for (const char* name : {"/etc/passwd", "../sky.toml", "cubemaps/../sky.welkin", ""}) {
+    ordered_json forged = record;
+    forged["made"]["outputs"][0]["file"] = name;
+    requireUnreadable(forged);
+  }
+  REQUIRE(sky.bake("out", {}));
+  REQUIRE(ordered_json::parse(readBytes(sky.out("sky.json"))) == record);
+}
+
 TEST_CASE("SkyState, FilesOfAnotherBakeAreFound") {
   const BakedSky sky;
   const auto copy = [&](const std::string& name) {

@@ -8,6 +8,7 @@
 
 #include "probes/build/bake_file.h"
 #include "sky/base/error.h"
+#include "sky/base/failure.h"
 #include "sky/base/message.h"
 #include "sky/base/progress.h"
 
@@ -60,15 +61,10 @@ BakeResult bakeFile(const BakeOptions& options, const BakeCallback& progress) no
     if (options.threads > 0)
       limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
     result.report = build::reportText(build::bakeFile(request, progressFor(progress)));
-  } catch (const base::Error& e) {
-    result.exit_status = static_cast<int>(e.status());
-    result.error = base::oneLine(e.what());
-  } catch (const std::bad_alloc&) {
-    result.exit_status = static_cast<int>(base::ExitStatus::file);
-    result.error = "out of memory";
   } catch (const std::exception& e) {
-    result.exit_status = static_cast<int>(base::ExitStatus::internal);
-    result.error = base::oneLine(e.what());
+    const base::Error error = base::errorOf(e);
+    result.exit_status = static_cast<int>(error.status());
+    result.error = base::oneLine(error.what());
   }
   return result;
 }

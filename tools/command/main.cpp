@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <new>
-#include <system_error>
 
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/version.h"
 #include "sh/arithmetic.h"
 #include "sky/base/error.h"
+#include "sky/base/failure.h"
 #include "sky/base/message.h"
 
 namespace {
@@ -78,16 +76,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // past the limit on file sizes write() then fails, and the process lives on
   try {
     return run(argc, argv);
-  } catch (const welkin::base::Error& e) {
-    return fail(e.status(), e.what());
-  } catch (const std::bad_alloc&) {
-    return fail(welkin::base::ExitStatus::file, "out of memory");
-  } catch (const std::filesystem::filesystem_error& e) {
-    return fail(welkin::base::ExitStatus::file, e.what());
-  } catch (const std::system_error& e) {  // from fmt::print
-    return fail(welkin::base::ExitStatus::file,
-                fmt::format("{}{}", std::ferror(stdout) != 0 ? "stdout: " : "", e.what()));
   } catch (const std::exception& e) {
-    return fail(welkin::base::ExitStatus::internal, fmt::format("internal error: {}", e.what()));
+    const welkin::base::Error error = welkin::base::errorOf(e);
+    return fail(error.status(),  // fmt::print throws where stdout is full
+                fmt::format("{}{}", std::ferror(stdout) != 0 ? "stdout: " : "", error.what()));
   }
 }

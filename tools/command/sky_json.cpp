@@ -4,6 +4,7 @@
 #include "command/arguments.h"
 #include "format/cubemap_format.h"
 #include "sky/base/error.h"
+#include "sky/base/json_text.h"
 
 namespace welkin::command {
 namespace {
@@ -61,10 +62,10 @@ Json certificateJson(const Sky& sky) {
 }  // namespace
 
 Json settingsJson(const std::string& text) {
-  Json settings = Json::parse(text, nullptr, false);
-  if (settings.is_discarded())
+  auto settings = base::parseJson(text);
+  if (!settings)
     throw base::Error(base::ExitStatus::content, "invalid content: settings are not JSON; bake the file again");
-  return settings;
+  return std::move(*settings);
 }
 
 Json skyJson(const Sky& sky) {
