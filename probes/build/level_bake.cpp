@@ -35,6 +35,19 @@ std::string difference(const sectors::SectorFile& file, geometry::SectorId secto
   return what.empty() ? "" : "changed: " + what;
 }
 
+/// As placement would, before any sector is baked.
+void requireFewRooms(const std::vector<geometry::Box>& room, const std::vector<geometry::SectorId>& sectors) {
+  if (room.size() <= geometry::kMostRooms) return;
+  for (const geometry::SectorId id : sectors) {
+    const geometry::Column square = geometry::columnOf(id, 0.0);
+    const auto touches = [&](const geometry::Box& b) { return square.touches(b.low.x, b.high.x, b.low.z, b.high.z); };
+    const auto count = static_cast<std::size_t>(std::count_if(room.begin(), room.end(), touches));
+    if (count > geometry::kMostRooms)
+      throw base::Error(base::ExitStatus::content, fmt::format("[[room]]: {} touch sector {}; at most {} may", count,
+                                                               nameOf(id), geometry::kMostRooms));
+  }
+}
+
 }  // namespace
 
 std::filesystem::path sectorPath(const std::filesystem::path& folder, geometry::SectorId sector) {
@@ -66,6 +79,7 @@ LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, co
   texture_hash_ = geometry::textureHashes(surfaces_);
   sectors_ = placement::sectorsOf(surfaces_, section_.probes, progress);
   std::sort(sectors_.begin(), sectors_.end());
+  requireFewRooms(section_.probes.room, sectors_);
 }
 
 SectorSettings LevelBake::settingsOf(geometry::SectorId sector) const {

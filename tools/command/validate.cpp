@@ -10,8 +10,10 @@
 #include "command/certificate_text.h"
 #include "command/commands.h"
 #include "command/welkin_file.h"
+#include "probes/build/bake_file.h"
+#include "probes/build/folder_check.h"
 #include "probes/build/level_files.h"
-#include "probes/build/subject.h"
+#include "probes/build/sector_warnings.h"
 #include "probes/sectors/sector_file.h"
 #include "sky/bake/warnings.h"
 #include "sky/base/atomic_file.h"
@@ -25,11 +27,11 @@ using Json = nlohmann::ordered_json;
 
 void validateFile(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") {
-    const build::Subject subject = build::readSubject(path);
-    Json warnings = bake::warningsJson(subject.sky);
-    if (subject.level)
-      for (const std::string& warning : subject.level->surfaces.warning)
-        warnings.push_back({{"id", "geometry"}, {"message", warning}});
+    build::BakeRequest request;
+    request.file = path;
+    const build::BakeInput read = build::readInput(request, {});
+    Json warnings = bake::warningsJson(read.sky);
+    if (read.level) build::addWarnings(*read.level, warnings);
     return printWarnings(warnings);
   }
   const Holds holds = whatHolds(path);
@@ -51,13 +53,12 @@ void requireNoSectors(const std::filesystem::path& folder) {
                                   folder.string()));
 }
 
-/// Checks a path. A folder stands for its sky and, if it has an index, for the level's files that the index names.
+/// Checks a path. A folder stands for its sky and for all files that it records a checksum of.
 void validatePath(const std::string& path) {
-  if (build::isLevelFolder(path))
-    build::checkLevel(path, build::readIndex(build::indexPath(path)));
-  else
-    requireNoSectors(path);
+  if (!build::isLevelFolder(path)) requireNoSectors(path);
   validateFile(skyFileOf(path));
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) build::checkFolder(path);
 }
 
 void validate(const std::vector<std::string>& paths) {
