@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "sky/bake/sky_domain.h"
@@ -24,10 +25,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = det::kPi / 180.0;
 
-/// The file's folder, and the inputs read so far, with warnings of their headers.
+/// The file's folder, and the inputs read so far, with warnings of their headers. Each is read once: its hash is that of
+/// the bytes which are decoded.
 struct Reading {
   std::filesystem::path folder;
   std::vector<Input> inputs;
+  std::map<std::filesystem::path, std::vector<std::byte>> pictures;
   std::vector<model::Warning> warnings;
 
   void record(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -41,8 +44,10 @@ struct Reading {
     const auto name = *at.value<std::string>();
     const std::filesystem::path path = folder / name;
     try {
-      record(name, path, base::readFile(path));
-      image::Image image = image::readImage(path);
+      const auto [picture, is_new] = pictures.try_emplace(path);
+      if (is_new) picture->second = base::readFile(path);
+      record(name, path, picture->second);
+      image::Image image = image::readImage(path.string(), picture->second);
       for (const std::string& note : image.notes)  // of what the header did to the numbers
         warnings.push_back({"picture", 1,
                             fmt::format("{}:{}: {}.{} = '{}': {}", inputs.front().name, at.source().begin.line, section,

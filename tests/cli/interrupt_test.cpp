@@ -83,3 +83,38 @@ TEST_CASE("Interrupt, EndsInThePlanAndInTheCertificate") {
   REQUIRE(readBytes(folder / "err").find("interrupted") != std::string::npos);
   REQUIRE(filesUnder(folder / "out").empty());
 }
+
+// A level of many triangles: most of its bake is reading, ordering, hashing and placing.
+TEST_CASE("Interrupt, EveryStageOfALevelHearsItWithinASecond") {
+  constexpr int kSide = 300;
+  constexpr double kInTime_s = 1.0;
+  const Folder folder;
+  std::string obj;
+  for (int z = 0; z <= kSide; ++z)
+    for (int x = 0; x <= kSide; ++x)
+      obj += "v " + std::to_string(x) + " " + std::to_string(x * z % 7) + " " + std::to_string(z) + "\n";
+  for (int z = 0; z < kSide; ++z)
+    for (int x = 0; x < kSide; ++x) {
+      const int a = z * (kSide + 1) + x + 1;
+      const int b = a + kSide + 1;
+      for (const auto& [second, third] : {std::pair(b, b + 1), std::pair(b + 1, a + 1)})
+        obj += "f " + std::to_string(a) + " " + std::to_string(second) + " " + std::to_string(third) + "\n";
+    }
+  folder.write("sky.toml", skyText(kUniform));
+  folder.write("a.obj", obj);
+  const std::string level = folder.write(
+      "level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"a.obj\"\n[transfer]\nrays = 256\n");
+  constexpr int kSignals = 24;
+  constexpr double kLonger_s = 4.0;
+  for (int i = 0; i < kSignals; ++i) {
+    Tool tool({"bake", level, "-o", folder / "out", "--progress", "none", "--certify", "none"});
+    const double delay_s = 0.1 + kLonger_s * i / kSignals;
+    if (tool.endsWithin(delay_s)) break;
+    tool.send(i % 2 == 0 ? SIGINT : SIGTERM);
+    INFO("after " << delay_s << " s");
+    REQUIRE(tool.endsWithin(kInTime_s));
+    const int status = tool.wait().status;
+    REQUIRE((status == 130 || status == 0 || (i == 0 && status == -SIGINT)));  // the first comes as libraries load
+    fs::remove_all(folder / "out/sectors");
+  }
+}

@@ -2,6 +2,7 @@
 #include "command/progress.h"
 
 #include <fmt/format.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 #include <csignal>
 #include <cstdio>
 #include <optional>
+#include <string_view>
+
+#include "sky/base/error.h"
 
 namespace welkin::command {
 namespace {
@@ -18,9 +22,23 @@ using Clock = std::chrono::steady_clock;
 std::atomic<bool> stop_wanted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // set from a signal handler
 
+timer_t unheard_timer;
+constexpr long kPatience_ns = 500'000'000;
+
 extern "C" void onInterrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
+  const itimerspec once{{0, 0}, {0, kPatience_ns}};
+  timer_settime(unheard_timer, 0, &once, nullptr);
+}
+
+/// Ends the process where a library or a long step has not heard the signal in time. That is as safe as a kill: files
+/// have their names only when they are whole, and the next bake removes temporary ones.
+extern "C" void onUnheard(int) {
+  constexpr std::string_view kMessage = "welkin: interrupted; finished files are kept\n";
+  const ssize_t written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  static_cast<void>(written);
+  ::_exit(static_cast<int>(base::ExitStatus::interrupted));
 }
 
 /// fmt::print throws when stderr is full; progress must not end a bake.
@@ -36,6 +54,11 @@ double seconds(Clock::duration d) {
 }  // namespace
 
 void catchInterrupts() {
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  std::signal(SIGALRM, onUnheard);
+  timer_create(CLOCK_MONOTONIC, &event, &unheard_timer);
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
 }

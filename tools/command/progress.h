@@ -12,7 +12,8 @@
 
 namespace welkin::command {
 
-/// Turns the first SIGINT or SIGTERM into a request to stop. A second one ends the process.
+/// Turns the first SIGINT or SIGTERM into a request to stop. A second one ends the process, as do 0.5 s in which no
+/// work has heard the first.
 void catchInterrupts();
 
 /// Shows the stages of some work, one after the other. While sectors are traced it also shows their rays.
