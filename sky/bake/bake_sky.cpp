@@ -42,7 +42,8 @@ table::Certificate measure(const SkyFile& file, const SkyPlan& plan, double brig
   if (welkin_sky_open_memory(bytes.data(), bytes.size(), &opened, &message) != WELKIN_OK)
     throw base::Error(base::ExitStatus::internal, fmt::format("the runtime refuses what was baked: {}", message.text));
   const std::unique_ptr<WelkinSky, void (*)(WelkinSky*)> owner(opened, welkin_sky_close);
-  const Baked baked{file.sky, plan.representation, plan.table, plan.encoding, plan.quadrature, brightest};
+  const Baked baked{file.sky,        plan.representation, plan.table,          plan.encoding,
+                    plan.quadrature, brightest,           plan.window_strength};
   return certify(opened, baked, how, progress.stage("certificate", certifySteps(baked, how)));
 }
 
@@ -95,8 +96,10 @@ Json warningsOf(const table::Certificate* certificate, std::size_t saturated, fo
           fmt::format("{} components of the cubemaps are past the largest value of their format ({}: {}; EXR: "
                       "65504) and were stored as that; raise luminance_unit and lower intensity",
                       saturated, format::nameOf(format), format::largestOf(format, 2))}});
-  constexpr double kUnsure = 0.05;
-  if (certificate != nullptr && certificate->reference_error > kUnsure * certificate->max_error)
+  // Every sky's reference may be off by kError. Where a smaller error is stated there is nothing to mend.
+  constexpr double kUnsure = 0.05, kOfEverySky = 2.0 * model::IrradianceProjector::kError;
+  if (certificate != nullptr && certificate->reference_error > kOfEverySky &&
+      certificate->reference_error > kUnsure * certificate->max_error)
     warnings.push_back(
         {{"id", "certificate-unsure"},
          {"message", fmt::format("the certificate's own reference may be off by {:.2g}, which is more than {:.0f} % of "

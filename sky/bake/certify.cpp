@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sh/spiral.h"
+#include "sh/window.h"
 #include "sky/base/error.h"
 
 namespace welkin::bake {
@@ -140,6 +141,19 @@ double referenceErrorOf(const model::Sky& model, const std::vector<DayInstant>& 
   return worst;
 }
 
+/// The representation at the hours of `day`, under the table's window: what a key at each of them would hold.
+table::Representation keysAt(const Baked& baked, const table::DayValues& day) {
+  table::Representation r = table::atHoursOf(day, baked.representation);
+  if (baked.window_strength == 0.0) return r;
+  const sh::Window window = sh::windowOf(baked.window_strength);
+  for (std::size_t key = 0; key < r.weight.size(); key += r.rows)
+    for (int l = 0; l < r.bands; ++l)
+      for (int m = 0; m <= l; ++m)
+        r.weight[key + model::polarIndex(l, m)] =
+            r.weight[key + model::polarIndex(l, m)] * window.factor[static_cast<std::size_t>(l)];
+  return r;
+}
+
 /// Sum of errors over channels and normals, with their count.
 struct Mean {
   double sum = 0.0, weight = 0.0;
@@ -177,7 +191,7 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
     }
   certificate.instants += errors.size();
   certificate.reference_error = std::max(certificate.reference_error, referenceErrorOf(baked.sky, instants));
-  const auto parts = table::partsOf(day, table::atHoursOf(day, baked.representation), baked.table, baked.encoding);
+  const auto parts = table::partsOf(day, keysAt(baked, day), baked.table, baked.encoding);
   certificate.parts.truncation = std::max(certificate.parts.truncation, parts.truncation);
   certificate.parts.time = std::max(certificate.parts.time, parts.time);
   certificate.parts.encoding = std::max(certificate.parts.encoding, parts.encoding);

@@ -22,7 +22,8 @@ struct Baked {
   const table::DayTable& table;
   table::Encoding encoding;
   model::Quadrature quadrature;
-  double brightest;  ///< table::brightestOf the sky
+  double brightest;              ///< table::brightestOf the sky
+  double window_strength = 0.0;  ///< of the window on the table's coefficients (sh/window.h)
 };
 
 /// Measures `opened`, the file of `baked`, at every `step_h` hours of the day, every key, the middle between two keys,
