@@ -4,9 +4,21 @@
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 
 namespace welkin::build {
 namespace {
+
+bake::Input hashed(const std::filesystem::path& path) {
+  return bake::inputOf(path.filename().string(), path, base::readFile(path));
+}
+
+/// The loader opens files on its own. One that has changed since it was hashed may have been read as another.
+void requireUnchanged(const bake::Input& input) {
+  const bake::Input now = hashed(input.path);
+  if (now.xxh3_low != input.xxh3_low || now.xxh3_high != input.xxh3_high)
+    throw base::Error(base::ExitStatus::file, input.path.string() + ": changed while it was read; bake again");
+}
 
 Subject subjectOf(const base::TomlFile& toml) {
   const level::LevelFile file = level::levelFileOf(toml);
@@ -14,16 +26,28 @@ Subject subjectOf(const base::TomlFile& toml) {
   Subject subject{bake::readSkyFile(file.sky), {}, {}};
   subject.inputs = subject.sky.inputs;
   subject.inputs.push_back(bake::inputOf(toml.path.filename().string(), toml.path, toml.bytes));
-  for (const level::GeometryEntry& geometry : file.geometry)
-    subject.inputs.push_back(
-        bake::inputOf(geometry.path.filename().string(), geometry.path, base::readFile(geometry.path)));
-  const level::Scene scene = loader::readScene(file);
+  const std::size_t first = subject.inputs.size();
+  for (const level::GeometryEntry& geometry : file.geometry) subject.inputs.push_back(hashed(geometry.path));
+  level::Scene scene = loader::readScene(file);
+  std::vector<std::filesystem::path> files = scene.files;
+  for (const bake::Input& input : subject.inputs) files.push_back(input.path);
+  if (file.outside_files == level::OutsideFiles::refuse) level::requireInside(file.folder, files);
+  if (const auto outside = level::filesOutside(file.folder, files);
+      file.outside_files == level::OutsideFiles::warn && !outside.empty())
+    scene.warnings.push_back("reads files " + level::outsideText(outside) +
+                             "; [level] outside_files = \"refuse\" or \"allow\"");
+  for (std::size_t i = first; i < subject.inputs.size(); ++i) requireUnchanged(subject.inputs[i]);
   bake::BakeSettings& bake = subject.sky.bake;
   if (scene.least_roughness > kReflectiveRoughness && !bake.fixed.cubemaps) {
     bake.cubemap_time_h.clear();
     bake.fixed.cubemaps = true;
   }
-  level.surfaces = loader::surfacesOf(scene, subject.sky.sky.luminance_unit);
+  try {
+    level.surfaces = loader::surfacesOf(scene, subject.sky.sky.luminance_unit);
+  } catch (const base::Error& e) {
+    if (file.outside_files == level::OutsideFiles::allow) throw;
+    level::throwWithoutBytes(e, toml.path, file.folder, files);
+  }
   subject.level = std::move(level);
   return subject;
 }

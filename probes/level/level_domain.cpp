@@ -19,6 +19,16 @@ constexpr std::string_view kMetre = "m";
 base::Domain rows() {
   return {
       {"level", "sky", "", Kind::file, "", {}, Required{}, "the sky file"},
+      {"level",
+       "outside_files",
+       "",
+       Kind::word,
+       "",
+       {},
+       "warn",
+       "files that are not below the level file's folder",
+       "refused",
+       {"warn", "allow", "refuse"}},
       {"[geometry]", "file", "", Kind::file, "", {}, Required{}, ""},
       {"[geometry]", "translation", "", Kind::vector, kMetre, kMetres, 0.0, ""},
       {"[geometry]", "rotation_deg", "", Kind::vector, "degrees", kDegrees, 0.0, "about x, then y, then z"},

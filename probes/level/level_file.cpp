@@ -74,7 +74,12 @@ LevelFile levelFileOf(const base::TomlFile& toml) {
   TomlTable top(name, &toml.root, "");
   LevelFile file;
   TomlTable level = top.table("level");
+  file.folder = folder;
   file.sky = folder / requiredName(level, "sky");
+  const std::string outside = level.string("outside_files", {"warn", "allow", "refuse"}, "warn");
+  file.outside_files = outside == "warn"    ? OutsideFiles::warn
+                       : outside == "allow" ? OutsideFiles::allow
+                                            : OutsideFiles::refuse;
   level.finish();
   for (const char* of_the_bake : {"probes", "transfer", "scale"}) top.table(of_the_bake);
   top.has("room");

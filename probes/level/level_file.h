@@ -9,6 +9,7 @@
 
 #include "probes/geometry/affine.h"
 #include "probes/geometry/surfaces.h"
+#include "probes/level/outside_files.h"
 #include "sky/base/toml_file.h"
 
 namespace welkin::level {
@@ -28,6 +29,8 @@ struct GeometryEntry {
 struct LevelFile {
   std::filesystem::path sky;
   std::vector<GeometryEntry> geometry;
+  std::filesystem::path folder;  ///< of level.toml
+  OutsideFiles outside_files = OutsideFiles::warn;
 };
 
 /// Reads and checks [level] and [[geometry]]. It ignores [probes], [[room]], [transfer] and [scale], which belong to

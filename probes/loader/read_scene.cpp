@@ -27,10 +27,17 @@ std::unique_ptr<level::GeometrySource> readSource(const std::filesystem::path& p
 level::Scene readScene(const level::LevelFile& level) {
   level::SceneBuilder builder;
   std::map<std::filesystem::path, std::unique_ptr<level::GeometrySource>> sources;
+  const level::OutsideFiles rule = level.outside_files;
   for (const level::GeometryEntry& entry : level.geometry) {
-    auto& source = sources[entry.path.lexically_normal()];
-    if (!source) source = readSource(entry.path, builder);
-    source->place(entry);
+    try {
+      auto& source = sources[entry.path.lexically_normal()];
+      if (!source) source = readSource(entry.path, builder);
+      if (rule == level::OutsideFiles::refuse) level::requireInside(level.folder, builder.scene().files);
+      source->place(entry);
+    } catch (const base::Error& e) {
+      if (rule == level::OutsideFiles::allow) throw;
+      level::throwWithoutBytes(e, entry.path, level.folder, builder.scene().files);
+    }
   }
   level::Scene scene = builder.finish();
   if (scene.indices.empty() || scene.draws.empty())
