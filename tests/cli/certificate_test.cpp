@@ -130,3 +130,28 @@ TEST_CASE("Certificate, HowIsOneOfThreeWords") {
   REQUIRE(run.said("full"));
   REQUIRE_FALSE(fs::exists(folder / "out"));
 }
+
+TEST_CASE("Certificate, BooksTheLossOfAWindowAsTruncation") {
+  const Folder folder;
+  const std::string bake = "cubemap_size = 0\nkeys = 1\nbands = 2\nwindow = \"mildest\"";
+  const std::string sky = folder.write(
+      "sky.toml", skyText("luminance = [0, -1, 10000, -30, 0]\nnormalise = \"zenith\"", "path = [[0, 180, 10]]", bake));
+  const json c = bakeReport(sky, folder / "out")["certificate"];
+  constexpr double kFloat = 1e-6;  // The sun stands still: between keys there are only roundings of the table.
+  REQUIRE(c["parts"]["time"] < kFloat);
+  REQUIRE(c["parts"]["truncation"] > 0.9 * c["max_error"].get<double>());
+}
+
+TEST_CASE("Certificate, OnlyANarrowLobeMakesItUnsure") {
+  const Folder folder;
+  const auto warns = [&](const std::string& sky, const std::string& bake) {
+    const json report = bakeReport(
+        folder.write("sky.toml", skyText(sky, "path = [[0, 180, 10]]", "cubemap_size = 0\n" + bake)), folder / "out");
+    REQUIRE(report["certificate"]["reference_error"] > 0.05 * report["certificate"]["max_error"].get<double>());
+    for (const json& warning : report["warnings"])
+      if (warning["id"] == "certificate-unsure") return true;
+    return false;
+  };
+  REQUIRE_FALSE(warns(kUniform, "keys = 1"));
+  REQUIRE(warns("luminance = [0, -1, 10000, -30, 0]\nnormalise = \"zenith\"", "max_error = 0.02"));
+}
