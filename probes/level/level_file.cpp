@@ -74,7 +74,7 @@ LevelFile levelFileOf(const base::TomlFile& toml) {
   TomlTable top(name, &toml.root, "");
   LevelFile file;
   TomlTable level = top.table("level");
-  file.folder = folder;
+  file.folder = folder.empty() ? "." : folder;
   file.sky = folder / requiredName(level, "sky");
   const std::string outside = level.string("outside_files", {"warn", "allow", "refuse"}, "warn");
   file.outside_files = outside == "warn"    ? OutsideFiles::warn

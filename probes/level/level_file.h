@@ -29,7 +29,7 @@ struct GeometryEntry {
 struct LevelFile {
   std::filesystem::path sky;
   std::vector<GeometryEntry> geometry;
-  std::filesystem::path folder;  ///< of level.toml
+  std::filesystem::path folder;  ///< of level.toml; empty: unknown, and no file is outside of it
   OutsideFiles outside_files = OutsideFiles::warn;
 };
 

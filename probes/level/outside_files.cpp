@@ -21,8 +21,9 @@ fs::path resolved(const fs::path& path) {
 }  // namespace
 
 std::vector<fs::path> filesOutside(const fs::path& folder, const std::vector<fs::path>& files) {
-  const fs::path inside = resolved(folder.empty() ? "." : folder);
   std::vector<fs::path> outside;
+  if (folder.empty()) return outside;
+  const fs::path inside = resolved(folder);
   for (const fs::path& file : files) {
     const fs::path below = resolved(file).lexically_relative(inside);
     if ((below.empty() || *below.begin() == "..") && std::find(outside.begin(), outside.end(), file) == outside.end())

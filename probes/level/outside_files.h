@@ -13,7 +13,7 @@ namespace welkin::level {
 /// What a level does with them: `warn`, `allow` or `refuse` ([level] outside_files).
 enum class OutsideFiles { warn, allow, refuse };
 
-/// The files that are not below `folder`, links followed: each once, in their order.
+/// The files that are not below `folder`, links followed: each once, in their order. None if `folder` is empty.
 std::vector<std::filesystem::path> filesOutside(const std::filesystem::path& folder,
                                                 const std::vector<std::filesystem::path>& files);
 
