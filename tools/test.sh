@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs missing packages, builds with warnings as errors and runs every test. First it builds with Clang and the
 # address and undefined-behaviour sanitizers, and runs the unit tests and every fuzzer for half a minute. Then it runs
-# all tests of GCC's release build. Ends with ctest's summary. Tests on real levels need WELKIN_DATA, their folder.
+# all tests of GCC's release build, some unit tests twice: again with floating-point traps (label traps). Ends with
+# ctest's summary. Tests on real levels need WELKIN_DATA, their folder.
 #   tools/test.sh [--long]      --long: each fuzzer runs for 20 minutes; before the release build also the unit tests
 #                               without optimisation, and the faults of tests/mutation
 set -eu
