@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses glTF with tinygltf.
+// Checks the JSON, reads the buffers, and parses the rest with tinygltf.
 #include "probes/loader/gltf_file.h"
 
 #include <fmt/format.h>
@@ -10,15 +10,17 @@
 #include <limits>
 #include <string_view>
 
+#include "probes/loader/gltf_buffers.h"
+#include "probes/loader/gltf_json.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 
 namespace welkin::loader {
 namespace {
 
-/// Records the files that tinygltf asked for, because it reports every failure with the same result.
+/// Gets the paths of images that were read.
 struct Reading {
-  std::string unreadable;  ///< message of the first file that could not be read
   std::vector<std::filesystem::path>* files = nullptr;
 };
 
@@ -45,7 +47,6 @@ bool readWhole(std::vector<unsigned char>* out, std::string* error, const std::s
     out->assign(first, first + bytes.size());
     return true;
   } catch (const base::Error& e) {
-    if (e.status() == base::ExitStatus::file && reading->unreadable.empty()) reading->unreadable = e.what();
     if (error != nullptr) *error += e.what();
     return false;
   }
@@ -62,19 +63,42 @@ bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, in
   return true;
 }
 
-std::string oneLine(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (char& c : text)
-    if (c == '\n') c = ' ';
-  return text.size() > 300 ? text.substr(0, 297) + "..." : text;
-}
-
-void requireKnownExtensions(const std::string& name, const tinygltf::Model& model) {
-  for (const std::string& required : model.extensionsRequired)
+void requireKnownExtensions(const std::string& name, const nlohmann::json& gltf) {
+  if (!gltf.contains("extensionsRequired")) return;
+  for (const nlohmann::json& value : gltf["extensionsRequired"]) {
+    const auto& required = value.get_ref<const std::string&>();
     if (std::find(kExtensions.begin(), kExtensions.end(), required) == kExtensions.end())
       throw base::Error(base::ExitStatus::content,
-                        fmt::format("{}: extensionsRequired: \"{}\" is not known; {} are", name, required.substr(0, 60),
-                                    fmt::join(kExtensions, ", ")));
+                        fmt::format("{}: extensionsRequired: \"{}\" is not known; {} are", name,
+                                    base::shortened(required, 60), fmt::join(kExtensions, ", ")));
+  }
+}
+
+/// Parses a text whose buffers have been read. tinygltf gets small ones instead of them, as it decodes slowly.
+tinygltf::Model parse(nlohmann::json& gltf, GltfBuffers buffers, const std::string& name, const std::string& folder,
+                      Reading& reading) {
+  for (nlohmann::json& buffer : gltf["buffers"])
+    buffer = {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
+  const std::string text = gltf.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks({exists, unchanged, readWhole, writeNothing, &reading});
+  loader.SetImageLoader(keepImage, nullptr);
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  bool parsed = false;
+  try {
+    parsed = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()),
+                                        folder);
+  } catch (const nlohmann::json::exception& e) {  // for types that glTF does not have there
+    error = e.what();
+  }
+  if (!parsed)
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: not a whole glTF file: {}", name,
+                                  base::shortened(base::oneLine(error.empty() ? warning : error), 300)));
+  for (std::size_t i = 0; i < buffers.size(); ++i) model.buffers[i].data = std::move(buffers[i]);
+  return model;
 }
 
 }  // namespace
@@ -83,37 +107,16 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
   const std::string name = path.string();
   const std::vector<std::byte> bytes = base::readFile(path, std::numeric_limits<unsigned int>::max());
   files.push_back(path);
-  Reading reading{{}, &files};
-  tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks({exists, unchanged, readWhole, writeNothing, &reading});
-  loader.SetImageLoader(keepImage, nullptr);
-  tinygltf::Model model;
-  std::string error;
-  std::string warning;
-  const std::string folder = path.parent_path().string();
-  const auto size = static_cast<unsigned int>(bytes.size());
-  const bool binary = bytes.size() >= 4 && std::string(reinterpret_cast<const char*>(bytes.data()), 4) == "glTF";
-  bool parsed = false;
-  try {
-    parsed = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                                  reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                    : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
-                                                 size, folder);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& e) {  // from the JSON library, for types that glTF does not have there
-    error = e.what();
-  }
-  if (!parsed && !reading.unreadable.empty())
-    throw base::Error(base::ExitStatus::file, fmt::format("{}: {}", name, reading.unreadable));
-  if (!parsed)
+  const GltfParts parts = partsOfGltf(bytes, name);
+  nlohmann::json gltf = parseGltfJson(parts.json, name);
+  checkGltfTypes(gltf, name);
+  if (const auto version = gltf["asset"]["version"].get<std::string>(); !version.starts_with("2."))
     throw base::Error(base::ExitStatus::content,
-                      fmt::format("{}: not a whole glTF file: {}", name, oneLine(error.empty() ? warning : error)));
-  if (!model.asset.version.starts_with("2."))
-    throw base::Error(base::ExitStatus::content,
-                      fmt::format("{}: asset.version = \"{}\": must be 2.0", name, model.asset.version.substr(0, 20)));
-  requireKnownExtensions(name, model);
-  return model;
+                      fmt::format("{}: asset.version = \"{}\": must be 2.0", name, base::shortened(version, 20)));
+  requireKnownExtensions(name, gltf);
+  GltfBuffers buffers = readGltfBuffers(gltf, parts.binary, path, files);
+  Reading reading{&files};
+  return parse(gltf, std::move(buffers), name, path.parent_path().string(), reading);
 }
 
 }  // namespace welkin::loader

@@ -10,7 +10,7 @@
 namespace welkin::loader {
 
 /// Reads .gltf or .glb with its buffers. If an image is no buffer view, tinygltf::Image::image gets the encoded bytes
-/// of its file or data. It stays empty if the file cannot be read; that is an error only when the image is used.
+/// of its file. It stays empty if the file cannot be read; that is an error only when the image is used.
 /// `files` gets the paths of all files read. Throws Error: `file` if it or a buffer that it names cannot be read;
 /// `content` if it is cut, foreign, of another version, or requires an unknown extension.
 tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files);

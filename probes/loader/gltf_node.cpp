@@ -29,6 +29,12 @@ geometry::Affine nodeTransform(int index, const tinygltf::Node& node, const Acce
   check(node.rotation, 4, "rotation");
   check(node.scale, 3, "scale");
   const auto& m = node.matrix;
+  constexpr double kRounding = 1e-6;  // of an exporter
+  if (!m.empty() && !(std::abs(m[3]) <= kRounding && std::abs(m[7]) <= kRounding && std::abs(m[11]) <= kRounding &&
+                      std::abs(m[15] - 1.0) <= kRounding))
+    reader.refuse(nodeName(index, node),
+                  fmt::format("matrix is projective: its last row is {}, {}, {}, {}, must be 0, 0, 0, 1", m[3], m[7],
+                              m[11], m[15]));
   if (!m.empty()) return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
   const auto vector = [](const std::vector<double>& v, double otherwise) {
     return v.empty() ? Number3(otherwise) : Number3(v[0], v[1], v[2]);

@@ -33,7 +33,7 @@ class GltfSource : public level::GeometrySource {
     visited_.assign(model_.nodes.size(), false);
     directional_lights_ = 0;
     const std::size_t spots = builder_.scene().spots.size();
-    for (const int root : roots()) placeNode(root, entry, entry.transform, entry.role, 0);
+    placeTrees(roots(), entry);
     warn(directional_lights_ > 0, fmt::format("{} directional lights are left out", directional_lights_));
     const std::size_t placed = builder_.scene().spots.size() - spots;
     warn(placed > 0, fmt::format("{} spot lights light nothing; sectors near them get local transfer", placed));
@@ -66,8 +66,34 @@ class GltfSource : public level::GeometrySource {
     return found;
   }
 
-  void placeNode(int index, const level::GeometryEntry& entry, const geometry::Affine& parent, geometry::Role inherited,
-                 int depth) {
+  /// A node that waits to be placed.
+  struct Waiting {
+    int node;
+    geometry::Affine parent;
+    geometry::Role inherited;
+    int depth;
+  };
+
+  /// Places the nodes below some roots, parents first and in the order of their lists. It does not recurse, so that a
+  /// small stack is enough.
+  void placeTrees(const std::vector<int>& roots, const level::GeometryEntry& entry) {
+    std::vector<Waiting> waiting;
+    const auto add = [&](const std::vector<int>& nodes, const Waiting& like) {
+      for (std::size_t i = nodes.size(); i-- > 0;)
+        waiting.push_back({nodes[i], like.parent, like.inherited, like.depth});
+    };
+    add(roots, {-1, entry.transform, entry.role, 0});
+    while (!waiting.empty()) {
+      const Waiting next = waiting.back();
+      waiting.pop_back();
+      const Waiting children = placeNode(next, entry);
+      add(model_.nodes[static_cast<std::size_t>(next.node)].children, children);
+    }
+  }
+
+  /// Returns what the node's children inherit.
+  Waiting placeNode(const Waiting& at, const level::GeometryEntry& entry) {
+    const int index = at.node;
     if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
       reader_.refuse("nodes", fmt::format("{} is none of the {}", index, model_.nodes.size()));
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
@@ -75,14 +101,14 @@ class GltfSource : public level::GeometrySource {
     if (visited_[static_cast<std::size_t>(index)]) reader_.refuse(name, "has two parents, or is its own");
     visited_[static_cast<std::size_t>(index)] = true;
     constexpr int kDeepest = 256;
-    if (depth > kDeepest) reader_.refuse(name, fmt::format("is more than {} nodes deep", kDeepest));
-    const geometry::Affine transform = parent * nodeTransform(index, node, reader_);
-    const geometry::Role role = nodeRole(index, node, entry, inherited, reader_);
+    if (at.depth > kDeepest) reader_.refuse(name, fmt::format("is more than {} nodes deep", kDeepest));
+    const geometry::Affine transform = at.parent * nodeTransform(index, node, reader_);
+    const geometry::Role role = nodeRole(index, node, entry, at.inherited, reader_);
     if (role != geometry::Role::ignored) {
       if (node.mesh >= 0) placeMesh(node, name, transform, role, entry.albedo);
       if (const tinygltf::Light* light = nodeLight(index, node, model_, reader_)) placeLight(*light, name, transform);
     }
-    for (const int child : node.children) placeNode(child, entry, transform, role, depth + 1);
+    return {index, transform, role, at.depth + 1};
   }
 
   void placeMesh(const tinygltf::Node& node, const std::string& who, const geometry::Affine& transform,

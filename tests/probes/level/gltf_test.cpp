@@ -1,53 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF: transforms, instances, colours and roles. No file makes it read outside a buffer.
-#include <catch2/catch.hpp>
-#include <functional>
-
-#include "probes/loader/read_scene.h"
-#include "sky/base/error.h"
-#include "tests/folder.h"
-#include "tests/gltf_text.h"
+#include "gltf_level.h"
 
 namespace welkin::tests {
-namespace {
-using f64::Number3;
-using nlohmann::json;
-
-level::Scene sceneOf(const std::string& text, const std::function<void(level::GeometryEntry&)>& change = nullptr,
-                     const char* name = "a.gltf") {
-  const Folder folder;
-  level::LevelFile level;
-  level.geometry.push_back({folder.write(name, text), {}, geometry::Role::fixed, {}});
-  if (change) change(level.geometry[0]);
-  return loader::readScene(level);
-}
-
-void checkGltfRefused(const std::string& text, base::ExitStatus status, const std::string& says,
-                      const char* name = "a.gltf") {
-  INFO(says);
-  try {
-    sceneOf(text, nullptr, name);
-    FAIL("it was read");
-  } catch (const base::Error& e) {
-    INFO(e.what());
-    CHECK(e.status() == status);
-    CHECK_THAT(e.what(), Catch::Contains(name) && Catch::Contains(says));
-  }
-}
-
-/// A square; `change` breaks it.
-std::string squareText(const std::function<void(json&)>& change) {
-  GltfText gltf;
-  gltf.addNode(gltf.addMesh(squareMesh()));
-  change(gltf.json);
-  return gltf.text();
-}
-
-void checkWrong(const std::function<void(json&)>& change, const std::string& says) {
-  checkGltfRefused(squareText(change), base::ExitStatus::content, says);
-}
-
-}  // namespace
 
 TEST_CASE("Gltf, NodesPlaceInstancesOfOneMesh") {
   GltfText gltf;
@@ -165,7 +120,7 @@ TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
   auto mesh = squareMesh();
   mesh.indices[4] = 4;
   beyond.addNode(beyond.addMesh(mesh));
-  checkGltfRefused(beyond.text(), base::ExitStatus::content, "index 4 is 4, and there are 4 vertices");
+  checkRefused(beyond.text(), base::ExitStatus::content, "index 4 is 4, and there are 4 vertices");
 }
 
 TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
@@ -192,18 +147,18 @@ TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
   textured.addMaterial({1, 1, 1});
   textured.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   textured.addNode(textured.addMesh(squareMesh(), 0));
-  checkGltfRefused(textured.text(), base::ExitStatus::content, "baseColorTexture");
+  checkRefused(textured.text(), base::ExitStatus::content, "baseColorTexture");
 }
 
 TEST_CASE("Gltf, CutForeignAndMissingFiles") {
   const std::string whole = squareText([](json&) {});
   for (std::size_t size = 0; size < whole.size(); size += 37)
-    checkGltfRefused(whole.substr(0, size), base::ExitStatus::content, "not a whole glTF file");
-  checkGltfRefused("\x89PNG\r\n\x1a\n", base::ExitStatus::content, "not a whole glTF file");
-  checkGltfRefused("{}", base::ExitStatus::content, "not a whole glTF file");
-  checkGltfRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
-                   "a.glb");
-  checkGltfRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
+    checkRefused(whole.substr(0, size), base::ExitStatus::content, "not a whole glTF file");
+  checkRefused("\x89PNG\r\n\x1a\n", base::ExitStatus::content, "not a whole glTF file");
+  checkRefused("{}", base::ExitStatus::content, "asset is missing");
+  checkRefused(std::string("glTF\x02\0\0\0\x40\0\0\0", 12), base::ExitStatus::content, "not a whole glTF file",
+               "a.glb");
+  checkRefused("solid box\n", base::ExitStatus::content, "glTF 2.0", "a.stl");
   // Buffers beside the file: a missing one is an error of the system, a cut one an error of the file.
   const Folder folder;
   GltfText gltf;
