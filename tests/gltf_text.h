@@ -112,17 +112,7 @@ class GltfText {
 
   const std::vector<unsigned char>& bytes() const { return bytes_; }
 
-  nlohmann::json json;
-
- private:
-  int addFloats(const std::vector<float>& values) { return addAccessor(values, 5126, "VEC3", 3); }
-
-  void setTexture(int material) {
-    json["textures"].push_back({{"source", json["images"].size() - 1}});
-    json["materials"][static_cast<std::size_t>(material)]["pbrMetallicRoughness"]["baseColorTexture"] = {
-        {"index", json["textures"].size() - 1}};
-  }
-
+  /// Adds bytes, and a bufferView of them.
   std::size_t addView(const void* values, std::size_t size) {
     while (bytes_.size() % 4 != 0) bytes_.push_back(0);
     json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
@@ -132,6 +122,7 @@ class GltfText {
     return json["bufferViews"].size() - 1;
   }
 
+  /// Adds an accessor of values, with a bufferView of its own.
   template <typename T>
   int addAccessor(const std::vector<T>& values, int component_type, const char* type, std::size_t components) {
     json["accessors"].push_back({{"bufferView", addView(values.data(), values.size() * sizeof(T))},
@@ -139,6 +130,17 @@ class GltfText {
                                  {"count", values.size() / components},
                                  {"type", type}});
     return static_cast<int>(json["accessors"].size()) - 1;
+  }
+
+  nlohmann::json json;
+
+ private:
+  int addFloats(const std::vector<float>& values) { return addAccessor(values, 5126, "VEC3", 3); }
+
+  void setTexture(int material) {
+    json["textures"].push_back({{"source", json["images"].size() - 1}});
+    json["materials"][static_cast<std::size_t>(material)]["pbrMetallicRoughness"]["baseColorTexture"] = {
+        {"index", json["textures"].size() - 1}};
   }
 
   std::vector<unsigned char> bytes_;

@@ -3,14 +3,11 @@
 #include "probes/loader/gltf_file.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
-#include <string_view>
 
 #include "probes/loader/gltf_buffers.h"
+#include "probes/loader/gltf_extensions.h"
 #include "probes/loader/gltf_json.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
@@ -23,11 +20,6 @@ namespace {
 struct Reading {
   std::vector<std::filesystem::path>* files = nullptr;
 };
-
-/// Extensions that a file may require. Unlit surfaces have the albedo of their base colour.
-constexpr std::array<std::string_view, 5> kExtensions = {"EXT_texture_webp", "KHR_lights_punctual",
-                                                         "KHR_materials_emissive_strength", "KHR_materials_unlit",
-                                                         "KHR_texture_transform"};
 
 bool exists(const std::string& path, void*) {
   (void)path;
@@ -63,17 +55,6 @@ bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, in
   return true;
 }
 
-void requireKnownExtensions(const std::string& name, const nlohmann::json& gltf) {
-  if (!gltf.contains("extensionsRequired")) return;
-  for (const nlohmann::json& value : gltf["extensionsRequired"]) {
-    const auto& required = value.get_ref<const std::string&>();
-    if (std::find(kExtensions.begin(), kExtensions.end(), required) == kExtensions.end())
-      throw base::Error(base::ExitStatus::content,
-                        fmt::format("{}: extensionsRequired: \"{}\" is not known; {} are", name,
-                                    base::shortened(required, 60), fmt::join(kExtensions, ", ")));
-  }
-}
-
 /// Parses a text whose buffers have been read. tinygltf gets small ones instead of them, as it decodes slowly.
 tinygltf::Model parse(nlohmann::json& gltf, GltfBuffers buffers, const std::string& name, const std::string& folder,
                       Reading& reading) {
@@ -103,7 +84,8 @@ tinygltf::Model parse(nlohmann::json& gltf, GltfBuffers buffers, const std::stri
 
 }  // namespace
 
-tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files) {
+tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files,
+                         std::vector<std::string>& warnings) {
   const std::string name = path.string();
   const std::vector<std::byte> bytes = base::readFile(path, std::numeric_limits<unsigned int>::max());
   files.push_back(path);
@@ -113,7 +95,8 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
   if (const auto version = gltf["asset"]["version"].get<std::string>(); !version.starts_with("2."))
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: asset.version = \"{}\": must be 2.0", name, base::shortened(version, 20)));
-  requireKnownExtensions(name, gltf);
+  requireKnownExtensions(gltf, name);
+  for (std::string& warning : extensionWarnings(gltf, name)) warnings.push_back(std::move(warning));
   GltfBuffers buffers = readGltfBuffers(gltf, parts.binary, path, files);
   Reading reading{&files};
   return parse(gltf, std::move(buffers), name, path.parent_path().string(), reading);

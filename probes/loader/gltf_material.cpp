@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "probes/loader/gltf_value.h"
 #include "sh/deterministic.h"
 #include "sky/base/error.h"
+#include "sky/image/coded_image.h"
 
 namespace welkin::loader {
 namespace {
@@ -26,6 +29,17 @@ UvRows readTransform(const tinygltf::Value& t, const AccessorReader& reader, con
   return {{{c * scale(0), s * scale(1), offset(0)}, {-s * scale(0), c * scale(1), offset(1)}}};
 }
 
+/// Whether an image is of a format that is read, or says so, and is then damaged.
+bool isTexture(const tinygltf::Image& image, const level::TextureSource& source) {
+  if (image::isTexture(source.name, source.bytes)) return true;
+  std::string says = image.mimeType + " " + image.uri;
+  std::transform(says.begin(), says.end(), says.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr const char* kKinds[] = {"image/png", "image/jpeg", "image/webp", ".png", ".jpg", ".jpeg", ".webp", ".bmp"};
+  return std::any_of(std::begin(kKinds), std::end(kKinds),
+                     [&](const char* kind) { return says.find(kind) != std::string::npos; });
+}
+
 }  // namespace
 
 const GltfMaterial& GltfMaterials::at(int index, const std::string& what) {
@@ -36,6 +50,13 @@ const GltfMaterial& GltfMaterials::at(int index, const std::string& what) {
   return materials_
       .emplace(index, read(material, fmt::format("material {} \"{}\"", index, material.name.substr(0, 60))))
       .first->second;
+}
+
+GltfMaterial GltfMaterials::withoutTexture(int index) {
+  if (const auto found = without_texture_.find(index); found != without_texture_.end()) return found->second;
+  level::SceneMaterial copy = builder_.scene().materials[materials_.at(index).material];
+  copy.surface.texture = -1;
+  return without_texture_.emplace(index, GltfMaterial{builder_.addMaterial(std::move(copy)), -1}).first->second;
 }
 
 GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::string& name) {
@@ -54,15 +75,12 @@ GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::
     const std::string what = name + " baseColorTexture";
     const tinygltf::Value transform = extensionOf(pbr.baseColorTexture.extensions, "KHR_texture_transform");
     surface.texture = readTexture(pbr.baseColorTexture.index, what);
+    if (surface.texture < 0) builder_.scene().warnings.back() += ": the factor of the material stands in";
     surface.uv_row = readTransform(transform, reader_, what);
     constexpr std::size_t kMostSets = 64;
     const int other_set = indexIn(transform, "texCoord", kMostSets, reader_, what);
-    placed.uv_set = other_set >= 0 ? other_set : pbr.baseColorTexture.texCoord;
-    if (placed.uv_set < 0) reader_.refuse(what, fmt::format("texCoord {} is negative", placed.uv_set));
+    if (surface.texture >= 0) placed.uv_set = other_set >= 0 ? other_set : pbr.baseColorTexture.texCoord;
   }
-  if (material.extensions.count("KHR_materials_pbrSpecularGlossiness") != 0)
-    builder_.scene().warnings.push_back(fmt::format(
-        "{}: {}: KHR_materials_pbrSpecularGlossiness is left out, its diffuse colour too", reader_.file(), name));
   readAlpha(material, name, surface);
   readEmission(material, name, result);
   placed.material = builder_.addMaterial(std::move(result));
@@ -100,8 +118,10 @@ void GltfMaterials::readEmission(const tinygltf::Material& material, const std::
   }
   if (material.emissiveTexture.index < 0 || (emission.x == 0.0 && emission.y == 0.0 && emission.z == 0.0)) return;
   into.emissive_texture = readTexture(material.emissiveTexture.index, name + " emissiveTexture");
-  builder_.scene().warnings.push_back(
-      fmt::format("{}: {}: the whole surface emits the mean of its emissiveTexture", reader_.file(), name));
+  if (into.emissive_texture < 0) builder_.scene().warnings.back() += ": its emissiveFactor stands in";
+  if (into.emissive_texture >= 0)
+    builder_.scene().warnings.push_back(
+        fmt::format("{}: {}: the whole surface emits the mean of its emissiveTexture", reader_.file(), name));
 }
 
 int GltfMaterials::readTexture(int index, const std::string& what) {
@@ -109,9 +129,21 @@ int GltfMaterials::readTexture(int index, const std::string& what) {
     reader_.refuse(what, fmt::format("texture {} is none of the {}", index, model_.textures.size()));
   const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
   const std::string who = fmt::format("{}: texture {}", what, index);
+  const auto warn = [&](const std::string& why) {
+    builder_.scene().warnings.push_back(fmt::format("{}: {} {}", reader_.file(), who, why));
+    return -1;
+  };
   const int webp = indexIn(extensionOf(texture.extensions, "EXT_texture_webp"), "source", model_.images.size(), reader_,
                            who + " EXT_texture_webp");
-  level::TextureSource source = readImage(webp >= 0 ? webp : texture.source, who);
+  if (webp < 0 && texture.source < 0) {
+    std::string names;
+    for (const auto& [name, value] : texture.extensions) names += (names.empty() ? "" : ", ") + name;
+    return warn(names.empty() ? "has no image" : fmt::format("has an image of {} alone, which is not read", names));
+  }
+  const int image = webp >= 0 ? webp : texture.source;
+  level::TextureSource source = readImage(image, who);
+  if (!isTexture(model_.images[static_cast<std::size_t>(image)], source))
+    return warn(fmt::format("is in a format that is not read: image {} \"{}\"", image, source.name));
   if (texture.sampler >= 0) {
     if (static_cast<std::size_t>(texture.sampler) >= model_.samplers.size())
       reader_.refuse(who, fmt::format("sampler {} is none of the {}", texture.sampler, model_.samplers.size()));

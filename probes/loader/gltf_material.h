@@ -27,10 +27,14 @@ class GltfMaterials {
   /// `content`.
   const GltfMaterial& at(int index, const std::string& what);
 
+  /// A material that at() has read, with its base colour's factor alone.
+  GltfMaterial withoutTexture(int index);
+
  private:
   GltfMaterial read(const tinygltf::Material& material, const std::string& name);
   void readAlpha(const tinygltf::Material& material, const std::string& name, geometry::Material& surface);
   void readEmission(const tinygltf::Material& material, const std::string& name, level::SceneMaterial& into);
+  /// Index of a texture in the scene; -1, with a warning, if its image is in a format that is not read.
   int readTexture(int index, const std::string& what);
   level::TextureSource readImage(int index, const std::string& what);
 
@@ -38,6 +42,7 @@ class GltfMaterials {
   const AccessorReader& reader_;
   level::SceneBuilder& builder_;
   std::map<int, GltfMaterial> materials_;
+  std::map<int, GltfMaterial> without_texture_;
 };
 
 }  // namespace welkin::loader

@@ -6,6 +6,9 @@
 
 #include <limits>
 
+#include "probes/loader/gltf_morph.h"
+#include "sky/base/message.h"
+
 namespace welkin::loader {
 namespace {
 
@@ -21,15 +24,17 @@ void requireColours(const level::FloatRows& colours, const std::string& what, co
 
 }  // namespace
 
-const std::vector<level::MeshPiece>& GltfMeshes::pieces(int index) {
-  const auto found = meshes_.find(index);
-  if (found != meshes_.end()) return found->second;
+const std::vector<level::MeshPiece>& GltfMeshes::pieces(int index, const std::vector<double>& weights) {
   const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(index)];
+  const std::pair key(index, weights.empty() ? mesh.weights : weights);
+  const auto found = meshes_.find(key);
+  if (found != meshes_.end()) return found->second;
   std::vector<level::MeshPiece> pieces;
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
-    pieces.push_back(readPrimitive(mesh.primitives[i],
-                                   fmt::format("mesh {} \"{}\" primitive {}", index, mesh.name.substr(0, 60), i)));
-  return meshes_.emplace(index, std::move(pieces)).first->second;
+    pieces.push_back(
+        readPrimitive(mesh.primitives[i], key.second,
+                      fmt::format("mesh {} \"{}\" primitive {}", index, base::shortened(mesh.name, 60), i)));
+  return meshes_.emplace(key, std::move(pieces)).first->second;
 }
 
 level::Attributes GltfMeshes::readAttributes(const tinygltf::Primitive& primitive, int uv_set,
@@ -40,17 +45,17 @@ level::Attributes GltfMeshes::readAttributes(const tinygltf::Primitive& primitiv
   };
   level::Attributes result;
   if (accessorOf("POSITION") < 0) reader_.refuse(what, "has no POSITION");
-  result.positions = reader_.floats(accessorOf("POSITION"), what + " POSITION", 3, 3, false);
+  result.positions = reader_.floats(accessorOf("POSITION"), what + " POSITION", 3, 3, Integers::quantized);
   if (const int normal = accessorOf("NORMAL"); normal >= 0)
-    result.normals = reader_.floats(normal, what + " NORMAL", 3, 3, false);
+    result.normals = reader_.floats(normal, what + " NORMAL", 3, 3, Integers::quantized);
   if (const int colour = accessorOf("COLOR_0"); colour >= 0) {
-    result.colours = reader_.floats(colour, what + " COLOR_0", 3, 4, true);
+    result.colours = reader_.floats(colour, what + " COLOR_0", 3, 4, Integers::fractions);
     requireColours(result.colours, what + " COLOR_0", reader_);
   }
   if (uv_set >= 0) {
     const std::string name = fmt::format("TEXCOORD_{}", uv_set);
-    if (accessorOf(name) < 0) reader_.refuse(what, fmt::format("has no {}, which its material's texture needs", name));
-    result.uv = reader_.floats(accessorOf(name), fmt::format("{} {}", what, name), 2, 2, true);
+    result.uv = reader_.floats(accessorOf(name), fmt::format("{} {}", what, name), 2, 2,
+                               reader_.quantized() ? Integers::quantized : Integers::fractions);
   }
   const std::pair<const level::FloatRows*, const char*> others[] = {
       {&result.normals, "normals"}, {&result.colours, "colours"}, {&result.uv, "texture coordinates"}};
@@ -60,11 +65,25 @@ level::Attributes GltfMeshes::readAttributes(const tinygltf::Primitive& primitiv
   return result;
 }
 
-level::MeshPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive, const std::string& what) {
+GltfMaterial GltfMeshes::materialOf(const tinygltf::Primitive& primitive, const std::string& what) {
+  GltfMaterial material = materials_.at(primitive.material, what);
+  const std::string name = fmt::format("TEXCOORD_{}", material.uv_set);
+  if (material.uv_set < 0 || primitive.attributes.count(name) != 0) return material;
+  scene_.warnings.push_back(
+      fmt::format("{}: {}: has no {}: the factor of its material \"{}\" stands in for the texture", reader_.file(),
+                  what, name, model_.materials[static_cast<std::size_t>(primitive.material)].name));
+  return materials_.withoutTexture(primitive.material);
+}
+
+level::MeshPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive, const std::vector<double>& weights,
+                                           const std::string& what) {
   if (primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES)
     reader_.refuse(what, fmt::format("mode {}: must be 4, triangles", primitive.mode));
-  const GltfMaterial* material = primitive.material < 0 ? nullptr : &materials_.at(primitive.material, what);
-  const level::Attributes attributes = readAttributes(primitive, material == nullptr ? -1 : material->uv_set, what);
+  std::optional<GltfMaterial> material;
+  if (primitive.material >= 0) material = materialOf(primitive, what);
+  const int uv_set = material ? material->uv_set : -1;
+  level::Attributes attributes = readAttributes(primitive, uv_set, what);
+  addMorphTargets(primitive, weights, uv_set, reader_, what, attributes);
   std::vector<uint32_t> indices;
   if (primitive.indices >= 0) {
     indices = reader_.indices(primitive.indices, what + " indices", attributes.positions.count);
@@ -75,7 +94,7 @@ level::MeshPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive,
   }
   if (indices.size() % 3 != 0) reader_.refuse(what, fmt::format("{} indices make no triangles", indices.size()));
   level::MeshPiece piece = level::appendPiece(scene_, attributes, indices, fmt::format("{}: {}", reader_.file(), what));
-  if (material != nullptr) piece.material = material->material;
+  if (material) piece.material = material->material;
   return piece;
 }
 

@@ -67,6 +67,11 @@ geometry::Role nodeRole(int index, const tinygltf::Node& node, const level::Geom
   return vegetation ? geometry::Role::vegetation : inherited;
 }
 
+bool isVisible(const tinygltf::Node& node) {
+  const tinygltf::Value extension = extensionOf(node.extensions, "KHR_node_visibility");
+  return !extension.Has("visible") || extension.Get("visible").Get<bool>();
+}
+
 const tinygltf::Light* nodeLight(int index, const tinygltf::Node& node, const tinygltf::Model& model,
                                  const AccessorReader& reader) {
   const int light = indexIn(extensionOf(node.extensions, "KHR_lights_punctual"), "light", model.lights.size(), reader,

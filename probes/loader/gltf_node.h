@@ -21,6 +21,9 @@ geometry::Affine nodeTransform(int index, const tinygltf::Node& node, const Acce
 geometry::Role nodeRole(int index, const tinygltf::Node& node, const level::GeometryEntry& entry,
                         geometry::Role inherited, const AccessorReader& reader);
 
+/// Whether the node itself is visible by KHR_node_visibility.
+bool isVisible(const tinygltf::Node& node);
+
 /// The node's light of KHR_lights_punctual; nullptr if it has none. Throws Error(content).
 const tinygltf::Light* nodeLight(int index, const tinygltf::Node& node, const tinygltf::Model& model,
                                  const AccessorReader& reader);

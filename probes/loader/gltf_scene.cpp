@@ -8,6 +8,7 @@
 
 #include "probes/loader/accessor.h"
 #include "probes/loader/gltf_file.h"
+#include "probes/loader/gltf_instancing.h"
 #include "probes/loader/gltf_mesh.h"
 #include "probes/loader/gltf_node.h"
 
@@ -18,15 +19,12 @@ class GltfSource : public level::GeometrySource {
  public:
   GltfSource(const std::filesystem::path& path, level::SceneBuilder& builder)
       : builder_(builder),
-        model_(readGltf(path, builder.scene().files)),
+        model_(readGltf(path, builder.scene().files, builder.scene().warnings)),
         reader_(model_, path.string()),
         meshes_(model_, reader_, builder) {
     warn(std::any_of(model_.nodes.begin(), model_.nodes.end(),
                      [](const tinygltf::Node& node) { return node.skin >= 0 && node.mesh >= 0; }),
          "skins: skinned meshes stand as their nodes place them");
-    warn(std::find(model_.extensionsUsed.begin(), model_.extensionsUsed.end(), "EXT_mesh_gpu_instancing") !=
-             model_.extensionsUsed.end(),
-         "EXT_mesh_gpu_instancing is left out: its nodes are placed once");
   }
 
   void place(const level::GeometryEntry& entry) override {
@@ -71,6 +69,7 @@ class GltfSource : public level::GeometrySource {
     int node;
     geometry::Affine parent;
     geometry::Role inherited;
+    bool visible;  ///< KHR_node_visibility: a node is if it and all above it are
     int depth;
   };
 
@@ -80,9 +79,9 @@ class GltfSource : public level::GeometrySource {
     std::vector<Waiting> waiting;
     const auto add = [&](const std::vector<int>& nodes, const Waiting& like) {
       for (std::size_t i = nodes.size(); i-- > 0;)
-        waiting.push_back({nodes[i], like.parent, like.inherited, like.depth});
+        waiting.push_back({nodes[i], like.parent, like.inherited, like.visible, like.depth});
     };
-    add(roots, {-1, entry.transform, entry.role, 0});
+    add(roots, {-1, entry.transform, entry.role, true, 0});
     while (!waiting.empty()) {
       const Waiting next = waiting.back();
       waiting.pop_back();
@@ -104,20 +103,23 @@ class GltfSource : public level::GeometrySource {
     if (at.depth > kDeepest) reader_.refuse(name, fmt::format("is more than {} nodes deep", kDeepest));
     const geometry::Affine transform = at.parent * nodeTransform(index, node, reader_);
     const geometry::Role role = nodeRole(index, node, entry, at.inherited, reader_);
-    if (role != geometry::Role::ignored) {
-      if (node.mesh >= 0) placeMesh(node, name, transform, role, entry.albedo);
+    const bool visible = at.visible && isVisible(node);
+    if (visible && role != geometry::Role::ignored) {
+      if (node.mesh >= 0) placeMesh(index, name, transform, role, entry.albedo);
       if (const tinygltf::Light* light = nodeLight(index, node, model_, reader_)) placeLight(*light, name, transform);
     }
-    return {index, transform, role, at.depth + 1};
+    return {index, transform, role, visible, at.depth + 1};
   }
 
-  void placeMesh(const tinygltf::Node& node, const std::string& who, const geometry::Affine& transform,
-                 geometry::Role role, const f64::Number3& albedo) {
+  void placeMesh(int index, const std::string& who, const geometry::Affine& transform, geometry::Role role,
+                 const f64::Number3& albedo) {
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
       reader_.refuse(who, fmt::format("mesh {} is none of the {}", node.mesh, model_.meshes.size()));
-    const std::vector<level::MeshPiece>& pieces = meshes_.pieces(node.mesh);
+    const std::vector<level::MeshPiece>& pieces = meshes_.pieces(node.mesh, node.weights);
     const uint32_t object = builder_.addObject(node.name.empty() ? who : node.name, role);
-    for (const level::MeshPiece& piece : pieces) builder_.place(piece, transform, object, albedo);
+    for (const geometry::Affine& instance : instancesOf(index, node, reader_))
+      for (const level::MeshPiece& piece : pieces) builder_.place(piece, transform * instance, object, albedo);
   }
 
   void placeLight(const tinygltf::Light& light, const std::string& who, const geometry::Affine& transform) {

@@ -13,6 +13,7 @@
 #include "command/shared_options.h"
 #include "probes/build/subject.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 
 namespace welkin::command {
 namespace {
@@ -54,6 +55,8 @@ void reference(const Options& options) {
   for (const std::string& light : options.lights) lights.push_back(parseLight(light));
   const auto limit = options.threads.limit();
   const build::Subject subject = build::readLevel(options.file);
+  for (const std::string& warning : subject.level->surfaces.warning)
+    fmt::print(stderr, "welkin: warning: {}\n", base::oneLine(warning));
   const geometry::Tracer tracer(subject.level->surfaces);
   const int bounces = options.bounces.value_or(subject.level->section.transfer.bounces);
   const reference::ReferenceSettings settings{options.samples, bounces, options.seed};
