@@ -7,8 +7,10 @@
 #include <limits>
 
 #include "probes/loader/gltf_buffers.h"
+#include "probes/loader/gltf_draco.h"
 #include "probes/loader/gltf_extensions.h"
 #include "probes/loader/gltf_json.h"
+#include "probes/loader/gltf_meshopt.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/base/message.h"
@@ -98,6 +100,8 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
   requireKnownExtensions(gltf, name);
   for (std::string& warning : extensionWarnings(gltf, name)) warnings.push_back(std::move(warning));
   GltfBuffers buffers = readGltfBuffers(gltf, parts.binary, path, files);
+  unpackMeshopt(gltf, buffers, name);
+  unpackDraco(gltf, buffers, name);
   Reading reading{&files};
   return parse(gltf, std::move(buffers), name, path.parent_path().string(), reading);
 }
