@@ -34,7 +34,9 @@ Json parseGltfJson(std::string_view text, const std::string& file) {
     if (!gltf.is_object()) throw refuse("its JSON is no object");
     return gltf;
   } catch (const Json::exception& e) {
-    throw refuse(e.what());
+    const std::string_view why = e.what();  // begins with "[the library's name of the error] "
+    const std::size_t end = why.find("] ");
+    throw refuse(std::string(end == std::string_view::npos ? why : why.substr(end + 2)));
   }
 }
 

@@ -22,6 +22,19 @@ void requireColours(const level::FloatRows& colours, const std::string& what, co
                                       i / static_cast<std::size_t>(colours.components), colours.values[i]));
 }
 
+/// The triangles of a strip or a fan. glTF 2.0, 3.7.2.1.
+std::vector<uint32_t> trianglesOf(const std::vector<uint32_t>& v, bool fan) {
+  std::vector<uint32_t> triangles;
+  for (std::size_t i = 0; i + 2 < v.size(); ++i) {
+    const std::size_t odd = i % 2;
+    if (fan)
+      triangles.insert(triangles.end(), {v[i + 1], v[i + 2], v[0]});
+    else
+      triangles.insert(triangles.end(), {v[i], v[i + 1 + odd], v[i + 2 - odd]});
+  }
+  return triangles;
+}
+
 }  // namespace
 
 const std::vector<level::MeshPiece>& GltfMeshes::pieces(int index, const std::vector<double>& weights) {
@@ -30,10 +43,14 @@ const std::vector<level::MeshPiece>& GltfMeshes::pieces(int index, const std::ve
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second;
   std::vector<level::MeshPiece> pieces;
-  for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
-    pieces.push_back(
-        readPrimitive(mesh.primitives[i], key.second,
-                      fmt::format("mesh {} \"{}\" primitive {}", index, base::shortened(mesh.name, 60), i)));
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const std::string what = fmt::format("mesh {} \"{}\" primitive {}", index, base::shortened(mesh.name, 60), i);
+    const int mode = mesh.primitives[i].mode;
+    if (mode >= TINYGLTF_MODE_POINTS && mode <= TINYGLTF_MODE_LINE_STRIP)
+      scene_.warnings.push_back(fmt::format("{}: {}: points and lines are left out", reader_.file(), what));
+    else
+      pieces.push_back(readPrimitive(mesh.primitives[i], key.second, what));
+  }
   return meshes_.emplace(key, std::move(pieces)).first->second;
 }
 
@@ -77,8 +94,6 @@ GltfMaterial GltfMeshes::materialOf(const tinygltf::Primitive& primitive, const 
 
 level::MeshPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive, const std::vector<double>& weights,
                                            const std::string& what) {
-  if (primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES)
-    reader_.refuse(what, fmt::format("mode {}: must be 4, triangles", primitive.mode));
   std::optional<GltfMaterial> material;
   if (primitive.material >= 0) material = materialOf(primitive, what);
   const int uv_set = material ? material->uv_set : -1;
@@ -92,6 +107,8 @@ level::MeshPiece GltfMeshes::readPrimitive(const tinygltf::Primitive& primitive,
       reader_.refuse(what, "has too many vertices");
     for (std::size_t i = 0; i < attributes.positions.count; ++i) indices.push_back(static_cast<uint32_t>(i));
   }
+  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN)
+    indices = trianglesOf(indices, primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN);
   if (indices.size() % 3 != 0) reader_.refuse(what, fmt::format("{} indices make no triangles", indices.size()));
   level::MeshPiece piece = level::appendPiece(scene_, attributes, indices, fmt::format("{}: {}", reader_.file(), what));
   if (material) piece.material = material->material;

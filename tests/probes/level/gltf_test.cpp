@@ -98,6 +98,25 @@ TEST_CASE("Gltf, WithoutNormalsTrianglesAreFlat") {
   }
 }
 
+TEST_CASE("Gltf, StripsAndFansAreTrianglesAndLinesAreLeftOut") {
+  for (const auto& [mode, order] : {std::pair{5, std::vector<uint16_t>{0, 3, 1, 2}}, {6, {0, 3, 2, 1}}}) {
+    GltfText gltf;
+    MeshText mesh = squareMesh();
+    mesh.indices = order;
+    mesh.normals.clear();
+    gltf.addNode(gltf.addMesh(mesh));
+    json& primitives = gltf.json["meshes"][0]["primitives"];
+    primitives[0]["mode"] = mode;
+    primitives.push_back(primitives[0]);
+    primitives[1]["mode"] = 1;
+    const level::Scene scene = sceneOf(gltf.text());
+    REQUIRE(scene.vertices.size() == 6);
+    for (const level::Vertex& v : scene.vertices) CHECK(v.normal[1] == 1.0F);  // every triangle faces up
+    REQUIRE(scene.warnings.size() == 1);
+    CHECK_THAT(scene.warnings[0], Catch::Contains("primitive 1: points and lines are left out"));
+  }
+}
+
 TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
   checkWrong([](json& j) { j["accessors"][0]["count"] = 5; }, "5 elements of 12 bytes");
   checkWrong([](json& j) { j["accessors"][0]["count"] = 4000000000U; }, "elements of 12 bytes");
@@ -125,7 +144,6 @@ TEST_CASE("Gltf, AccessorsOutOfBoundsAreRefused") {
 
 TEST_CASE("Gltf, WhatCannotBeDrawnIsRefusedByName") {
   checkWrong([](json& j) { j["asset"]["version"] = "1.0"; }, "asset.version = \"1.0\"");
-  checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["mode"] = 5; }, "mode 5");
   checkWrong([](json& j) { j["meshes"][0]["primitives"][0]["material"] = 3; }, "material 3");
   checkWrong([](json& j) { j["nodes"][0]["mesh"] = 3; }, "mesh 3");
   checkWrong([](json& j) { j["nodes"][0]["children"] = {0}; }, "node 0");
