@@ -70,9 +70,14 @@ BakeInput readInput(const BakeRequest& request, const base::Progress& progress) 
   if (request.max_error) subject.sky.bake.max_error = request.max_error;
   BakeInput read{std::move(subject.sky), std::move(subject.inputs), std::nullopt};
   if (!subject.level) requireLevel(request);
-  if (subject.level)
+  if (!subject.level) return read;
+  try {
     read.level.emplace(std::move(subject.level->surfaces), subject.level->section, read.sky.sky,
                        read.sky.bake.max_error, progress);
+  } catch (const base::Error& e) {  // it does not know the file
+    if (e.status() != base::ExitStatus::content) throw;
+    throw base::Error(e.status(), fmt::format("{}: {}", request.file.string(), e.what()));
+  }
   return read;
 }
 

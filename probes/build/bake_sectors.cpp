@@ -132,6 +132,9 @@ void bakeSectors(const LevelBake& level, const LevelOptions& options, const base
     timing.update(baker.timing());
   }
   report["sectors"] = std::move(sectors);
+  std::size_t probes = 0;
+  for (const sectors::SectorEntry& entry : entries) probes += entry.probes;
+  if (entries.size() == level.sectors().size()) addProbelessWarning(entries.size(), probes, warnings);
   sectors::LevelIndex index = level.index();
   if (options.shard) {
     removeParts(options.folder, options.shard->count);

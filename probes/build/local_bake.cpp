@@ -61,8 +61,7 @@ bool hasLocalTransfer(geometry::SectorId sector, const TransferSection& transfer
       break;
   }
   return std::any_of(level.light.begin(), level.light.end(),
-                     [&](const geometry::PointLight& light) { return reach.holds(light.position); }) ||
-         std::any_of(level.spot.begin(), level.spot.end(), [&](const Number3& place) { return reach.holds(place); });
+                     [&](const geometry::StaticLight& l) { return !l.directional && reach.holds(l.position); });
 }
 
 std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometry::PlacedSector& sector,

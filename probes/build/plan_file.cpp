@@ -70,6 +70,9 @@ Json planFile(const BakeRequest& request, const BakeInput& read, const base::Pro
   if (!read.level) return json;
   addWarnings(*read.level, json["warnings"]);
   json["sectors"] = sectorsJson(*read.level, request.folder, progress);
+  std::size_t probes = 0;
+  for (const Json& sector : json["sectors"]) probes += sector["probes"].get<std::size_t>();
+  addProbelessWarning(json["sectors"].size(), probes, json["warnings"]);
   return json;
 }
 

@@ -23,8 +23,8 @@ transfer::SectorProbes darkProbes(const geometry::PlacedSector& placed, const ge
   probes.sun.resize(placed.probe.size());
   for (transfer::SunCoefficients& sun : probes.sun)
     for (std::vector<double>& direction : sun) direction.resize(count);
-  const bool emits = std::any_of(near.material.begin(), near.material.end(),
-                                 [](const geometry::Material& m) { return !(m.emission == Number3(0.0)); });
+  const bool emits = !near.light.empty() || std::any_of(near.material.begin(), near.material.end(),
+                                                        [](const auto& m) { return !(m.emission == Number3(0.0)); });
   if (emits && !probes.transfer.empty()) probes.transfer.front().emitted.front() = Number3(1.0);
   return probes;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "probes/build/level_hints.h"
 #include "probes/geometry/sector_name.h"
 
 namespace welkin::build {
@@ -37,11 +38,32 @@ std::string placesOf(const placement::PlacementCounts& placement,
 void addWarnings(const LevelBake& level, Json& warnings) {
   for (const std::string& warning : level.surfaces().warning)
     warnings.push_back({{"id", "geometry"}, {"message", warning}});
+  if (const auto dome = domeAround(level.surfaces()))
+    warnings.push_back(
+        {{"id", "sky-dome"},
+         {"message", fmt::format("object \"{0}\" encloses the level and hides its sky; if it is a mesh for the sky, "
+                                 "ignore_nodes = [\"{0}\"] in its [[geometry]] leaves it out",
+                                 *dome)}});
+  if (seemsInCentimetres(level.surfaces(), level.sectors().size()))
+    warnings.push_back(
+        {{"id", "centimetres"},
+         {"message", fmt::format("the level has {} sectors of 64 m, and most triangles are longer than 30 "
+                                 "m; if it is in centimetres, scale = 0.01 in its [[geometry]] mends it",
+                                 level.sectors().size())}});
   if (level.sectors().empty())
     warnings.push_back({{"id", "no-sectors"},
                         {"message",
                          "the level has no sector: no static surface faces up, nothing is vegetation, and no probe is "
                          "added by hand"}});
+}
+
+void addProbelessWarning(std::size_t sectors, std::size_t probes, Json& warnings) {
+  if (sectors > 0 && probes == 0)
+    warnings.push_back(
+        {{"id", "no-probes"},
+         {"message", fmt::format("none of the {} sectors keeps a probe: every place is inside of geometry "
+                                 "or too close to it; faces that are turned inside out look like that",
+                                 sectors)}});
 }
 
 void addWarnings(const SectorFile& file, std::optional<double> budget, Json& warnings) {

@@ -48,10 +48,11 @@ class Ordering {
     texture_ = firstOfEqual(texture_hash);
     for (Material m : level_.material) {
       base::Hasher hasher;
-      if (m.texture >= 0) {
-        hasher.add(texture_hash[static_cast<std::size_t>(m.texture)]);
-        m.texture = 0;
-      }
+      for (int* texture : {&m.texture, &m.emission_texture})
+        if (*texture >= 0) {
+          hasher.add(texture_hash[static_cast<std::size_t>(*texture)]);
+          *texture = 0;
+        }
       addTo(hasher, m);
       material_hash_.push_back(hasher.digest());
     }
@@ -79,17 +80,18 @@ class Ordering {
     level_.uv = std::move(uv);
     level_.colour = std::move(colour);
     for (Material& m : level_.material)
-      if (m.texture >= 0) m.texture = static_cast<int>(texture_[static_cast<std::size_t>(m.texture)]);
+      for (int* texture : {&m.texture, &m.emission_texture})
+        if (*texture >= 0) *texture = static_cast<int>(texture_[static_cast<std::size_t>(*texture)]);
     std::sort(level_.light.begin(), level_.light.end(),
-              [](const PointLight& a, const PointLight& b) { return numbersOf(a) < numbersOf(b); });
-    std::sort(level_.spot.begin(), level_.spot.end(),
-              [](const Number3& a, const Number3& b) { return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z); });
+              [](const StaticLight& a, const StaticLight& b) { return numbersOf(a) < numbersOf(b); });
     return std::move(level_);
   }
 
  private:
-  static std::array<double, 6> numbersOf(const PointLight& l) {
-    return {l.position.x, l.position.y, l.position.z, l.intensity.x, l.intensity.y, l.intensity.z};
+  static std::array<double, 13> numbersOf(const StaticLight& l) {
+    return {l.position.x,     l.position.y, l.position.z, l.intensity.x, l.intensity.y,
+            l.intensity.z,    l.axis.x,     l.axis.y,     l.axis.z,      l.directional ? 1.0 : 0.0,
+            l.inverse_range4, l.cone_scale, l.cone_offset};
   }
 
   bool isVegetation(const Triangle& t) const { return level_.object[t.object].role == Role::vegetation; }
@@ -98,7 +100,7 @@ class Ordering {
     Corners c;
     for (std::size_t i = 0; i < 3; ++i) {
       c.position[i] = level_.position[t.vertex[i]];
-      if (level_.material[t.material].texture >= 0 && !level_.uv.empty()) c.uv[i] = level_.uv[t.vertex[i]];
+      if (level_.material[t.material].isTextured() && !level_.uv.empty()) c.uv[i] = level_.uv[t.vertex[i]];
       if (!level_.colour.empty()) c.colour[i] = level_.colour[t.vertex[i]];
     }
     return c;

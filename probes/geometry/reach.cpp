@@ -51,7 +51,7 @@ class Part {
     copy.object = object_.of(oneForAll(triangle.object), [&](std::uint32_t o) {
       near_.surfaces.object.push_back({"", level_.object[o].role});
     });
-    const bool textured = near_.surfaces.material[copy.material].texture >= 0 && !level_.uv.empty();
+    const bool textured = near_.surfaces.material[copy.material].isTextured() && !level_.uv.empty();
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t old = triangle.vertex[i];
       copy.vertex[i] = static_cast<std::uint32_t>(near_.surfaces.position.size());
@@ -67,10 +67,8 @@ class Part {
   NearSurfaces finish(const Column& column) {
     if (any_texture_) near_.surfaces.uv = std::move(uv_);
     if (any_colour_) near_.surfaces.colour = std::move(colour_);
-    for (const PointLight& light : level_.light)
-      if (column.holds(light.position)) near_.surfaces.light.push_back(light);
-    for (const Number3& place : level_.spot)
-      if (column.holds(place)) near_.surfaces.spot.push_back(place);
+    for (const StaticLight& light : level_.light)
+      if (light.directional || column.holds(light.position)) near_.surfaces.light.push_back(light);
     return std::move(near_);
   }
 
@@ -85,13 +83,13 @@ class Part {
 
   void addMaterial(std::uint32_t m) {
     Material material = level_.material[m];
-    if (material.texture >= 0)
-      material.texture =
-          static_cast<int>(texture_.of(static_cast<std::uint32_t>(material.texture), [&](std::uint32_t t) {
-            const Texture& whole = level_.texture[t];
-            near_.surfaces.texture.push_back({whole.width, whole.height, {}, whole.wrap_u, whole.wrap_v});
-            near_.texture.push_back(t);
-          }));
+    for (int* texture : {&material.texture, &material.emission_texture})
+      if (*texture >= 0)
+        *texture = static_cast<int>(texture_.of(static_cast<std::uint32_t>(*texture), [&](std::uint32_t t) {
+          const Texture& whole = level_.texture[t];
+          near_.surfaces.texture.push_back({whole.width, whole.height, {}, whole.wrap_u, whole.wrap_v});
+          near_.texture.push_back(t);
+        }));
     near_.surfaces.material.push_back(material);
   }
 
@@ -139,10 +137,14 @@ void addTo(base::Hasher& hasher, const Material& m) {
   addTo(hasher, m.albedo);
   addTo(hasher, m.emission);
   hasher.add(m.texture);
-  for (const auto& row : m.uv_row)
-    for (const double number : row) hasher.add(number);
+  hasher.add(m.emission_texture);
+  for (const UvRows& rows : {m.uv_row, m.emission_uv_row})
+    for (const auto& row : rows)
+      for (const double number : row) hasher.add(number);
   hasher.add(m.alpha);
   hasher.add(m.alpha_cutoff);
+  hasher.add(std::uint8_t{m.blended});
+  hasher.add(m.transmission);
   hasher.add(std::uint8_t{m.double_sided});
 }
 
@@ -166,12 +168,11 @@ void addTo(base::Hasher& hasher, const NearSurfaces& near, const std::vector<bas
   hasher.add(std::uint64_t{s.object.size()});
   for (const Object& object : s.object) hasher.add(object.role);
   hasher.add(std::uint64_t{s.light.size()});
-  for (const PointLight& light : s.light) {
-    addTo(hasher, light.position);
-    addTo(hasher, light.intensity);
+  for (const StaticLight& light : s.light) {
+    for (const Number3& v : {light.position, light.intensity, light.axis}) addTo(hasher, v);
+    hasher.add(std::uint8_t{light.directional});
+    for (const double number : {light.inverse_range4, light.cone_scale, light.cone_offset}) hasher.add(number);
   }
-  hasher.add(std::uint64_t{s.spot.size()});
-  for (const Number3& place : s.spot) addTo(hasher, place);
 }
 
 }  // namespace welkin::geometry

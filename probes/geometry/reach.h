@@ -35,7 +35,8 @@ struct NearSurfaces {
   std::vector<std::uint32_t> texture;  ///< index of each texture in the level
 };
 
-/// The triangles whose boxes touch the column, in the level's order, and the lights within the column.
+/// The triangles whose boxes touch the column, in the level's order, the lights within the column, and
+/// every directional light.
 NearSurfaces surfacesWithin(const Surfaces& level, const Column& column);
 
 /// Adds the level's texels, so that rays can be traced.
@@ -44,7 +45,7 @@ Surfaces withTexels(NearSurfaces near, const Surfaces& level);
 /// Hashes of a level's textures, as addTo needs them.
 std::vector<base::Hash128> textureHashes(const Surfaces& level);
 
-/// Adds a material to a hash, with the index of its texture.
+/// Adds a material to a hash, with the indices of its textures.
 void addTo(base::Hasher& hasher, const Material& material);
 
 /// Adds everything that a bake can see of the surfaces to a hash.

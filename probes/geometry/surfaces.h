@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "probes/geometry/static_light.h"
 #include "shared.h"
 
 namespace welkin::geometry {
@@ -28,19 +29,29 @@ struct Texture {
   Wrap wrap_v = Wrap::repeat;
 };
 
+/// Texture coordinates from the vertex's: u = row[0] . (u, v, 1), v = row[1] . (u, v, 1) (KHR_texture_transform).
+using UvRows = std::array<std::array<double, 3>, 2>;
+inline constexpr UvRows kSameUv{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
+
 struct Material {
   Number3 albedo{0.5, 0.5, 0.5};  ///< linear, in [0, 1]; multiplies vertex colour and texture
   Number3 emission{0.0};          ///< radiance, scene units, >= 0
-  int texture = -1;               ///< index into Surfaces::texture; -1: none
-  /// Texture coordinates from the vertex's: u = uv_row[0] . (u, v, 1), v = uv_row[1] . (u, v, 1)
-  /// (KHR_texture_transform).
-  std::array<std::array<double, 3>, 2> uv_row{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
+  int texture = -1;               ///< of base colours and alpha, index into Surfaces::texture; -1: none
+  UvRows uv_row = kSameUv;
+  int emission_texture = -1;  ///< its colours multiply the emission; -1: none
+  UvRows emission_uv_row = kSameUv;
   double alpha = 1.0;         ///< multiplies the texture's alpha
   double alpha_cutoff = 0.0;  ///< there is no surface where alpha is below this; 0: opaque
+  bool blended = false;       ///< alpha is the share of the surface that is there; cut at alpha_cutoff for places alone
+  double transmission = 0.0;  ///< share of light that passes what is there, times the base colour, in [0, 1]
   bool double_sided = false;  ///< if false, the back is black and lets nothing through
+
+  /// Whether light passes the surface, in part or in full.
+  bool letsLightThrough() const { return blended || transmission > 0.0; }
+  bool isTextured() const { return texture >= 0 || emission_texture >= 0; }
 };
 
-/// A point light of KHR_lights_punctual. `intensity` is radiant intensity in scene units.
+/// A point light that a game moves and colours. `intensity` is radiant intensity in scene units.
 struct PointLight {
   Number3 position;
   Number3 intensity;
@@ -66,8 +77,7 @@ struct Surfaces {
   std::vector<Material> material;
   std::vector<Texture> texture;
   std::vector<Object> object;
-  std::vector<PointLight> light;
-  std::vector<Number3> spot;  ///< places of spot lights; they light nothing, but dynamic lights are expected there
+  std::vector<StaticLight> light;
   std::size_t dropped_triangles = 0;  ///< triangles without area or with numbers that are not finite
   std::vector<std::string> warning;   ///< features of the files that are ignored or read differently, with their names
   std::vector<std::filesystem::path> file;  ///< all files read: level.toml's geometry, buffers, materials, images

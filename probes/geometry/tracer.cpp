@@ -27,6 +27,18 @@ struct Barycentric {
   Barycentric(double u, double v) : w{1.0 - u - v, u, v} {}
 };
 
+/// The texture's texel at a point of a triangle.
+Texel texelOf(const Surfaces& s, const Triangle& triangle, const Barycentric& at, int texture, const UvRows& row) {
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    x += double{s.uv[triangle.vertex[i]][0]} * at.w[i];
+    y += double{s.uv[triangle.vertex[i]][1]} * at.w[i];
+  }
+  return texelAt(s.texture[static_cast<std::size_t>(texture)], row[0][0] * x + row[0][1] * y + row[0][2],
+                 row[1][0] * x + row[1][1] * y + row[1][2]);
+}
+
 /// Base colour and alpha of a triangle at a point.
 Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v) {
   const Barycentric at(u, v);
@@ -38,15 +50,7 @@ Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v)
     result.colour = result.colour * colour;
   }
   if (m.texture < 0 || s.uv.empty()) return result;
-  double x = 0.0;
-  double y = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    x += double{s.uv[triangle.vertex[i]][0]} * at.w[i];
-    y += double{s.uv[triangle.vertex[i]][1]} * at.w[i];
-  }
-  const auto& row = m.uv_row;
-  const Texel texel = texelAt(s.texture[static_cast<std::size_t>(m.texture)], row[0][0] * x + row[0][1] * y + row[0][2],
-                              row[1][0] * x + row[1][1] * y + row[1][2]);
+  const Texel texel = texelOf(s, triangle, at, m.texture, m.uv_row);
   return {result.colour * texel.colour, result.alpha * texel.alpha};
 }
 
@@ -56,6 +60,8 @@ struct Part {
   std::vector<std::uint32_t> triangle;  ///< index into Surfaces::triangle for each primitive
 };
 
+constexpr unsigned kForLight = 1;  ///< RTCRay::flags of Meets::light
+
 void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
   const auto& part = *static_cast<const Part*>(arguments->geometryUserPtr);
   for (unsigned i = 0; i < arguments->N; ++i) {
@@ -63,7 +69,10 @@ void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
     const Triangle& triangle = part.surfaces->triangle[part.triangle[RTCHitN_primID(arguments->hit, arguments->N, i)]];
     const double u = double{RTCHitN_u(arguments->hit, arguments->N, i)};
     const double v = double{RTCHitN_v(arguments->hit, arguments->N, i)};
-    const double cutoff = part.surfaces->material[triangle.material].alpha_cutoff;
+    const Material& material = part.surfaces->material[triangle.material];
+    // Where nothing of a blended surface is there, light need not ask for it.
+    const bool any = material.blended && RTCRayN_flags(arguments->ray, arguments->N, i) == kForLight;
+    const double cutoff = any ? std::numeric_limits<double>::min() : material.alpha_cutoff;
     if (surfaceAt(*part.surfaces, triangle, u, v).alpha < cutoff) arguments->valid[i] = 0;
   }
 }
@@ -85,9 +94,9 @@ void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double
   ray.tnear = 0.0F;
   ray.tfar = static_cast<float>(std::min(far, double{std::numeric_limits<float>::max()}));
   ray.time = 0.0F;
-  ray.mask = meets == Meets::all ? kFixedMask | kOtherMask : kFixedMask;
+  ray.mask = meets == Meets::fixed ? kFixedMask : kFixedMask | kOtherMask;
   ray.id = 0;
-  ray.flags = 0;
+  ray.flags = meets == Meets::light ? kForLight : 0;
 }
 
 }  // namespace
@@ -96,6 +105,7 @@ struct Tracer::Scene {
   const Surfaces* surfaces;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  bool any_see_through = false;
   /// Embree's geometries: opaque and masked of static geometry, then opaque and masked of the rest.
   std::array<Part, 4> part;
 
@@ -110,6 +120,7 @@ struct Tracer::Scene {
     part.fill({&s, {}});
     for (std::uint32_t i = 0; i < s.triangle.size(); ++i) {
       const bool masked = s.material[s.triangle[i].material].alpha_cutoff > 0.0;
+      any_see_through = any_see_through || s.material[s.triangle[i].material].letsLightThrough();
       const bool fixed = s.object[s.triangle[i].object].role == Role::fixed;
       part[(fixed ? 0 : 2) + (masked ? 1 : 0)].triangle.push_back(i);
     }
@@ -201,7 +212,8 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   hit.back_along = -direction;
   for (const std::uint32_t corner : triangle.vertex)
     for (const float x : surfaces().position[corner]) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(double{x}));
-  hit.back = behind && !surfaces().material[triangle.material].double_sided;
+  const Material& material = surfaces().material[triangle.material];
+  hit.back = behind && !material.double_sided && !material.letsLightThrough();
   return hit;
 }
 
@@ -222,14 +234,47 @@ Number3 Tracer::leaving(const Hit& hit) const {
   return hit.position + hit.normal * off + hit.back_along * std::min(kBack * off, 0.5 * hit.distance);
 }
 
+Number3 Tracer::beyond(const Hit& hit) const {
+  Hit other = hit;
+  other.normal = -hit.normal;
+  other.back_along = Number3(0.0);
+  return leaving(other);
+}
+
+bool Tracer::anySeeThrough() const {
+  return scene_->any_see_through;
+}
+
+Number3 Tracer::passing(const Hit& hit) const {
+  const Triangle& triangle = surfaces().triangle[hit.triangle];
+  const Material& material = surfaces().material[triangle.material];
+  if (!material.letsLightThrough()) return Number3(0.0);
+  const Texel surface = surfaceAt(surfaces(), triangle, hit.u, hit.v);
+  const double there = material.blended ? surface.alpha : 1.0;
+  return surface.colour * (there * material.transmission) + Number3(1.0 - there);
+}
+
 Number3 Tracer::albedo(const Hit& hit) const {
   if (hit.back) return Number3(0.0);
-  return surfaceAt(surfaces(), surfaces().triangle[hit.triangle], hit.u, hit.v).colour;
+  const Triangle& triangle = surfaces().triangle[hit.triangle];
+  const Material& material = surfaces().material[triangle.material];
+  const Texel surface = surfaceAt(surfaces(), triangle, hit.u, hit.v);
+  if (!material.letsLightThrough()) return surface.colour;
+  return surface.colour * ((material.blended ? surface.alpha : 1.0) * (1.0 - material.transmission));
 }
 
 Number3 Tracer::emission(const Hit& hit) const {
   if (hit.back) return Number3(0.0);
-  return surfaces().material[surfaces().triangle[hit.triangle].material].emission;
+  const Triangle& triangle = surfaces().triangle[hit.triangle];
+  const Material& material = surfaces().material[triangle.material];
+  if (material.emission == Number3(0.0)) return material.emission;
+  Number3 emission = material.emission;
+  if (material.emission_texture >= 0 && !surfaces().uv.empty())
+    emission = emission * texelOf(surfaces(), triangle, Barycentric(hit.u, hit.v), material.emission_texture,
+                                  material.emission_uv_row)
+                              .colour;
+  if (material.blended) emission *= surfaceAt(surfaces(), triangle, hit.u, hit.v).alpha;
+  return emission;
 }
 
 }  // namespace welkin::geometry

@@ -24,8 +24,10 @@ struct Hit {
   Number3 back_along{0.0};  ///< unit direction to where the ray came from; 0 for a point that no ray found
 };
 
-/// The surfaces that a ray meets: every surface, or static geometry only (vegetation and water let it pass).
-enum class Meets { all, fixed };
+/// The surfaces that a ray meets: every surface, or static geometry only (vegetation and water let it pass). The first
+/// two are for places: a blended surface is there where its alpha is alpha_cutoff or more. For `light` every surface is
+/// there, and how much of it is the light's own business (see_through.h).
+enum class Meets { all, fixed, light };
 
 /// Immutable after construction; any thread may trace any ray. Results have the same bits on every machine with kIsa,
 /// because Embree runs robust and with this instruction set only.
@@ -56,9 +58,17 @@ class Tracer {
   /// wall that stands on the surface there.
   Number3 leaving(const Hit& hit) const;
 
-  /// Diffuse albedo, linear, in [0, 1]; 0 on the back of a one-sided surface.
+  /// The start of a ray that passes the surface that it met: off the plane on the other side.
+  Number3 beyond(const Hit& hit) const;
+
+  /// Whether light passes some surface of the level.
+  bool anySeeThrough() const;
+  /// Share of the light that passes the surface straight on, linear, in [0, 1]. Thin glass: no light is bent.
+  Number3 passing(const Hit& hit) const;
+  /// Diffuse albedo, linear, in [0, 1]; 0 on the back of a one-sided surface that no light passes. `passing` and this
+  /// sum to at most 1.
   Number3 albedo(const Hit& hit) const;
-  /// Emitted radiance; 0 on the back of a one-sided surface.
+  /// Emitted radiance; 0 on the back of a one-sided surface that no light passes.
   Number3 emission(const Hit& hit) const;
 
   const Surfaces& surfaces() const;

@@ -32,14 +32,14 @@ Number3 readScale(TomlTable& table) {
   return Number3(table.number("scale", rangeOf("scale"), 1.0));
 }
 
-std::vector<std::string> readPatterns(TomlTable& table) {
+std::vector<std::string> readPatterns(TomlTable& table, const char* key) {
   std::vector<std::string> patterns;
-  const toml::node* n = table.node("vegetation_nodes");
+  const toml::node* n = table.node(key);
   if (n == nullptr) return patterns;
-  if (!n->is_array()) table.refuse("vegetation_nodes", n, "must be a list of node names, * for any characters");
+  if (!n->is_array()) table.refuse(key, n, "must be a list of node names, * for any characters");
   for (const toml::node& entry : *n->as_array()) {
     const auto name = entry.value<std::string>();
-    if (!name) table.refuse("vegetation_nodes", &entry, "must be a node name, * for any characters");
+    if (!name) table.refuse(key, &entry, "must be a node name, * for any characters");
     patterns.push_back(*name);
   }
   return patterns;
@@ -52,7 +52,8 @@ GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder)
   const Number3 rotation_deg = table.colour("rotation_deg", rangeOf("rotation_deg"), Number3(0.0));
   entry.transform = geometry::fromEuler(translation, rotation_deg * kRadians, readScale(table));
   entry.role = *roleOf(table.string("role", {"static", "vegetation", "ignore"}, "static"));
-  entry.vegetation_nodes = readPatterns(table);
+  entry.vegetation_nodes = readPatterns(table, "vegetation_nodes");
+  entry.ignore_nodes = readPatterns(table, "ignore_nodes");
   entry.albedo = table.colour("albedo", rangeOf("albedo"), entry.albedo);
   table.finish();
   return entry;

@@ -23,6 +23,7 @@ struct GeometryEntry {
   geometry::Affine transform;
   geometry::Role role = geometry::Role::fixed;
   std::vector<std::string> vegetation_nodes;  ///< patterns of node names; * stands for any run of characters
+  std::vector<std::string> ignore_nodes{};    ///< patterns of nodes that are left out with all below them
   f64::Number3 albedo{0.5, 0.5, 0.5};         ///< for surfaces with neither a material nor vertex colours
 };
 

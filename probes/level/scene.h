@@ -42,9 +42,10 @@ struct TextureSource {
 };
 
 struct SceneMaterial {
-  geometry::Material surface;  ///< its texture is an index into Scene::textures
-  int emissive_texture = -1;   ///< index into Scene::textures; its mean colour multiplies the emission; -1: none
-  double roughness = 1.0;      ///< 0: a mirror
+  geometry::Material surface;      ///< its texture is an index into Scene::textures
+  int mean_emission_texture = -1;  ///< index into Scene::textures; its mean colour multiplies the emission; -1: none
+  int mean_transmission_texture = -1;  ///< the mean of its red multiplies the transmission; -1: none
+  double roughness = 1.0;              ///< 0: a mirror
 };
 
 /// Consecutive instances of one piece of a mesh.
@@ -78,13 +79,12 @@ struct Scene {
   std::vector<SceneMaterial> materials;
   std::vector<TextureSource> textures;
   std::vector<geometry::Object> objects;
-  std::vector<geometry::PointLight> lights;
-  std::vector<f64::Number3> spots;           ///< places of spot lights
-  std::vector<std::string> warnings;         ///< features of the files that are ignored or read differently
-  std::vector<std::filesystem::path> files;  ///< all files read
-  Bounds bounds;                             ///< of everything but the water
-  Bounds water;                              ///< empty without water
-  double least_roughness = 1.0;              ///< of all materials, water included; 0: a mirror
+  std::vector<geometry::StaticLight> lights;  ///< in cd, or lux for directional ones
+  std::vector<std::string> warnings;          ///< features of the files that are ignored or read differently
+  std::vector<std::filesystem::path> files;   ///< all files read
+  Bounds bounds;                              ///< of everything but the water
+  Bounds water;                               ///< empty without water
+  double least_roughness = 1.0;               ///< of all materials, water included; 0: a mirror
 };
 
 }  // namespace welkin::level

@@ -32,6 +32,10 @@ bool matchesPattern(const std::string& pattern, const std::string& name) {
   return pattern.find_first_not_of('*', p) == std::string::npos;
 }
 
+bool matchesAny(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const auto& p) { return matchesPattern(p, name); });
+}
+
 uint32_t SceneBuilder::addMaterial(SceneMaterial material) {
   scene_.materials.push_back(std::move(material));
   return static_cast<uint32_t>(scene_.materials.size() - 1);
@@ -75,10 +79,13 @@ void SceneBuilder::place(const MeshPiece& piece, const geometry::Affine& t, uint
 }
 
 void SceneBuilder::warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names) {
-  for (const std::string& pattern : entry.vegetation_nodes)
-    if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return matchesPattern(pattern, name); }))
-      scene_.warnings.push_back(
-          fmt::format("{}: vegetation_nodes: \"{}\" fits no node or object", entry.path.string(), pattern));
+  const std::pair<const char*, const std::vector<std::string>*> lists[] = {
+      {"vegetation_nodes", &entry.vegetation_nodes}, {"ignore_nodes", &entry.ignore_nodes}};
+  for (const auto& [key, patterns] : lists)
+    for (const std::string& pattern : *patterns)
+      if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return matchesPattern(pattern, name); }))
+        scene_.warnings.push_back(
+            fmt::format("{}: {}: \"{}\" fits no node or object", entry.path.string(), key, pattern));
 }
 
 Scene SceneBuilder::finish() {

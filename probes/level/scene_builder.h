@@ -12,8 +12,9 @@
 
 namespace welkin::level {
 
-/// Whether a name fits a pattern in which * stands for any run of characters.
+/// Whether a name fits a pattern in which * stands for any run of characters, or one of several.
 bool matchesPattern(const std::string& pattern, const std::string& name);
+bool matchesAny(const std::vector<std::string>& patterns, const std::string& name);
 
 class SceneBuilder {
  public:
@@ -29,7 +30,7 @@ class SceneBuilder {
   /// animations use to hide a node, places nothing; finish() warns of it.
   void place(const MeshPiece& piece, const geometry::Affine& transform, uint32_t object, const f64::Number3& albedo);
 
-  /// Warns about each pattern in the entry's vegetation_nodes that matches none of the names.
+  /// Warns about each pattern in the entry's vegetation_nodes and ignore_nodes that matches none of the names.
   void warnOfIdlePatterns(const GeometryEntry& entry, const std::vector<std::string>& names);
 
   /// Returns the scene, with the placings of one piece as consecutive instances.

@@ -16,7 +16,7 @@ namespace welkin::loader {
 namespace {
 
 using f64::Number3;
-using UvRows = decltype(geometry::Material::uv_row);
+using geometry::UvRows;
 
 /// The matrix of KHR_texture_transform: scale, rotation, offset. With u right and v down, the rotation turns u towards
 /// -v.
@@ -56,6 +56,7 @@ GltfMaterial GltfMaterials::withoutTexture(int index) {
   if (const auto found = without_texture_.find(index); found != without_texture_.end()) return found->second;
   level::SceneMaterial copy = builder_.scene().materials[materials_.at(index).material];
   copy.surface.texture = -1;
+  copy.surface.emission_texture = -1;
   return without_texture_.emplace(index, GltfMaterial{builder_.addMaterial(std::move(copy)), -1}).first->second;
 }
 
@@ -72,19 +73,30 @@ GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::
   result.roughness = pbr.roughnessFactor;
   GltfMaterial placed;
   if (pbr.baseColorTexture.index >= 0) {
-    const std::string what = name + " baseColorTexture";
-    const tinygltf::Value transform = extensionOf(pbr.baseColorTexture.extensions, "KHR_texture_transform");
-    surface.texture = readTexture(pbr.baseColorTexture.index, what);
-    if (surface.texture < 0) builder_.scene().warnings.back() += ": the factor of the material stands in";
-    surface.uv_row = readTransform(transform, reader_, what);
-    constexpr std::size_t kMostSets = 64;
-    const int other_set = indexIn(transform, "texCoord", kMostSets, reader_, what);
-    if (surface.texture >= 0) placed.uv_set = other_set >= 0 ? other_set : pbr.baseColorTexture.texCoord;
+    const auto& info = pbr.baseColorTexture;
+    const Use use = readUse(info.index, info.texCoord, extensionOf(info.extensions, "KHR_texture_transform"),
+                            name + " baseColorTexture");
+    surface.texture = use.texture;
+    surface.uv_row = use.uv_row;
+    if (use.texture >= 0)
+      placed.uv_set = use.uv_set;
+    else
+      builder_.scene().warnings.back() += ": the factor of the material stands in";
   }
   readAlpha(material, name, surface);
-  readEmission(material, name, result);
+  readTransmission(material, name, result);
+  readEmission(material, name, placed.uv_set, result);
   placed.material = builder_.addMaterial(std::move(result));
   return placed;
+}
+
+GltfMaterials::Use GltfMaterials::readUse(int index, int uv_set, const tinygltf::Value& transform,
+                                          const std::string& what) {
+  constexpr std::size_t kMostSets = 64;
+  const int other_set = indexIn(transform, "texCoord", kMostSets, reader_, what);
+  const Use use{readTexture(index, what), other_set >= 0 ? other_set : uv_set, readTransform(transform, reader_, what)};
+  if (use.uv_set < 0) reader_.refuse(what, fmt::format("texCoord {} is negative", use.uv_set));
+  return use;
 }
 
 void GltfMaterials::readAlpha(const tinygltf::Material& material, const std::string& name,
@@ -96,16 +108,29 @@ void GltfMaterials::readAlpha(const tinygltf::Material& material, const std::str
     surface.alpha_cutoff = material.alphaCutoff;
   } else if (material.alphaMode == "BLEND") {
     surface.alpha_cutoff = kBlendedCutoff;
-    builder_.scene().warnings.push_back(
-        fmt::format("{}: {}: alphaMode BLEND: the surface is there where its alpha is {} or more", reader_.file(), name,
-                    kBlendedCutoff));
+    surface.blended = true;
   } else if (!material.alphaMode.empty() && material.alphaMode != "OPAQUE") {
     reader_.refuse(name,
                    fmt::format("alphaMode = \"{}\": must be OPAQUE, MASK or BLEND", material.alphaMode.substr(0, 20)));
   }
 }
 
-void GltfMaterials::readEmission(const tinygltf::Material& material, const std::string& name,
+void GltfMaterials::readTransmission(const tinygltf::Material& material, const std::string& name,
+                                     level::SceneMaterial& into) {
+  const tinygltf::Value glass = extensionOf(material.extensions, "KHR_materials_transmission");
+  const double factor = numberIn(glass, "transmissionFactor", 0.0, reader_, name);
+  if (!(factor >= 0.0 && factor <= 1.0))
+    reader_.refuse(name, fmt::format("transmissionFactor = {}: must be 0 to 1", factor));
+  into.surface.transmission = factor;
+  if (factor == 0.0 || !glass.IsObject() || !glass.Has("transmissionTexture")) return;
+  const std::string what = name + " transmissionTexture";
+  into.mean_transmission_texture =
+      readTexture(indexIn(glass.Get("transmissionTexture"), "index", model_.textures.size(), reader_, what), what);
+  builder_.scene().warnings.push_back(
+      fmt::format("{}: {}: the whole surface passes the mean of its transmissionTexture", reader_.file(), name));
+}
+
+void GltfMaterials::readEmission(const tinygltf::Material& material, const std::string& name, int& uv_set,
                                  level::SceneMaterial& into) {
   const double strength = numberIn(extensionOf(material.extensions, "KHR_materials_emissive_strength"),
                                    "emissiveStrength", 1.0, reader_, name);
@@ -117,11 +142,24 @@ void GltfMaterials::readEmission(const tinygltf::Material& material, const std::
     emission[i] = f * strength;
   }
   if (material.emissiveTexture.index < 0 || (emission.x == 0.0 && emission.y == 0.0 && emission.z == 0.0)) return;
-  into.emissive_texture = readTexture(material.emissiveTexture.index, name + " emissiveTexture");
-  if (into.emissive_texture < 0) builder_.scene().warnings.back() += ": its emissiveFactor stands in";
-  if (into.emissive_texture >= 0)
-    builder_.scene().warnings.push_back(
-        fmt::format("{}: {}: the whole surface emits the mean of its emissiveTexture", reader_.file(), name));
+  const auto& info = material.emissiveTexture;
+  const Use use = readUse(info.index, info.texCoord, extensionOf(info.extensions, "KHR_texture_transform"),
+                          name + " emissiveTexture");
+  if (use.texture < 0) {
+    builder_.scene().warnings.back() += ": its emissiveFactor stands in";
+    return;
+  }
+  if (uv_set < 0 || uv_set == use.uv_set) {
+    uv_set = use.uv_set;
+    into.surface.emission_texture = use.texture;
+    into.surface.emission_uv_row = use.uv_row;
+    return;
+  }
+  into.mean_emission_texture = use.texture;
+  builder_.scene().warnings.push_back(
+      fmt::format("{}: {}: the whole surface emits the mean of its emissiveTexture, whose TEXCOORD_{} is not that of "
+                  "its baseColorTexture",
+                  reader_.file(), name, use.uv_set));
 }
 
 int GltfMaterials::readTexture(int index, const std::string& what) {

@@ -12,11 +12,10 @@ namespace welkin::loader {
 
 struct GltfMaterial {
   uint32_t material = 0;  ///< index into Scene::materials
-  int uv_set = -1;        ///< n of the TEXCOORD_n for the base colour's texture; -1: no texture
+  int uv_set = -1;        ///< n of the TEXCOORD_n for the textures; -1: no texture
 };
 
-/// Materials are opaque or masked, as the file says. Blended ones are read as masked at an alpha of 1/2, with a
-/// warning.
+/// Materials are opaque, masked or blended, as the file says, and may pass light (KHR_materials_transmission).
 class GltfMaterials {
  public:
   /// All arguments must outlive the object.
@@ -32,8 +31,17 @@ class GltfMaterials {
 
  private:
   GltfMaterial read(const tinygltf::Material& material, const std::string& name);
+  /// A texture, and the coordinates that it takes.
+  struct Use {
+    int texture = -1;
+    int uv_set = 0;
+    geometry::UvRows uv_row = geometry::kSameUv;
+  };
+  Use readUse(int index, int uv_set, const tinygltf::Value& transform, const std::string& what);
   void readAlpha(const tinygltf::Material& material, const std::string& name, geometry::Material& surface);
-  void readEmission(const tinygltf::Material& material, const std::string& name, level::SceneMaterial& into);
+  void readTransmission(const tinygltf::Material& material, const std::string& name, level::SceneMaterial& into);
+  void readEmission(const tinygltf::Material& material, const std::string& name, int& uv_set,
+                    level::SceneMaterial& into);
   /// Index of a texture in the scene; -1, with a warning, if its image is in a format that is not read.
   int readTexture(int index, const std::string& what);
   level::TextureSource readImage(int index, const std::string& what);

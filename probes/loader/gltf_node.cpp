@@ -60,11 +60,7 @@ geometry::Role nodeRole(int index, const tinygltf::Node& node, const level::Geom
                     fmt::format("extras.role = \"{}\": must be static, vegetation, water or ignore", name));
     return *role;
   }
-  const auto& patterns = entry.vegetation_nodes;
-  const bool vegetation = std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-    return level::matchesPattern(pattern, node.name);
-  });
-  return vegetation ? geometry::Role::vegetation : inherited;
+  return level::matchesAny(entry.vegetation_nodes, node.name) ? geometry::Role::vegetation : inherited;
 }
 
 bool isVisible(const tinygltf::Node& node) {
@@ -77,19 +73,6 @@ const tinygltf::Light* nodeLight(int index, const tinygltf::Node& node, const ti
   const int light = indexIn(extensionOf(node.extensions, "KHR_lights_punctual"), "light", model.lights.size(), reader,
                             nodeName(index, node));
   return light < 0 ? nullptr : &model.lights[static_cast<std::size_t>(light)];
-}
-
-Number3 lightIntensity(const tinygltf::Light& light, const std::string& what, const AccessorReader& reader) {
-  if (!light.color.empty() && light.color.size() != 3) reader.refuse(what, "the light's color must have 3 numbers");
-  constexpr double kLargest = 1e12;
-  Number3 intensity(light.intensity);
-  for (int i = 0; i < 3; ++i) {
-    if (!light.color.empty()) intensity[i] *= light.color[static_cast<std::size_t>(i)];
-    if (!(intensity[i] >= 0.0 && intensity[i] <= kLargest))
-      reader.refuse(what,
-                    fmt::format("the light's color times intensity is {}, must be 0 to {}", intensity[i], kLargest));
-  }
-  return intensity;
 }
 
 }  // namespace welkin::loader

@@ -28,7 +28,4 @@ bool isVisible(const tinygltf::Node& node);
 const tinygltf::Light* nodeLight(int index, const tinygltf::Node& node, const tinygltf::Model& model,
                                  const AccessorReader& reader);
 
-/// Radiant intensity of a light, candela. Throws Error(content).
-f64::Number3 lightIntensity(const tinygltf::Light& light, const std::string& what, const AccessorReader& reader);
-
 }  // namespace welkin::loader

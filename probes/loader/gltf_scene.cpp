@@ -9,6 +9,7 @@
 #include "probes/loader/accessor.h"
 #include "probes/loader/gltf_file.h"
 #include "probes/loader/gltf_instancing.h"
+#include "probes/loader/gltf_light.h"
 #include "probes/loader/gltf_mesh.h"
 #include "probes/loader/gltf_node.h"
 
@@ -29,12 +30,7 @@ class GltfSource : public level::GeometrySource {
 
   void place(const level::GeometryEntry& entry) override {
     visited_.assign(model_.nodes.size(), false);
-    directional_lights_ = 0;
-    const std::size_t spots = builder_.scene().spots.size();
     placeTrees(roots(), entry);
-    warn(directional_lights_ > 0, fmt::format("{} directional lights are left out", directional_lights_));
-    const std::size_t placed = builder_.scene().spots.size() - spots;
-    warn(placed > 0, fmt::format("{} spot lights light nothing; sectors near them get local transfer", placed));
     std::vector<std::string> names;
     for (std::size_t i = 0; i < visited_.size(); ++i)
       if (visited_[i]) names.push_back(model_.nodes[i].name);
@@ -69,7 +65,8 @@ class GltfSource : public level::GeometrySource {
     int node;
     geometry::Affine parent;
     geometry::Role inherited;
-    bool visible;  ///< KHR_node_visibility: a node is if it and all above it are
+    bool visible;   ///< KHR_node_visibility: a node is if it and all above it are
+    bool left_out;  ///< it, or a node above it, fits ignore_nodes
     int depth;
   };
 
@@ -77,11 +74,13 @@ class GltfSource : public level::GeometrySource {
   /// small stack is enough.
   void placeTrees(const std::vector<int>& roots, const level::GeometryEntry& entry) {
     std::vector<Waiting> waiting;
-    const auto add = [&](const std::vector<int>& nodes, const Waiting& like) {
-      for (std::size_t i = nodes.size(); i-- > 0;)
-        waiting.push_back({nodes[i], like.parent, like.inherited, like.visible, like.depth});
+    const auto add = [&](const std::vector<int>& nodes, Waiting like) {
+      for (std::size_t i = nodes.size(); i-- > 0;) {
+        like.node = nodes[i];
+        waiting.push_back(like);
+      }
     };
-    add(roots, {-1, entry.transform, entry.role, true, 0});
+    add(roots, {-1, entry.transform, entry.role, true, false, 0});
     while (!waiting.empty()) {
       const Waiting next = waiting.back();
       waiting.pop_back();
@@ -104,11 +103,12 @@ class GltfSource : public level::GeometrySource {
     const geometry::Affine transform = at.parent * nodeTransform(index, node, reader_);
     const geometry::Role role = nodeRole(index, node, entry, at.inherited, reader_);
     const bool visible = at.visible && isVisible(node);
-    if (visible && role != geometry::Role::ignored) {
+    const bool left_out = at.left_out || level::matchesAny(entry.ignore_nodes, node.name);
+    if (visible && !left_out && role != geometry::Role::ignored) {
       if (node.mesh >= 0) placeMesh(index, name, transform, role, entry.albedo);
       if (const tinygltf::Light* light = nodeLight(index, node, model_, reader_)) placeLight(*light, name, transform);
     }
-    return {index, transform, role, visible, at.depth + 1};
+    return {index, transform, role, visible, left_out, at.depth + 1};
   }
 
   void placeMesh(int index, const std::string& who, const geometry::Affine& transform, geometry::Role role,
@@ -123,18 +123,15 @@ class GltfSource : public level::GeometrySource {
   }
 
   void placeLight(const tinygltf::Light& light, const std::string& who, const geometry::Affine& transform) {
-    if (light.type == "point") {
-      builder_.scene().lights.push_back({transform.translation, lightIntensity(light, who, reader_)});
-      return;
-    }
-    if (light.type == "spot") {
-      builder_.scene().spots.push_back(transform.translation);
-      return;
-    }
-    if (light.type != "directional")
-      reader_.refuse(
-          who, fmt::format("the light's type = \"{}\": must be directional, point or spot", light.type.substr(0, 20)));
-    ++directional_lights_;
+    const auto placed = readLight(light, transform, who, reader_);
+    warn(!placed, fmt::format("{}: its light is left out: its scale leaves no direction to shine in", who));
+    if (!placed) return;
+    warn(
+        placed->directional,
+        fmt::format("{}: a directional light shines at every hour, beside the sun of the sky; extras.role = \"ignore\" "
+                    "leaves it out",
+                    who));
+    builder_.scene().lights.push_back(*placed);
   }
 
   level::SceneBuilder& builder_;
@@ -142,7 +139,6 @@ class GltfSource : public level::GeometrySource {
   AccessorReader reader_;
   GltfMeshes meshes_;
   std::vector<bool> visited_;
-  int directional_lights_ = 0;
 };
 
 }  // namespace

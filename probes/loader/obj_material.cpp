@@ -146,8 +146,7 @@ void ObjMaterials::readAlpha(const MtlMaterial& material, geometry::Material& su
   surface.alpha = material.dissolve;
   if (material.dissolve == 1.0 && !own_alpha) return;
   surface.alpha_cutoff = kCutoff;
-  warnings.push_back(fmt::format("{}: material {}: transparent: the surface is there where its alpha is {} or more",
-                                 obj_, material.name, kCutoff));
+  surface.blended = true;
 }
 
 std::optional<int> ObjMaterials::readTexture(const MtlMap& map, const std::filesystem::path& folder) {

@@ -84,12 +84,9 @@ class ObjSource : public level::GeometrySource {
     builder_.warnOfIdlePatterns(entry, names);
     std::map<std::string, uint32_t> objects;
     for (const Part& part : parts_) {
-      const auto& patterns = entry.vegetation_nodes;
-      const bool vegetation = std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-        return level::matchesPattern(pattern, part.object);
-      });
+      const bool vegetation = level::matchesAny(entry.vegetation_nodes, part.object);
       const geometry::Role role = vegetation ? geometry::Role::vegetation : entry.role;
-      if (role == geometry::Role::ignored) continue;
+      if (role == geometry::Role::ignored || level::matchesAny(entry.ignore_nodes, part.object)) continue;
       auto known = objects.find(part.object);
       if (known == objects.end()) {
         const std::string name = part.object.empty() ? path_.filename().string() : part.object;

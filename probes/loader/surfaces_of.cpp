@@ -28,7 +28,7 @@ class Flattening {
  public:
   Flattening(const level::Scene& scene, double luminance_unit) : scene_(scene), luminance_unit_(luminance_unit) {
     has_uv_ = std::any_of(scene.materials.begin(), scene.materials.end(),
-                          [](const level::SceneMaterial& m) { return m.surface.texture >= 0; });
+                          [](const level::SceneMaterial& m) { return m.surface.isTextured(); });
     has_colours_ = std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const level::Vertex& v) {
       return v.colour[0] != 1.0F || v.colour[1] != 1.0F || v.colour[2] != 1.0F;
     });
@@ -37,8 +37,7 @@ class Flattening {
   geometry::Surfaces run() {
     result_.object = scene_.objects;
     result_.light = scene_.lights;
-    for (geometry::PointLight& light : result_.light) light.intensity = light.intensity / luminance_unit_;
-    result_.spot = scene_.spots;
+    for (geometry::StaticLight& light : result_.light) light.intensity = light.intensity / luminance_unit_;
     result_.warning = scene_.warnings;
     result_.file = scene_.files;
     for (const level::TextureSource& source : scene_.textures) result_.texture.push_back(decodeTexture(source));
@@ -55,13 +54,17 @@ class Flattening {
  private:
   void addMaterial(const level::SceneMaterial& from) {
     geometry::Material material = from.surface;
-    if (from.emissive_texture >= 0)
-      material.emission =
-          material.emission * meanColour(result_.texture[static_cast<std::size_t>(from.emissive_texture)]);
+    const auto texture = [&](int index) -> const geometry::Texture& {
+      return result_.texture[static_cast<std::size_t>(index)];
+    };
+    if (from.mean_emission_texture >= 0)
+      material.emission = material.emission * meanColour(texture(from.mean_emission_texture));
+    if (from.mean_transmission_texture >= 0) material.transmission *= meanRed(texture(from.mean_transmission_texture));
     material.emission = material.emission / luminance_unit_;
-    const bool opaque = material.alpha >= material.alpha_cutoff &&
-                        (material.texture < 0 || isOpaque(result_.texture[static_cast<std::size_t>(material.texture)]));
+    const bool opaque =
+        material.alpha >= material.alpha_cutoff && (material.texture < 0 || isOpaque(texture(material.texture)));
     if (opaque) material.alpha_cutoff = 0.0;  // so rays need not read the alpha
+    if (opaque && material.alpha == 1.0) material.blended = false;
     result_.material.push_back(material);
   }
 
@@ -117,12 +120,26 @@ geometry::Surfaces surfacesOf(const level::Scene& scene, double luminance_unit) 
 }
 
 void useMeanColours(level::Scene& scene) {
-  std::vector<Number3> mean;
-  for (const level::TextureSource& source : scene.textures) mean.push_back(meanColour(decodeTexture(source)));
+  struct Mean {
+    Number3 colour;
+    double alpha, red;
+  };
+  std::vector<Mean> mean;
+  for (const level::TextureSource& source : scene.textures) {
+    const geometry::Texture texture = decodeTexture(source);
+    mean.push_back({meanColour(texture), meanAlpha(texture), meanRed(texture)});
+  }
+  const auto meanOf = [&](int texture) -> const Mean& { return mean[static_cast<std::size_t>(texture)]; };
+  for (level::SceneMaterial& material : scene.materials) {
+    geometry::Material& surface = material.surface;
+    if (surface.texture >= 0) surface.alpha *= meanOf(surface.texture).alpha;
+    if (material.mean_transmission_texture >= 0) surface.transmission *= meanOf(material.mean_transmission_texture).red;
+    if (surface.alpha == 1.0) surface.blended = false;
+  }
   for (const level::Draw& draw : scene.draws) {
     const int texture = scene.materials[draw.material].surface.texture;
     if (texture < 0) continue;
-    const Number3& colour = mean[static_cast<std::size_t>(texture)];
+    const Number3& colour = meanOf(texture).colour;
     for (uint32_t i = 0; i < draw.instance_count; ++i)
       for (int c = 0; c < 3; ++c) scene.instances[draw.first_instance + i].albedo[c] *= static_cast<float>(colour[c]);
   }

@@ -33,6 +33,26 @@ f64::Number3 meanColour(const geometry::Texture& texture) {
   return mean;
 }
 
+namespace {
+
+/// Mean of a channel as it stands, over 255.
+double meanOf(const geometry::Texture& texture, std::size_t channel) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = channel; i < texture.rgba.size(); i += 4) sum += texture.rgba[i];
+  const auto texels = static_cast<double>(texture.rgba.size() / 4);
+  return texels > 0.0 ? static_cast<double>(sum) / (255.0 * texels) : 0.0;
+}
+
+}  // namespace
+
+double meanRed(const geometry::Texture& texture) {
+  return meanOf(texture, 0);
+}
+
+double meanAlpha(const geometry::Texture& texture) {
+  return meanOf(texture, 3);
+}
+
 bool isOpaque(const geometry::Texture& texture) {
   for (std::size_t i = 3; i < texture.rgba.size(); i += 4)
     if (texture.rgba[i] != 255) return false;

@@ -12,6 +12,12 @@ geometry::Texture decodeTexture(const level::TextureSource& source);
 /// Mean linear colour of all texels, in [0, 1]. Texels of a transparent image are weighted by their alpha.
 f64::Number3 meanColour(const geometry::Texture& texture);
 
+/// Mean of the red channel of all texels as it stands, over 255: of textures that hold no colours.
+double meanRed(const geometry::Texture& texture);
+
+/// Mean alpha of all texels, in [0, 1].
+double meanAlpha(const geometry::Texture& texture);
+
 /// Whether no texel has an alpha below 1.
 bool isOpaque(const geometry::Texture& texture);
 

@@ -30,6 +30,7 @@ class DistantLight {
   const Number3& groundUnderSky() const { return ground_under_sky_; }
   /// The same under the sun and the moon.
   const Number3& groundUnderLights() const { return ground_under_lights_; }
+  const Number3& groundAlbedo() const { return instant_.sky().ground_albedo; }
   /// The sun and the moon, if they are up and shine.
   const std::vector<DirectionalLight>& lights() const { return light_; }
 

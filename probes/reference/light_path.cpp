@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "probes/geometry/directions.h"
+#include "probes/geometry/see_through.h"
 
 namespace welkin::reference {
 namespace {
@@ -38,7 +39,19 @@ Number3 lightsAt(const PathScene& scene, const Number3& origin, const Number3& n
   Number3 sum(0.0);
   for (const DirectionalLight& light : scene.distant.lights()) {
     const double cosine = dot(normal, light.direction);
-    if (cosine > 0.0 && !scene.tracer.occluded(origin, light.direction, kFar)) sum += light.irradiance * cosine;
+    if (cosine > 0.0)
+      sum += light.irradiance * geometry::arrivingShare(scene.tracer, origin, light.direction, kFar) * cosine;
+  }
+  return sum;
+}
+
+/// Irradiance of a surface by the level's own lights.
+Number3 ownLightsAt(const geometry::Tracer& tracer, const Number3& origin, const Number3& normal) {
+  Number3 sum(0.0);
+  for (const geometry::StaticLight& light : tracer.surfaces().light) {
+    const geometry::LightArriving from = geometry::arrivingAt(light, origin, normal);
+    if (from.irradiance != Number3(0.0))
+      sum += from.irradiance * geometry::arrivingShare(tracer, origin, from.direction, from.distance);
   }
   return sum;
 }
@@ -63,8 +76,10 @@ Number3 localIrradiance(const geometry::Tracer& tracer, const LocalLight& light,
   if (cosine <= 0.0) return Number3(0.0);
   const double along = dot(to_light, direction);
   const double half_chord = std::sqrt(std::max(radius2 - squared + along * along, 0.0));
-  if (tracer.occluded(origin, direction, inside ? along + half_chord : along - half_chord)) return Number3(0.0);
-  return inside ? light.intensity / radius2 : light.intensity * (2.0 * cosine / (squared * (1.0 + narrowest)));
+  const Number3 share =
+      geometry::arrivingShare(tracer, origin, direction, inside ? along + half_chord : along - half_chord);
+  return share *
+         (inside ? light.intensity / radius2 : light.intensity * (2.0 * cosine / (squared * (1.0 + narrowest))));
 }
 
 LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double s, double t,
@@ -78,23 +93,27 @@ LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double
   for (int bounced = 0;; ++bounced) {
     throughput *= turn.weight;
     if (throughput == Number3(0.0)) return found;
-    const auto hit = tracer.closest(tracer.leaving(at), turn.direction, kFar);
-    if (!hit) {
+    const geometry::Sight sight =
+        geometry::lookAlong(tracer, tracer.leaving(at), turn.direction, true, [&] { return random.unit(); });
+    found.local += throughput * sight.emission;
+    throughput = throughput * sight.weight;
+    if (!sight.hit) {
       if (turn.direction.y >= 0.0) {
         found.sky += throughput * distant.skyRadiance(turn.direction);
       } else if (bounced < scene.bounces) {
         found.sky += throughput * distant.groundUnderSky();
         found.sun_bounce += throughput * distant.groundUnderLights();
+        found.local += throughput * scene.ground_under_own_lights;
       }
       return found;
     }
-    at = *hit;
-    found.local += throughput * tracer.emission(at);
+    at = *sight.hit;
     if (bounced == scene.bounces) return found;
     throughput = throughput * tracer.albedo(at);
     if (throughput == Number3(0.0)) return found;
     const Number3 origin = tracer.leaving(at);
     found.sun_bounce += throughput * lightsAt(scene, origin, at.normal) / det::kPi;
+    found.local += throughput * ownLightsAt(tracer, origin, at.normal) / det::kPi;
     for (const LocalLight& light : scene.lights) {
       const double u = random.unit();
       const double v = random.unit();

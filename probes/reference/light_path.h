@@ -22,6 +22,7 @@ struct PathScene {
   const DistantLight& distant;
   std::span<const LocalLight> lights;
   int bounces;
+  Number3 ground_under_own_lights{0.0};  ///< radiance of the ground beyond the level, by directional lights
 };
 
 /// Irradiance that one path from a surface point finds, pi included. Its mean over s and t, uniform in [0, 1), and over

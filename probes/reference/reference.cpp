@@ -76,7 +76,8 @@ std::size_t referenceBatches(const ReferenceSettings& settings) {
 ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
                                    const ReferenceSettings& settings, const base::Progress& progress) {
-  const PathScene scene{tracer, distant, lights, settings.bounces};
+  const PathScene scene{tracer, distant, lights, settings.bounces,
+                        distant.groundAlbedo() * geometry::onOpenGround(tracer.surfaces().light) / det::kPi};
   const std::size_t strata = strataOf(settings);
   const geometry::Hit start = startAt(tracer, position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));

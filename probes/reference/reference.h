@@ -2,10 +2,10 @@
 // The ground truth of probes: irradiance at any point and normal by plain path tracing, with the standard error of
 // every number. It uses no spherical harmonics or tables (Kajiya, "The Rendering Equation", 1986).
 //
-// A path starts at the point and bounces off diffuse surfaces. At each surface it tests the sun, the moon and every
-// local light directly (next-event estimation). The sky, the ground beyond the level and emissive surfaces count where
-// the path meets them. Light bounces off at most `bounces` surfaces between its source and the point, including the
-// ground beyond the level.
+// A path starts at the point and bounces off diffuse surfaces. At each surface it tests the sun, the moon, every local
+// light and every light of the level directly (next-event estimation). The sky, the ground beyond the level and
+// emissive surfaces count where the path meets them. Light bounces off at most `bounces` surfaces between its source
+// and the point, including the ground beyond the level.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Estimate {
 struct ReferenceIrradiance {
   Estimate sky;         ///< from the sky, direct and bounced
   Estimate sun_bounce;  ///< from the sun and the moon, bounced only
-  Estimate local;       ///< from local lights, bounced only, and from emissive surfaces, direct and bounced
+  Estimate local;       ///< from local lights and the level's own, bounced only, and emissive surfaces, direct too
   Estimate total;       ///< the sum; its standard error allows for one path feeding all three
   std::size_t samples = 0;
 };

@@ -18,7 +18,7 @@ using f64::Number3;
 struct LevelIrradiance {
   Number3 sky{0.0};         ///< direct and bounced
   Number3 sun_bounce{0.0};  ///< including the moon's
-  Number3 local{0.0};       ///< from emissive surfaces
+  Number3 local{0.0};       ///< from emissive surfaces and the level's own lights
   Number3 total() const { return sky + sun_bounce + local; }
 };
 

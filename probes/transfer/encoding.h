@@ -15,7 +15,7 @@
 // - sun_scale, u16: as above, times the mode's coefficient_scale
 // - sun, 4n x i8: in sun_scale coefficient_scale / 127, [direction][mode]
 //
-// Where the level has emissive surfaces it takes 14 more:
+// Where emissive surfaces or the level's own lights send light, it takes 14 more:
 //
 // - emitted_scale, u16: as above
 // - emitted, 12 x u8: in emitted_scale / 255, [direction][channel]

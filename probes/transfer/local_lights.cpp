@@ -4,6 +4,13 @@
 #include <algorithm>
 
 namespace welkin::transfer {
+namespace {
+
+double meanOf(const Number3& v) {
+  return (v.x + v.y + v.z) / 3.0;
+}
+
+}  // namespace
 
 std::vector<double> influenceOf(const geometry::Tracer& tracer, const Number3& probe,
                                 std::span<const PathVertex> vertices, std::span<const Number3> lights,
@@ -17,14 +24,14 @@ std::vector<double> influenceOf(const geometry::Tracer& tracer, const Number3& p
     draw.at(vertex, [&](std::size_t l, double) {
       ++rays;
       tested[l] += 1.0;
-      if (seesEachOther(tracer, vertex.origin, lights[l])) passed[l] += 1.0;
+      passed[l] += meanOf(shareBetween(tracer, vertex.origin, lights[l]));
     });
     for (std::size_t l = 0; l < lights.size(); ++l) unshadowed[l] += reflected * draw.unshadowed()[l];
   }
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (unshadowed[l] == 0.0) continue;
     ++rays;
-    if (seesEachOther(tracer, probe, lights[l])) passed[l] += 1.0;
+    passed[l] += meanOf(shareBetween(tracer, probe, lights[l]));
     unshadowed[l] *= passed[l] / tested[l];
   }
   return unshadowed;

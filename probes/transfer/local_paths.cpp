@@ -3,26 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "probes/geometry/see_through.h"
 #include "sh/deterministic.h"
 
 namespace welkin::transfer {
 
 std::uint64_t traceVertices(const geometry::Tracer& tracer, const Number3& position, const PathPoints& points,
                             std::uint32_t from, std::uint32_t to, int bounces, std::vector<PathVertex>& vertices) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   std::uint64_t rays = 0;
   for (std::uint32_t i = from; i < to; ++i) {
     const Number3 first = points.onSphere(i);
     Number3 origin = position;
     Number3 direction = first;
     Number3 reflected(1.0 / det::kPi);
+    geometry::Random random = points.choicesOf(i);
     for (int bounce = 0; bounce < bounces; ++bounce) {
       ++rays;
-      const auto hit = tracer.closest(origin, direction, kFar);
+      const geometry::Sight sight =
+          geometry::lookAlong(tracer, origin, direction, false, [&] { return random.unit(); });
+      const auto& hit = sight.hit;
       if (!hit) break;
-      reflected = reflected * tracer.albedo(*hit);
+      reflected = reflected * sight.weight * tracer.albedo(*hit);
       if (reflected == Number3(0.0)) break;
       origin = tracer.leaving(*hit);
       vertices.push_back({origin, hit->normal, reflected, first, points.lightOffset(bounce, i)});
@@ -44,6 +46,12 @@ bool seesEachOther(const geometry::Tracer& tracer, const Number3& from, const Nu
   const Number3 away = to - from;
   const double distance = std::sqrt(dot(away, away));
   return distance == 0.0 || !tracer.occluded(from, away / distance, distance);
+}
+
+Number3 shareBetween(const geometry::Tracer& tracer, const Number3& from, const Number3& to) {
+  const Number3 away = to - from;
+  const double distance = std::sqrt(dot(away, away));
+  return distance == 0.0 ? Number3(1.0) : geometry::arrivingShare(tracer, from, away / distance, distance);
 }
 
 }  // namespace welkin::transfer

@@ -9,6 +9,7 @@
 
 #include "probes/geometry/tracer.h"
 #include "probes/transfer/path_points.h"
+#include "probes/transfer/proportional_draw.h"
 
 namespace welkin::transfer {
 
@@ -33,9 +34,7 @@ std::uint64_t traceVertices(const geometry::Tracer& tracer, const Number3& posit
 /// the squared distance, or over the square of `nearest_m` if the light is nearer; 0 at the light itself.
 double unshadowedIrradiance(const Number3& origin, const Number3& normal, const Number3& light, double nearest_m);
 
-/// Draws lights at a vertex in proportion to their unshadowed irradiance, by systematic sampling. It takes all lights
-/// if there are no more than the draws. (Ward, "Adaptive Shadow Testing for Ray Tracing", 1991, sorts by the same
-/// number.)
+/// Draws lights at a vertex in proportion to their unshadowed irradiance.
 class LightDraw {
  public:
   /// `lights` must outlive the object.
@@ -46,27 +45,9 @@ class LightDraw {
   /// mean of that irradiance over PathVertex::draw is the light's unshadowed irradiance.
   template <typename Visit>
   void at(const PathVertex& vertex, const Visit& visit) {
-    double total = 0.0;
-    std::size_t lit = 0;
-    for (std::size_t l = 0; l < part_.size(); ++l) {
+    for (std::size_t l = 0; l < part_.size(); ++l)
       part_[l] = unshadowedIrradiance(vertex.origin, vertex.normal, light_[l], nearest_m_);
-      total += part_[l];
-      if (part_[l] > 0.0) ++lit;
-    }
-    if (lit <= draws_) {
-      for (std::size_t l = 0; l < part_.size(); ++l)
-        if (part_[l] > 0.0) visit(l, part_[l]);
-      return;
-    }
-    const double step = total / static_cast<double>(draws_);
-    double sum = 0.0;
-    std::size_t drawn = 0;
-    for (std::size_t l = 0; l < part_.size() && drawn < draws_; ++l) {
-      sum += part_[l];
-      std::size_t times = 0;
-      for (; drawn < draws_ && (static_cast<double>(drawn) + vertex.draw) * step < sum; ++drawn) ++times;
-      if (times > 0) visit(l, static_cast<double>(times) * step);
-    }
+    drawInProportion(part_, draws_, vertex.draw, visit);
   }
 
   /// Unshadowed irradiance of every light at the last vertex.
@@ -79,7 +60,10 @@ class LightDraw {
   std::vector<double> part_;
 };
 
-/// Whether nothing lies between two points.
+/// Whether nothing lies between two points; glass counts.
 bool seesEachOther(const geometry::Tracer& tracer, const Number3& from, const Number3& to);
+
+/// Share of the light of one point that arrives at the other, in [0, 1].
+Number3 shareBetween(const geometry::Tracer& tracer, const Number3& from, const Number3& to);
 
 }  // namespace welkin::transfer

@@ -165,8 +165,8 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorI
     for (const PathVertex& vertex : vertices)
       draw.at(vertex, [&](std::size_t l, double irradiance) {
         ++result.rays;
-        if (seesEachOther(seen, vertex.origin, light[l]))
-          addRadiance(sums[r][l], vertex.first, vertex.reflected * irradiance);
+        const Number3 share = shareBetween(seen, vertex.origin, light[l]);
+        if (share != Number3(0.0)) addRadiance(sums[r][l], vertex.first, vertex.reflected * share * irradiance);
       });
     tell();
   };

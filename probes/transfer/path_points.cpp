@@ -9,8 +9,8 @@
 namespace welkin::transfer {
 namespace {
 
-/// Streams of a replicate: one for the first direction, then two for each bounce.
-enum : std::uint64_t { kFirst = 0, kBounce = 1, kLight = 2 };
+/// Streams of a replicate: one for the first direction, one for choices, then two for each bounce.
+enum : std::uint64_t { kFirst = 0, kBounce = 1, kLight = 2, kChoices = 3 };
 
 std::uint64_t keyOf(std::uint64_t key, std::uint64_t stream, int bounce) {
   return geometry::mixed(geometry::mixed(key ^ stream) ^ static_cast<std::uint64_t>(bounce));
@@ -26,7 +26,7 @@ CircleTable::CircleTable() {
 }
 
 PathPoints::PathPoints(const CircleTable& circle, std::uint64_t key, int bounces)
-    : circle_(&circle), first_(streamOf(keyOf(key, kFirst, 0))) {
+    : circle_(&circle), first_(streamOf(keyOf(key, kFirst, 0))), choices_(keyOf(key, kChoices, 0)) {
   for (int i = 0; i < bounces; ++i) {
     bounce_.push_back(streamOf(keyOf(key, kBounce, i)));
     light_.emplace_back(keyOf(key, kLight, i));

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "probes/geometry/random.h"
 #include "probes/transfer/sequence.h"
 #include "shared.h"
 
@@ -45,6 +46,8 @@ class PathPoints {
   Number3 aboutNormal(int bounce, std::uint32_t i, const Number3& normal) const;
   /// Offset, in (0, 1), of the vertex's light samples within the first step of the lights.
   double lightOffset(int bounce, std::uint32_t i) const;
+  /// Random numbers of path i, for surfaces that it may pass or not.
+  geometry::Random choicesOf(std::uint32_t i) const { return geometry::Random(choices_, i); }
 
  private:
   struct Stream {
@@ -56,6 +59,7 @@ class PathPoints {
 
   const CircleTable* circle_;
   Stream first_;
+  std::uint64_t choices_;
   std::vector<Stream> bounce_;
   std::vector<Sequence> light_;
 };

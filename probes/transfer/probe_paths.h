@@ -8,7 +8,9 @@
 
 #include "probes/geometry/random.h"
 #include "probes/geometry/sector.h"
+#include "probes/geometry/see_through.h"
 #include "probes/transfer/path_points.h"
+#include "probes/transfer/proportional_draw.h"
 #include "probes/transfer/rounds.h"
 #include "probes/transfer/sums.h"
 #include "probes/transfer/trace_transfer.h"
@@ -18,12 +20,19 @@ namespace welkin::transfer {
 
 using f64::Number3;
 
+/// The light of the level itself that a probe may see.
+struct OwnLight {
+  bool emissive = false;                     ///< some surface emits
+  std::vector<geometry::StaticLight> light;  ///< within the probe's reach
+  Number3 plane_radiance{0.0};               ///< of the ground beyond the level, under the directional ones
+};
+
 /// Traces paths from a position. `Rays` is Tracer or a class with its interface, such as a benchmark's recorder.
 template <typename Rays>
 class Paths {
  public:
-  Paths(const Rays& rays, const TransferSettings& settings, bool emissive)
-      : rays_(rays), settings_(settings), emissive_(emissive) {}
+  Paths(const Rays& rays, const TransferSettings& settings, const OwnLight& own)
+      : rays_(rays), settings_(settings), own_(own), arriving_(own.light.size()), amount_(own.light.size()) {}
 
   /// Adds the paths from <= i < to of a replicate.
   void trace(const Number3& position, const PathPoints& points, std::uint32_t from, std::uint32_t to,
@@ -36,13 +45,15 @@ class Paths {
         half.weight[b] += weight_[b];
       }
       ++ray_count_;
-      const auto hit = rays_.closest(position, first, kFar);
-      if (hit)
-        follow(*hit, points, i, half);
+      geometry::Random random = points.choicesOf(i);
+      const geometry::Sight sight = look(position, first, random);
+      if (own_.emissive) addWeighted(half.emitted, weight_, sight.emission);
+      if (sight.hit)
+        follow(*sight.hit, sight.weight, points, i, random, half);
       else if (first.y > 0.0)
-        for (std::size_t b = 0; b < kDirections; ++b) half.open[b] += weight_[b];
+        addOpen(first, sight.weight, half);
       else if (settings_.bounces > 0)
-        addWeighted(half.plane, weight_, Number3(1.0));
+        addWeighted(half.plane, weight_, sight.weight);
     }
   }
 
@@ -51,33 +62,48 @@ class Paths {
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
+  geometry::Sight look(const Number3& origin, const Number3& direction, geometry::Random& random) const {
+    return geometry::lookAlong(rays_, origin, direction, own_.emissive, [&] { return random.unit(); });
+  }
+
   /// Follows a path from its first surface on.
-  void follow(geometry::Hit hit, const PathPoints& points, std::uint32_t i, HalfSums& half) {
-    Number3 throughput(1.0);
-    for (int bounce = 0;; ++bounce) {
-      if (emissive_) addWeighted(half.emitted, weight_, throughput * rays_.emission(hit));
-      if (bounce == settings_.bounces) return;
+  void follow(geometry::Hit hit, Number3 throughput, const PathPoints& points, std::uint32_t i,
+              geometry::Random& random, HalfSums& half) {
+    for (int bounce = 0; bounce < settings_.bounces; ++bounce) {
       throughput = throughput * rays_.albedo(hit);
       if (throughput == Number3(0.0)) return;
       const Number3 origin = rays_.leaving(hit);
       addLights(hit.normal, origin, throughput, points.lightOffset(bounce, i), half);
+      addOwnLights(hit.normal, origin, throughput, points.lightOffset(bounce, i), half);
       const Number3 next = points.aboutNormal(bounce, i, hit.normal);
       ++ray_count_;
       const bool last = bounce + 1 == settings_.bounces;
-      if (last && !emissive_) {  // only whether the ray leaves the level matters
-        if (next.y > 0.0 && !rays_.occluded(origin, next, kFar)) addSky(next, throughput, half);
+      if (last && !own_.emissive) {  // only the light that leaves the level matters
+        if (next.y <= 0.0) return;
+        const Number3 share = geometry::arrivingShare(rays_, origin, next, kFar);
+        if (share != Number3(0.0)) addSky(next, throughput * share, half);
         return;
       }
-      const auto surface = rays_.closest(origin, next, kFar);
-      if (!surface) {
+      const geometry::Sight sight = look(origin, next, random);
+      if (own_.emissive) addWeighted(half.emitted, weight_, throughput * sight.emission);
+      throughput = throughput * sight.weight;
+      if (!sight.hit) {
         if (next.y > 0.0)
           addSky(next, throughput, half);
         else if (!last)
           addWeighted(half.plane, weight_, throughput);
         return;
       }
-      hit = *surface;
+      hit = *sight.hit;
     }
+  }
+
+  /// The sky that a path's first ray sees through surfaces of this share. Visibility has no colour: it takes what all
+  /// channels have, and the sky's transfer takes the rest.
+  void addOpen(const Number3& direction, const Number3& share, HalfSums& half) {
+    const double grey = std::min({share.x, share.y, share.z});
+    for (std::size_t b = 0; b < kDirections; ++b) half.open[b] += weight_[b] * grey;
+    if (share != Number3(grey)) addSky(direction, share - Number3(grey), half);
   }
 
   void addSky(const Number3& direction, const Number3& throughput, HalfSums& half) {
@@ -102,14 +128,37 @@ class Paths {
       const double cosine = dot(normal, light);
       if (cosine <= 0.0 || light.y <= 0.0) continue;
       ++ray_count_;
-      if (rays_.occluded(origin, light, kFar)) continue;
-      addWeighted(half.light[index], weight_, throughput * (cosine * step / det::kPi));
+      const Number3 share = geometry::arrivingShare(rays_, origin, light, kFar);
+      if (share == Number3(0.0)) continue;
+      addWeighted(half.light[index], weight_, throughput * share * (cosine * step / det::kPi));
     }
+  }
+
+  /// Tests at most light_rays of the level's own lights, drawn in proportion to their unshadowed light. They shine at
+  /// every hour, so their light counts as emitted.
+  void addOwnLights(const Number3& normal, const Number3& origin, const Number3& throughput, double offset,
+                    HalfSums& half) {
+    if (amount_.empty()) return;
+    for (std::size_t l = 0; l < amount_.size(); ++l) {
+      arriving_[l] = geometry::arrivingAt(own_.light[l], origin, normal);
+      const Number3& e = arriving_[l].irradiance;
+      amount_[l] = e.x + e.y + e.z;
+    }
+    drawInProportion(amount_, settings_.light_rays, offset, [&](std::size_t l, double represented) {
+      const geometry::LightArriving& from = arriving_[l];
+      ++ray_count_;
+      const Number3 share = geometry::arrivingShare(rays_, origin, from.direction, from.distance);
+      if (share == Number3(0.0)) return;
+      addWeighted(half.emitted, weight_,
+                  throughput * share * from.irradiance * (represented / (amount_[l] * det::kPi)));
+    });
   }
 
   const Rays& rays_;
   const TransferSettings& settings_;
-  bool emissive_;
+  const OwnLight& own_;
+  std::vector<geometry::LightArriving> arriving_;
+  std::vector<double> amount_;
   std::array<Number3, kDirections> basis_ = transferBasis();
   DirectionWeights weight_{};
   std::uint64_t ray_count_ = 0;
@@ -123,8 +172,8 @@ inline bool anyEmissive(const geometry::Surfaces& surfaces) {
 
 /// Traces paths of a probe until there are enough of them: all at once, or doubled until the error is small.
 template <typename Rays>
-TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle, bool emissive,
-                       const Number3& position, geometry::SectorId sector, std::size_t probe,
+TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const CircleTable& circle,
+                       const OwnLight& own, const Number3& position, geometry::SectorId sector, std::size_t probe,
                        const base::Progress& progress = {}) {
   constexpr std::uint32_t kBlock = 1024;  // paths between two calls of progress: some milliseconds
   TransferSums sums;
@@ -133,7 +182,7 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
     for (HalfSums& half : sums[r]) half.light.resize(settings.light_directions.size());
     points.emplace_back(circle, geometry::Random(sector.x, sector.z, probe, r).next(), settings.bounces);
   }
-  Paths<Rays> paths(rays, settings, emissive);
+  Paths<Rays> paths(rays, settings, own);
   std::uint32_t untold = 0;
   std::uint64_t told = 0;
   const auto tell = [&] {
@@ -154,7 +203,7 @@ TracedProbe traceProbe(const Rays& rays, const TransferSettings& settings, const
   TracedProbe result;
   const auto done = traceRounds(most, settings.max_error, [&](std::uint32_t from, std::uint32_t to) {
     tracePaths(from, to);
-    result = summedUp(sums, settings.ground_albedo, settings.light_directions);
+    result = summedUp(sums, settings.ground_albedo, settings.light_directions, own.plane_radiance);
     return result.effort.error;
   });
   tell();

@@ -64,7 +64,7 @@ Relight relightAt(double time_h, const std::array<Number3, 4>& sky_sh, const Lig
 struct ProbeIrradiance {
   std::array<Number3, kDirections> sky{};         ///< direct and bounced
   std::array<Number3, kDirections> sun_bounce{};  ///< with the moon's; with `sh` it may be below 0
-  std::array<Number3, kDirections> local{};       ///< from emissive surfaces
+  std::array<Number3, kDirections> local{};       ///< from emissive surfaces and the level's own lights
   std::array<Number3, kDirections> total() const;
 };
 

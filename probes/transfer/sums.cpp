@@ -57,8 +57,8 @@ class DirectionEstimator {
 
 }  // namespace
 
-TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
-                     const std::vector<Number3>& light_direction) {
+TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo, const std::vector<Number3>& light_direction,
+                     const Number3& plane_radiance) {
   // Irradiance over pi of the plane, by coefficient of the distant light: the whole upper hemisphere, cosine-weighted.
   constexpr std::array<double, 4> kPlane{det::kShConstant, det::kShLinear * 2.0 / 3.0, 0.0, 0.0};
   const auto basis = transferBasis();
@@ -82,7 +82,11 @@ TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
       for (std::size_t k = 0; k < 4; ++k)
         result.transfer.sky[b][k][c] = estimator.of([&](std::size_t r, std::size_t h) { return sky(k, r, h); }).value;
       result.transfer.emitted[b][c] =
-          estimator.of([&](std::size_t r, std::size_t h) { return sums[r][h].emitted[b][channel]; }).value;
+          estimator
+              .of([&](std::size_t r, std::size_t h) {
+                return sums[r][h].emitted[b][channel] + sums[r][h].plane[b][channel] * plane_radiance[c];
+              })
+              .value;
       const RatioEstimate uniform = estimator.of(
           [&](std::size_t r, std::size_t h) { return sums[r][h].open[b] + sky(0, r, h) / det::kShConstant; });
       const double sky_error = std::sqrt(uniform.variance);

@@ -30,7 +30,7 @@ using DirectionColours = std::array<std::array<double, 3>, kDirections>;  ///< [
 /// Sums over the paths of one replicate whose first direction is in one half.
 struct HalfSums {
   DirectionWeights weight{};
-  DirectionWeights open{};                ///< weight of paths that leave the level upward at once
+  DirectionWeights open{};  ///< weight of paths that leave the level upward at once, times the share that passes glass
   std::array<DirectionColours, 4> sky{};  ///< by coefficient
   DirectionColours plane{};               ///< throughput of paths that meet the plane beyond the level
   DirectionColours emitted{};
@@ -49,9 +49,10 @@ inline void addWeighted(DirectionColours& sum, const DirectionWeights& weight, c
 /// [replicate][half]
 using TransferSums = std::array<std::array<HalfSums, 2>, kReplicates>;
 
-/// The transfer and its errors. `plane_albedo` and `light_direction` determine the light from the plane beyond the
-/// level. TransferEffort::paths and rays stay 0.
-TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo,
-                     const std::vector<Number3>& light_direction);
+/// The transfer and its errors. `plane_albedo` and `light_direction` determine the distant light from the plane beyond
+/// the level, `plane_radiance` its light under the level's own directional lights. TransferEffort::paths and rays stay
+/// 0.
+TracedProbe summedUp(const TransferSums& sums, const Number3& plane_albedo, const std::vector<Number3>& light_direction,
+                     const Number3& plane_radiance);
 
 }  // namespace welkin::transfer

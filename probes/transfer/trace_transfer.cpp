@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "probes/transfer/probe_paths.h"
 #include "sky/base/error.h"
@@ -37,12 +38,18 @@ void check(const TransferSettings& s) {
 TransferTracer::TransferTracer(const geometry::Tracer& tracer, TransferSettings settings)
     : tracer_(&tracer), settings_(std::move(settings)), emissive_(anyEmissive(tracer.surfaces())) {
   check(settings_);
+  plane_radiance_ = settings_.ground_albedo * geometry::onOpenGround(tracer.surfaces().light) / det::kPi;
 }
 
 TracedProbe TransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                                   const base::Progress& progress) const {
-  return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, emissive_, position, sector,
-                    probe, progress);
+  OwnLight own{emissive_, {}, plane_radiance_};
+  for (const geometry::StaticLight& light : tracer_->surfaces().light)
+    if (light.directional || (std::abs(light.position.x - position.x) <= settings_.reach_m &&
+                              std::abs(light.position.z - position.z) <= settings_.reach_m))
+      own.light.push_back(light);
+  return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, own, position, sector, probe,
+                    progress);
 }
 
 std::vector<TracedProbe> TransferTracer::trace(const geometry::PlacedSector& sector) const {

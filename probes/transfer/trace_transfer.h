@@ -28,8 +28,8 @@ struct TransferSettings {
   std::vector<Number3> light_directions;
   /// Number of light directions that each vertex tests.
   std::size_t light_rays = 8;
-  /// Distance >= 0 to which a probe sees the level along x and z; a ray that gets farther has left it. It is measured
-  /// from the probe, so sector borders do not change a probe.
+  /// Distance >= 0 to which a probe sees the level and its lights along x and z; a ray that gets farther has left it.
+  /// It is measured from the probe, so sector borders do not change a probe.
   double reach_m = std::numeric_limits<double>::infinity();
   /// > 0: each probe traces until its TransferEffort::error is at most this, or `rays` are spent. 0: each probe traces
   /// `rays` paths.
@@ -61,6 +61,7 @@ class TransferTracer {
   TransferSettings settings_;
   CircleTable circle_;
   bool emissive_;
+  Number3 plane_radiance_{0.0};
 };
 
 /// Traces a single probe.

@@ -14,14 +14,16 @@ using f64::Number3;
 
 /// Transfer of one probe, by direction of the transfer basis. Values are irradiance, pi included.
 struct ProbeTransfer {
-  /// Unoccluded share of a uniform upper hemisphere's irradiance: 1 in the open, 0 for down.
+  /// Unoccluded share of a uniform upper hemisphere's irradiance: 1 in the open, 0 for down. Glass counts by the share
+  /// that it passes of every channel.
   std::array<double, kDirections> visibility{};
-  /// Bounced irradiance by distant light of radiance Y_k in the upper hemisphere: [direction][coefficient].
+  /// Bounced irradiance by distant light of radiance Y_k in the upper hemisphere, and the colour of what comes through
+  /// glass: [direction][coefficient].
   std::array<std::array<Number3, 4>, kDirections> sky{};
   /// Bounced irradiance by a light of normal irradiance 1 in the direction of each of
   /// TransferSettings::light_directions: [direction][i].
   std::array<std::vector<Number3>, kDirections> sun;
-  /// Irradiance by emissive surfaces, direct and bounced.
+  /// Irradiance by emissive surfaces, direct and bounced, and by the level's own lights, bounced.
   std::array<Number3, kDirections> emitted{};
 };
 

@@ -27,15 +27,19 @@ struct Ray {
 class Recorder {
  public:
   explicit Recorder(const geometry::Tracer& tracer) : tracer_(tracer) {}
-  std::optional<geometry::Hit> closest(const f64::Number3& o, const f64::Number3& d, double far) const {
+  std::optional<geometry::Hit> closest(const f64::Number3& o, const f64::Number3& d, double far,
+                                       geometry::Meets meets = geometry::Meets::all) const {
     note(o, d, far, false);
-    return tracer_.closest(o, d, far);
+    return tracer_.closest(o, d, far, meets);
   }
   bool occluded(const f64::Number3& o, const f64::Number3& d, double far) const {
     note(o, d, far, true);
     return tracer_.occluded(o, d, far);
   }
   f64::Number3 leaving(const geometry::Hit& hit) const { return tracer_.leaving(hit); }
+  f64::Number3 beyond(const geometry::Hit& hit) const { return tracer_.beyond(hit); }
+  f64::Number3 passing(const geometry::Hit& hit) const { return tracer_.passing(hit); }
+  bool anySeeThrough() const { return tracer_.anySeeThrough(); }
   f64::Number3 albedo(const geometry::Hit& hit) const { return tracer_.albedo(hit); }
   f64::Number3 emission(const geometry::Hit& hit) const { return tracer_.emission(hit); }
   const std::vector<Ray>& ray() const { return ray_; }
@@ -129,7 +133,7 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < position.size(); ++i) {
     const geometry::Tracer seen = tracer.within(position[i], settings.reach_m);
     const Recorder recorder(seen);
-    transfer::traceProbe(recorder, settings, circle, false, position[i], {0, 0}, i);
+    transfer::traceProbe(recorder, settings, circle, {}, position[i], {0, 0}, i);
     // One right after the other, so that other work on the machine slows both.
     bare += seconds([&] { hits += bareLoop(scene, recorder.ray()); });
     traced += seconds([&] {

@@ -26,7 +26,8 @@ void requireWhole(const geometry::Surfaces& s) {
     require(t.material < s.material.size() && t.object < s.object.size(), "materials and objects are there");
   }
   for (const geometry::Material& m : s.material) {
-    require(m.texture < static_cast<int>(s.texture.size()), "textures are there");
+    require(std::max(m.texture, m.emission_texture) < static_cast<int>(s.texture.size()), "textures are there");
+    require(m.transmission >= 0.0 && m.transmission <= 1.0, "transmission is within [0, 1]");
     require(isFinite(m.albedo) && isFinite(m.emission) && std::isfinite(m.alpha), "materials are finite");
     require(
         std::min({m.albedo.x, m.albedo.y, m.albedo.z}) >= 0.0 && std::max({m.albedo.x, m.albedo.y, m.albedo.z}) <= 1.0,
@@ -37,8 +38,12 @@ void requireWhole(const geometry::Surfaces& s) {
   for (const geometry::Texture& t : s.texture)
     require(t.rgba.size() == 4 * static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height),
             "every texel is there");
-  for (const geometry::PointLight& light : s.light)
+  for (const geometry::StaticLight& light : s.light) {
     require(isFinite(light.position) && isFinite(light.intensity), "lights are finite");
+    require(std::abs(dot(light.axis, light.axis) - 1.0) < 1e-9, "lights shine along unit vectors");
+    require(std::isfinite(light.inverse_range4) && std::isfinite(light.cone_scale) && std::isfinite(light.cone_offset),
+            "ranges and cones are finite");
+  }
 }
 
 }  // namespace

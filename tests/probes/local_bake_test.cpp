@@ -56,8 +56,9 @@ TEST_CASE("LocalBake, SettingsAndLightsSayWhetherThereIsAny") {
   CHECK_FALSE(has(Where::near_lights, dark));
   CHECK(has(Where::near_lights, lit));
   geometry::Surfaces spotted = dark;
-  spotted.spot.push_back({1, 2, 3});
-  CHECK(has(Where::near_lights, spotted));
+  spotted.light.push_back({{1, 2, 3}, Number3(4.0)});
+  spotted.light[0].directional = true;  // shines everywhere, and stands nowhere
+  CHECK_FALSE(has(Where::near_lights, spotted));
   CHECK(has(Where::everywhere, dark));
   CHECK_FALSE(has(Where::nowhere, lit));
   CHECK_FALSE(has(Where::everywhere, lit, 0));

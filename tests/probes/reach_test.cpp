@@ -52,7 +52,16 @@ geometry::Surfaces gardenLevel() {
   }
   s.uv.resize(s.position.size(), {0.125F, 0.5F});
   s.light = {{{9, 1, 1}, Number3(1.0)}, {{5, 1, 1}, Number3(2.0)}, {{5, 1, 1}, Number3(1.0)}};
-  s.spot = {{9, 2, 1}, {5, 2, 3}, {5, 2, 1}};
+  for (const auto change : {+[](geometry::StaticLight& l) {
+                              l.axis = {1, 0, 0};
+                            },
+                            +[](geometry::StaticLight& l) { l.directional = true; },
+                            +[](geometry::StaticLight& l) { l.inverse_range4 = 0.5; },
+                            +[](geometry::StaticLight& l) { geometry::setCone(l, 0.1, 0.2); },
+                            +[](geometry::StaticLight& l) { geometry::setCone(l, 0.1, 0.3); }}) {
+    s.light.push_back({{5, 1, 1}, Number3(1.0)});
+    change(s.light.back());
+  }
   return s;
 }
 
@@ -93,7 +102,6 @@ geometry::Surfaces inAnotherOrder(const geometry::Surfaces& level, std::uint64_t
     s.triangle.push_back(t);
   }
   for (const std::uint32_t i : shuffled(level.light.size(), random)) s.light.push_back(level.light[i]);
-  for (const std::uint32_t i : shuffled(level.spot.size(), random)) s.spot.push_back(level.spot[i]);
   return s;
 }
 
@@ -141,7 +149,6 @@ TEST_CASE("Reach, WhatLiesBeyondChangesNothing") {
     more.triangle.push_back(t);
   }
   more.light.push_back({{500, 1, 1}, Number3(1.0)});
-  more.spot.push_back({1, 1, 500});
   CHECK(hashOfSector(more, {0, 0}, 16.0) == hash);
   CHECK_FALSE(hashOfSector(more, {0, 0}, 1000.0) == hash);
   const geometry::Surfaces near =
@@ -209,7 +216,14 @@ TEST_CASE("Reach, EverythingThatABakeSeesCounts") {
   differs("a wrap across", [](auto& s) { s.texture[0].wrap_u = geometry::Texture::Wrap::mirrored; });
   differs("a wrap up", [](auto& s) { s.texture[0].wrap_v = geometry::Texture::Wrap::mirrored; });
   differs("a role", [](auto& s) { s.object[0].role = geometry::Role::vegetation; });
-  differs("a spot light", [](auto& s) { s.spot.push_back({5, 5, 5}); });
+  differs("a directional light far off", [](auto& s) {
+    s.light.push_back({{500, 5, 5}, Number3(1.0)});
+    s.light[0].directional = true;
+  });
+  differs("a second texture", [](auto& s) { s.material[0].emission_texture = 0; });
+  differs("a second texture's transform", [](auto& s) { s.material[0].emission_uv_row[1][2] = 0.5; });
+  differs("a blend", [](auto& s) { s.material[0].blended = true; });
+  differs("a transmission", [](auto& s) { s.material[0].transmission = 0.5; });
   differs("a light", [](auto& s) { s.light.push_back({{5, 5, 5}, Number3(1.0)}); });
   differs("a triangle the other way round",
           [](auto& s) { std::swap(s.triangle[0].vertex[1], s.triangle[0].vertex[2]); });

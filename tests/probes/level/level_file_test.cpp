@@ -38,6 +38,7 @@ rotation_deg = [90, 90, 0]
 scale = [2, 3, 4]
 role = "vegetation"
 vegetation_nodes = ["palm*"]
+ignore_nodes = ["sky*", "UCX_*"]
 albedo = [0.1, 0.2, 0.3]
 [[geometry]]
 file = "hut.glb"
@@ -56,6 +57,7 @@ sky = 1.0
   CHECK(g.path == folder.path() / "a" / "terrain.gltf");
   CHECK(g.role == geometry::Role::vegetation);
   CHECK(g.vegetation_nodes == std::vector<std::string>{"palm*"});
+  CHECK(g.ignore_nodes == std::vector<std::string>{"sky*", "UCX_*"});
   CHECK(g.albedo == Number3(0.1, 0.2, 0.3));
   // x comes first: +y turns to +z, +z to -y. Then y: +z turns to +x, +x to -z. Scaling comes before, translation after.
   const auto check = [](const Number3& is, const Number3& must) {
@@ -81,6 +83,7 @@ TEST_CASE("LevelFile, MessagesNameTheKeyAndWhatIsAllowed") {
   checkLevelRefused(level + geometry + "albedo = [0.1, 0.2, 1.3]\n", base::ExitStatus::content, "albedo");
   checkLevelRefused(level + geometry + "translation = [1, 2, nan]\n", base::ExitStatus::content, "translation");
   checkLevelRefused(level + geometry + "vegetation_nodes = [1]\n", base::ExitStatus::content, "vegetation_nodes");
+  checkLevelRefused(level + geometry + "ignore_nodes = \"sky\"\n", base::ExitStatus::content, "ignore_nodes");
   checkLevelRefused(level + geometry + "[probs]\n", base::ExitStatus::content, "nearest known one is \"probes\"");
   checkLevelRefused(level + "[[geometry]]\n", base::ExitStatus::content, "geometry[0].file");
   checkLevelRefused(level, base::ExitStatus::content, "geometry");

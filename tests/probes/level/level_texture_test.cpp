@@ -169,12 +169,38 @@ TEST_CASE("LevelTexture, MasksLetRaysThrough") {
   gltf.json["materials"][0]["alphaMode"] = "BLEND";
   CHECK(heightAt(0.49) == 0.0);
   CHECK(heightAt(0.51) == -1.0);
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"leaf.tga", image}});
+  const geometry::Tracer tracer(s);
+  for (const double u : {0.3, 0.7}) {  // light passes texel by texel
+    const auto hit = tracer.closest({2 * u - 1, 10.0, 0.1}, {0, -1, 0}, 100.0, geometry::Meets::light);
+    REQUIRE(hit);
+    checkNear(tracer.passing(*hit), Number3(2 * (u - 0.25)), 1e-6);
+  }
 }
 
-TEST_CASE("LevelTexture, EmissionTakesTheMeanOfItsTexture") {
-  const GltfText gltf = squareWith([](json& j) {
+TEST_CASE("LevelTexture, EmissionFollowsTheTexelsOfItsTexture") {
+  GltfText gltf = squareWith([](json& j) {
     j["materials"][0]["emissiveFactor"] = {1, 0.5, 0};
     j["materials"][0]["emissiveTexture"] = {{"index", 0}};
+    j["materials"][0]["emissiveTexture"]["extensions"]["KHR_texture_transform"] = {{"offset", {0.25, 0}}};
+  });
+  const auto emissionAt = [&](double u, double v) {
+    const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
+    CHECK(s.warning.empty());
+    const geometry::Tracer tracer(s);
+    return tracer.emission(*below(tracer, 2 * u - 1, 2 * v - 1));
+  };
+  const auto expected = [](const Number3& t) { return t * Number3(1, 0.5, 0); };
+  checkNear(emissionAt(0.375, 0.25), expected(texel(2, 0)), kTolerance);  // u = 0.375 + 0.25
+  checkNear(emissionAt(0.125, 0.75), expected(texel(1, 1)), kTolerance);
+  gltf.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");  // the coordinates are its own
+  checkNear(emissionAt(0.125, 0.75), expected(texel(1, 1)), kTolerance);
+}
+
+TEST_CASE("LevelTexture, EmissionWithCoordinatesOfItsOwnTakesTheMean") {
+  const GltfText gltf = squareWith([](json& j) {
+    j["materials"][0]["emissiveFactor"] = {1, 0.5, 0};
+    j["materials"][0]["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
   });
   const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"a.png", png()}});
   Number3 mean(0.0);
@@ -182,7 +208,23 @@ TEST_CASE("LevelTexture, EmissionTakesTheMeanOfItsTexture") {
     for (const int column : {0, 1, 2, 3}) mean += texel(column, row) * 0.125;
   checkNear(s.material[0].emission, {mean.x, mean.y * 0.5, 0.0}, 1e-12);
   REQUIRE(s.warning.size() == 1);
-  CHECK_THAT(s.warning[0], Catch::Contains("a.gltf") && Catch::Contains("emissiveTexture"));
+  CHECK_THAT(s.warning[0], Catch::Contains("a.gltf") && Catch::Contains("TEXCOORD_1"));
+}
+
+TEST_CASE("LevelTexture, TransmissionTakesTheMeanOfItsTexturesRed") {
+  const std::string image = targa(2, 1, {51, 255, 255, 255, 153, 0, 0, 255});
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(texturedSquareMesh(), gltf.addMaterial({1, 1, 1})));
+  gltf.json["images"] = {{{"uri", "glass.tga"}}};
+  gltf.json["textures"] = {{{"source", 0}}};
+  gltf.json["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 0.5},
+                                                                           {"transmissionTexture", {{"index", 0}}}};
+  const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}, {"glass.tga", image}});
+  CHECK(s.material[0].transmission == Approx(0.5 * 0.4));
+  REQUIRE(s.warning.size() == 1);
+  CHECK_THAT(s.warning[0], Catch::Contains("transmissionTexture"));
+  gltf.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 1.5;
+  checkSurfacesRefused({{"a.gltf", gltf.text()}, {"glass.tga", image}}, {"material 0", "transmissionFactor = 1.5"});
 }
 
 TEST_CASE("LevelTexture, MessagesNameTheFileAndThePart") {

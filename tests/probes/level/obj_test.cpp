@@ -52,6 +52,11 @@ TEST_CASE("Obj, ObjectsAndMaterialsDivideTheFaces") {
   CHECK(s.object[1].name == "palm 1");
   CHECK(s.object[1].role == geometry::Role::vegetation);
   CHECK(s.object[2].role == geometry::Role::fixed);
+  level.geometry[0].ignore_nodes = {"hul?", "h*l"};
+  const geometry::Surfaces without = loader::surfacesOf(loader::readScene(level), 1.0);
+  CHECK(without.object.size() == 2);
+  CHECK(without.triangle.size() == s.triangle.size() - 1);
+  CHECK(warns(without, "ignore_nodes: \"hul?\" fits no node or object"));
   CHECK(s.file.size() == 2);
   CHECK(s.warning.empty());
   const geometry::Tracer tracer(s);
@@ -207,14 +212,13 @@ TEST_CASE("Obj, ImagesLieWithVFromTheBottom") {
             kFloats);
 }
 
-TEST_CASE("Obj, TransparencyIsAMaskAtOneHalf") {
+TEST_CASE("Obj, TransparencyIsAMaskAtOneHalfForPlacesAndPartialForLight") {
   const auto hits = [](const std::string& mtl) {
     const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
                                              {"a.mtl", "newmtl paint\nKd 1 1 1\n" + mtl},
                                              {"leaf.tga", targa(2, 1, {9, 9, 9, 255, 9, 9, 9, 0})}});
     const geometry::Tracer tracer(s);
-    const bool reported = warns(s, "paint: transparent") || warns(s, "map_d");
-    CHECK(reported == (mtl.find('d') == 0 || mtl.find("Tr") == 0 || mtl.find("map_d") != std::string::npos));
+    CHECK(warns(s, "map_d") == (mtl.find("map_d other") != std::string::npos));
     return std::pair(below(tracer, -0.5, 0.1).has_value(), below(tracer, 0.5, 0.1).has_value());
   };
   CHECK(hits("d 0.6\n") == std::pair(true, true));
@@ -223,6 +227,12 @@ TEST_CASE("Obj, TransparencyIsAMaskAtOneHalf") {
   CHECK(hits("map_Kd leaf.tga\n") == std::pair(true, true));
   CHECK(hits("map_Kd leaf.tga\nmap_d leaf.tga\n") == std::pair(true, false));
   CHECK(hits("map_Kd leaf.tga\nmap_d other.tga\n") == std::pair(true, true));
+  const geometry::Surfaces s =
+      surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare}, {"a.mtl", "newmtl paint\nKd 1 1 1\nd 0.3\n"}});
+  const geometry::Tracer tracer(s);
+  const auto hit = tracer.closest({0.1, 10.0, 0.1}, {0.0, -1.0, 0.0}, 100.0, geometry::Meets::light);
+  REQUIRE(hit);
+  checkNear(tracer.passing(*hit), Number3(0.7), 1e-12);
 }
 
 TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {

@@ -64,6 +64,26 @@ TEST_CASE("SurfacesOf, WhatPlacesNothingIsWarnedOf") {
   CHECK(s.warning.size() == 2);
 }
 
+TEST_CASE("SurfacesOf, IgnoredNodesAreLeftOutWithAllBelowThem") {
+  GltfText gltf;
+  const int square = gltf.addMesh(squareMesh());
+  gltf.addNode(square, {{"name", "floor"}});
+  gltf.addNode(square, {{"name", "UCX_floor"}, {"children", {2, 3}}});
+  gltf.json["nodes"].push_back({{"name", "kept by its role"}, {"mesh", square}, {"extras", {{"role", "static"}}}});
+  gltf.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  gltf.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  const Folder folder;
+  level::LevelFile level = levelOf(folder, {{"a.gltf", gltf.text()}});
+  level.geometry[0].ignore_nodes = {"UCX_*", "sky*"};
+  const geometry::Surfaces s = loader::surfacesOf(loader::readScene(level), 1.0);
+  CHECK(s.triangle.size() == 2);
+  REQUIRE(s.object.size() == 1);
+  CHECK(s.object[0].name == "floor");
+  CHECK(s.light.empty());
+  CHECK(warns(s, "a.gltf: ignore_nodes: \"sky*\" fits no node or object"));
+  CHECK(s.warning.size() == 1);
+}
+
 TEST_CASE("SurfacesOf, MirroredSurfacesKeepTheirFront") {
   GltfText gltf;
   const int square = gltf.addMesh(squareMesh());
@@ -121,17 +141,26 @@ TEST_CASE("SurfacesOf, MaterialsKeepEmissionSidesAndAlpha") {
   (*add("gone", {{"alphaMode", "MASK"}}))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.25;
   (*add("pane", {{"alphaMode", "BLEND"}}))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.75;
   (*add("solid", json::object()))["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.25;
-  gltf.json["extensionsRequired"] = {"KHR_materials_emissive_strength", "KHR_materials_unlit"};
+  add("glass", {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
+  add("paint", {{"alphaMode", "BLEND"}});
+  gltf.json["extensionsRequired"] = {"KHR_materials_emissive_strength", "KHR_materials_transmission",
+                                     "KHR_materials_unlit"};
   const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
-  REQUIRE(s.material.size() == 5);
+  REQUIRE(s.material.size() == 7);
   CHECK(s.material[0].double_sided);
   CHECK_FALSE(s.material[1].double_sided);
   checkNear(s.material[1].emission, {4, 2, 0}, 0);
   checkNear(surfacesOf({{"a.gltf", gltf.text()}}, 4.0).material[1].emission, {1, 0.5, 0}, 0);  // scene units
   checkNear(s.material[1].albedo, {0.1, 0.2, 0.3}, 0);
-  CHECK(warns(s, "\"pane\": alphaMode BLEND"));
+  CHECK(s.warning.empty());
   const geometry::Tracer tracer(s);
-  CHECK_FALSE(below(tracer, 6.2, 0.1));  // below the cut-off everywhere
+  checkNear(tracer.passing(*below(tracer, 9.2, 0.1)), Number3(0.25), 1e-12);
+  checkNear(tracer.albedo(*below(tracer, 9.2, 0.1)), {0.075, 0.15, 0.225}, 1e-12);
+  checkNear(tracer.passing(*below(tracer, 12.2, 0.1)), Number3(0.0), 0);
+  checkNear(tracer.passing(*below(tracer, 15.2, 0.1)), {0.05, 0.1, 0.15}, 1e-12);
+  checkNear(tracer.albedo(*below(tracer, 15.2, 0.1)), {0.05, 0.1, 0.15}, 1e-12);
+  CHECK_FALSE(s.material[6].letsLightThrough());  // blended, and all there
+  CHECK_FALSE(below(tracer, 6.2, 0.1));           // below the cut-off everywhere
   CHECK(below(tracer, 9.2, 0.1));
   CHECK(below(tracer, 12.2, 0.1));  // opaque whatever its alpha
 }
@@ -155,31 +184,48 @@ TEST_CASE("SurfacesOf, VertexColoursMultiplyTheMaterials") {
   checkSurfacesRefused({{"a.gltf", bright.text()}}, {"a.gltf", "COLOR_0", "1.5"});
 }
 
-TEST_CASE("SurfacesOf, PointLightsAreReadAndOthersReported") {
+TEST_CASE("SurfacesOf, LightsAreReadAsTheirNodesPlaceThem") {
   GltfText gltf;
   gltf.addNode(gltf.addMesh(squareMesh()));
   gltf.json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 10}},
-      {{"type", "spot"}, {"spot", json::object()}},
-      {{"type", "directional"}}};
+      {{"type", "spot"}, {"range", 2}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}},
+      {{"type", "directional"}, {"intensity", 3}}};
   for (const int light : {0, 1, 2})
     gltf.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
   gltf.json["nodes"][0]["children"] = {1, 2, 3};
   gltf.json["nodes"][0]["scale"] = {2, 2, 2};
   gltf.json["nodes"][1]["translation"] = {1, 2, 3};
   gltf.json["nodes"][2]["translation"] = {3, 0, 0};
+  gltf.json["nodes"][2]["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};  // -z becomes -y
   const geometry::Surfaces s = surfacesOf({{"a.gltf", gltf.text()}});
-  REQUIRE(s.light.size() == 1);
+  REQUIRE(s.light.size() == 3);
   checkNear(s.light[0].position, {2, 4, 6}, 0);
   checkNear(s.light[0].intensity, {10, 5, 0}, 0);
   checkNear(surfacesOf({{"a.gltf", gltf.text()}}, 4.0).light.at(0).intensity, {2.5, 1.25, 0}, 0);  // scene units
-  REQUIRE(s.spot.size() == 1);
-  checkNear(s.spot[0], {6, 0, 0}, 0);
-  CHECK(warns(s, "a.gltf: 1 directional lights"));
-  CHECK(warns(s, "a.gltf: 1 spot lights"));
+  geometry::StaticLight spot = s.light[1];
+  checkNear(spot.position, {6, 0, 0}, 0);
+  checkNear(spot.intensity, Number3(1.0), 0);
+  checkNear(spot.axis, {0, -1, 0}, 1e-12);
+  CHECK(spot.inverse_range4 == 1.0 / 16.0);  // no scale changes it
+  CHECK(spot.cone_scale * std::cos(0.25) + spot.cone_offset == Approx(1.0));
+  CHECK(spot.cone_scale * std::cos(0.5) + spot.cone_offset == Approx(0.0).margin(1e-12));
+  CHECK(s.light[2].directional);
+  checkNear(s.light[2].intensity, Number3(3.0), 0);
+  checkNear(s.light[2].axis, {0, 0, -1}, 0);
+  REQUIRE(s.warning.size() == 1);
+  CHECK(warns(s, "a.gltf: node 3 \"\": a directional light shines at every hour"));
   json& lights = gltf.json["extensions"]["KHR_lights_punctual"]["lights"];
   lights[0]["intensity"] = -1;
   checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "intensity"});
+  lights[0] = {{"type", "point"}, {"range", -2}};
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "range is -2"});
+  lights[0] = {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}};
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "innerConeAngle is 0.5"});
+  lights[0] = {{"type", "spot"}, {"spot", {{"outerConeAngle", 1.6}}}};
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "outerConeAngle 1.6"});
+  lights[0] = {{"type", "area"}};
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "type = \"area\""});
   gltf.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 3;
   checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "light 3 is none of the 3"});
 }
