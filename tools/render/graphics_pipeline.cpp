@@ -68,10 +68,15 @@ VkPipeline createGraphicsPipeline(VkDevice device, const PipelineDescription& d)
   depth.depthTestEnable = d.depth != VK_FORMAT_UNDEFINED ? VK_TRUE : VK_FALSE;
   depth.depthWriteEnable = d.depth_write ? VK_TRUE : VK_FALSE;
   depth.depthCompareOp = d.depth_compare;
-  VkPipelineColorBlendAttachmentState unblended{};
-  unblended.colorWriteMask =
+  VkPipelineColorBlendAttachmentState blended{};
+  blended.colorWriteMask =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  const std::vector<VkPipelineColorBlendAttachmentState> attachments(d.colours.size(), unblended);
+  blended.blendEnable = d.dual_source ? VK_TRUE : VK_FALSE;
+  blended.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
+  blended.dstColorBlendFactor = VK_BLEND_FACTOR_SRC1_COLOR;
+  blended.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blended.dstAlphaBlendFactor = VK_BLEND_FACTOR_SRC1_ALPHA;
+  const std::vector<VkPipelineColorBlendAttachmentState> attachments(d.colours.size(), blended);
   VkPipelineColorBlendStateCreateInfo blend{};
   blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blend.attachmentCount = static_cast<uint32_t>(attachments.size());

@@ -10,7 +10,7 @@
 
 namespace welkin::render {
 
-/// Viewport and scissor are dynamic. One sample, no blending, triangles. No vertex inputs unless they are given.
+/// Viewport and scissor are dynamic. One sample, triangles. No vertex inputs unless they are given.
 struct PipelineDescription {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   std::span<const uint32_t> vertex{};
@@ -22,6 +22,7 @@ struct PipelineDescription {
   VkFormat depth = VK_FORMAT_UNDEFINED;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
   bool depth_write = false;
+  bool dual_source = false;  ///< the result is the first source plus the second times what is there; else no blending
   float depth_bias_slope = 0.0F;
   bool dynamic_culling = false;  ///< cull mode and front face are dynamic; else nothing is culled
 };

@@ -116,7 +116,7 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
   setVector(constants.options, {options.mist_per_m, options.flat_light ? 1.0 : 0.0, mirrored ? level : -1e30},
             pixel_rad);
   setVector(constants.water, {sea ? level : 0.0, options.waves ? kRippleVariance : 0.0, options.cubemaps ? 1.0 : 0.0},
-            0.0);
+            static_cast<double>(scene.lights.size()));
   setVector(constants.floor_edge, {bounds.low.x, bounds.low.z, bounds.high.x}, bounds.high.z);
   if (options.waves) {
     const auto waves = wavesAt(sample.time_h);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "render/shaders/level_glass_push.h"
+
 namespace welkin::render {
 namespace {
 
@@ -40,13 +42,38 @@ std::span<const VkVertexInputAttributeDescription> LevelMesh::attributes() {
   return kAttributes;
 }
 
-void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const {
+bool LevelMesh::isGlass(const level::Draw& draw) const {
+  return draw.role != geometry::Role::water && scene_.materials[draw.material].surface.letsLightThrough();
+}
+
+bool LevelMesh::hasGlass() const {
+  return std::any_of(scene_.draws.begin(), scene_.draws.end(), [&](const level::Draw& draw) { return isGlass(draw); });
+}
+
+void LevelMesh::bind(VkCommandBuffer commands) const {
   const VkDeviceSize offset = 0;
   const VkBuffer vertices = vertices_.handle();
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
+}
+
+void LevelMesh::recordGlass(VkCommandBuffer commands, VkPipelineLayout layout) const {
+  bind(commands);
   for (const level::Draw& draw : scene_.draws) {
-    if (draw.role == geometry::Role::water) continue;
+    if (!isGlass(draw)) continue;
+    const geometry::Material& surface = scene_.materials[draw.material].surface;
+    const shaders::GlassPush push{surface.blended ? static_cast<float>(surface.alpha) : 1.0F,
+                                  static_cast<float>(surface.transmission)};
+    vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push), &push);
+    vkCmdDrawIndexed(commands, draw.index_count, draw.instance_count, draw.first_index, draw.vertex_offset,
+                     draw.first_instance);
+  }
+}
+
+void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const {
+  bind(commands);
+  for (const level::Draw& draw : scene_.draws) {
+    if (draw.role == geometry::Role::water || isGlass(draw)) continue;
     if (cull) {
       // Device coordinates are y-down, so glTF's counter-clockwise front stays counter-clockwise on the screen.
       vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);

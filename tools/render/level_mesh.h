@@ -17,13 +17,21 @@ class LevelMesh {
 
   VkBuffer instances() const { return instances_.handle(); }
 
-  /// Records every draw but the water's. With `cull`, which needs dynamic culling, the backs of single-sided surfaces
-  /// are left out. `mirrored` means that the view is a mirror image.
+  /// Records every draw but the water's and the glass. With `cull`, which needs dynamic culling, the backs of
+  /// single-sided surfaces are left out. `mirrored` means that the view is a mirror image.
   void record(VkCommandBuffer commands, bool cull, bool mirrored) const;
+
+  /// Whether light passes a surface.
+  bool hasGlass() const;
+  /// Records the draws of surfaces that light passes, each after its GlassPush.
+  void recordGlass(VkCommandBuffer commands, VkPipelineLayout layout) const;
 
   static std::span<const VkVertexInputAttributeDescription> attributes();
 
  private:
+  bool isGlass(const level::Draw& draw) const;
+  void bind(VkCommandBuffer commands) const;
+
   const level::Scene& scene_;
   Buffer vertices_;
   Buffer indices_;

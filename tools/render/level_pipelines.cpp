@@ -8,7 +8,10 @@
 #include "render/level_mesh.h"
 #include "render/offscreen.h"
 #include "render/probe_sphere.h"
+#include "render/shaders/level_glass_push.h"
 #include "spirv/kFullscreenVert.h"
+#include "spirv/kLevelGlassFrag.h"
+#include "spirv/kLevelGlassOfModesFrag.h"
 #include "spirv/kLevelLightFrag.h"
 #include "spirv/kLevelLightOfModesFrag.h"
 #include "spirv/kLevelProbesFrag.h"
@@ -35,7 +38,8 @@ LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout
 }
 
 void LevelPipelines::destroy() {
-  for (VkPipeline pipeline : {shadow, surface, light, probes, water}) vkDestroyPipeline(device_, pipeline, nullptr);
+  for (VkPipeline pipeline : {shadow, surface, light, probes, glass, water})
+    vkDestroyPipeline(device_, pipeline, nullptr);
   vkDestroyPipelineLayout(device_, layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_, set_, nullptr);
   vkDestroySampler(device_, shadow_sampler_, nullptr);
@@ -46,9 +50,10 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
   VkDescriptorSetLayoutBinding bindings[WELKIN_LEVEL_BINDINGS] = {};
   for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
     bindings[i].binding = i;
-    bindings[i].descriptorType = i == WELKIN_LEVEL_CONSTANTS   ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-                                 : i == WELKIN_LEVEL_INSTANCES ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                                               : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    const bool storage = i == WELKIN_LEVEL_INSTANCES || i == WELKIN_LEVEL_LAMPS;
+    bindings[i].descriptorType = i == WELKIN_LEVEL_CONSTANTS ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                 : storage                   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                             : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     bindings[i].descriptorCount = 1;
     bindings[i].stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
   }
@@ -62,6 +67,9 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   info.setLayoutCount = 2;
   info.pSetLayouts = sets;
+  const VkPushConstantRange of_glass{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(shaders::GlassPush)};
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &of_glass;
   require(vkCreatePipelineLayout(device_, &info, nullptr, &layout_), "vkCreatePipelineLayout");
 }
 
@@ -121,6 +129,16 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                             .depth = kDepthFormat,
                                             .depth_compare = VK_COMPARE_OP_GREATER,
                                             .depth_write = true});
+  glass = createGraphicsPipeline(device_,
+                                 {.layout = layout_,
+                                  .vertex = kLevelSurfaceVert,
+                                  .fragment = light_of_modes ? Words(kLevelGlassOfModesFrag) : Words(kLevelGlassFrag),
+                                  .attributes = attributes,
+                                  .vertex_bytes = sizeof(level::Vertex),
+                                  .colours = {Offscreen::kFormat},
+                                  .depth = kDepthFormat,
+                                  .depth_compare = VK_COMPARE_OP_GREATER,
+                                  .dual_source = true});
   water = createGraphicsPipeline(device_,
                                  {.layout = layout_,
                                   .vertex = kLevelWaterVert,

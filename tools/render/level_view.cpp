@@ -67,8 +67,8 @@ class SetWriter {
 
 VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
   const VkDescriptorPoolSize sizes[3] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2},
-                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 2)}};
+                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * 2},
+                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 3)}};
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   info.maxSets = 2;
@@ -107,6 +107,7 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
       options_(options),
       sky_(device, sky, LevelPipelines::kDepthFormat, VK_COMPARE_OP_EQUAL),
       mesh_(device, scene),
+      lamps_(device, scene, double{sky.info().luminance_unit}),
       pipelines_(device, sky_.layout(), sky.info().mode_count > 0),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
@@ -170,6 +171,14 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
   if (dome != nullptr) sky_.recordDome(commands, *dome);
   vkCmdEndRendering(commands);
   recordProbes(commands, target, radiance);
+  recordGlass(commands, target, radiance);
+}
+
+void LevelView::recordGlass(VkCommandBuffer commands, Target& target, Image& radiance) {
+  if (!mesh_.hasGlass()) return;
+  beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_LOAD, pipelines_.glass);
+  mesh_.recordGlass(commands, pipelines_.layout());
+  vkCmdEndRendering(commands);
 }
 
 void LevelView::setProbes(std::span<const ProbeSphere> probes) {
@@ -216,6 +225,7 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
     SetWriter writer(t->set);
     writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, t->constants.handle());
     writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
+    writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
     writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
     writer.image(WELKIN_LEVEL_ALBEDO, pipelines_.sampler(), t->albedo, kSampled.layout);
     writer.image(WELKIN_LEVEL_NORMAL, pipelines_.sampler(), t->normal, kSampled.layout);

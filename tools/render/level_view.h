@@ -8,6 +8,7 @@
 
 #include "render/camera.h"
 #include "render/level_frame.h"
+#include "render/level_lamps.h"
 #include "render/level_mesh.h"
 #include "render/level_pipelines.h"
 #include "render/offscreen.h"
@@ -40,6 +41,8 @@ class LevelView {
   /// Records the level without the sea. With `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
+  /// Draws the surfaces that light passes over a scene. They cast no shadow.
+  void recordGlass(VkCommandBuffer commands, Target& target, Image& radiance);
   /// Draws the probes over a scene.
   void recordProbes(VkCommandBuffer commands, Target& target, Image& radiance);
   void recordShadow(VkCommandBuffer commands, const Target& target);
@@ -54,6 +57,7 @@ class LevelView {
   LevelOptions options_;
   RuntimeSky sky_;
   LevelMesh mesh_;
+  LevelLamps lamps_;
   LevelPipelines pipelines_;
   std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;

@@ -55,6 +55,7 @@ std::string refusal(VkPhysicalDevice device, const VkPhysicalDeviceProperties& p
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
   features.pNext = &features13;
   vkGetPhysicalDeviceFeatures2(device, &features);
+  if (features.features.dualSrcBlend == VK_FALSE) return "lacks dualSrcBlend";
   if (features13.dynamicRendering == VK_FALSE) return "lacks dynamicRendering";
   if (features13.synchronization2 == VK_FALSE) return "lacks synchronization2";
   VkFormatProperties format;
@@ -202,9 +203,12 @@ void VulkanDevice::createDevice() {
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
   features.dynamicRendering = VK_TRUE;
   features.synchronization2 = VK_TRUE;
+  VkPhysicalDeviceFeatures blending{};
+  blending.dualSrcBlend = VK_TRUE;
   VkDeviceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
   info.pNext = &features;
+  info.pEnabledFeatures = &blending;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   require(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");

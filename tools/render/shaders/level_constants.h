@@ -15,7 +15,8 @@
 #define WELKIN_LEVEL_DEPTH 5       // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
 #define WELKIN_LEVEL_SCENE 6       // sampler2D, RGBA32F, fetched: the picture without the water
 #define WELKIN_LEVEL_REFLECTION 7  // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
-#define WELKIN_LEVEL_BINDINGS 8
+#define WELKIN_LEVEL_LAMPS 8       // storage buffer, a LevelLamp each
+#define WELKIN_LEVEL_BINDINGS 9
 
 #ifdef __cplusplus
 #include <cstddef>
@@ -40,7 +41,7 @@ struct LevelConstants {
   WELKIN_VECTOR options;     // x: mist, extinction per metre; y: 1 flat ambient light, else 0; z: lowest height drawn;
                              // w: angle of a pixel, radians
   WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
-                             // z: 1 mirrors the baked cubemaps, else 0
+                             // z: 1 mirrors the baked cubemaps, else 0; w: number of lamps
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };

@@ -4,6 +4,7 @@
 #define WELKIN_LEVEL_VIEW_GLSL
 
 #include "level.glsl"
+#include "level_lamps.glsl"
 #include "sky_light.glsl"
 #include "welkin/dome.glsl"
 
@@ -30,12 +31,12 @@ float lightReaching(vec3 p, vec3 normal) {
 
 vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal); }
 
-// Irradiance of a surface from the sky and the light.
+// Irradiance of a surface from the sky, the light and the level's own lamps. Nothing stops the lamps' light.
 vec3 surfaceIrradiance(vec3 p, vec3 normal) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
   if (cosine > 0.0) direct = level.light_irradiance.rgb * (cosine * lightReaching(p, normal));
-  return ambientIrradiance(normal) + direct;
+  return ambientIrradiance(normal) + direct + lampsIrradiance(p, normal);
 }
 
 // Radiance seen through `distance_m` of air. The air replaces the light it absorbs by the sky's radiance at the horizon
