@@ -88,7 +88,7 @@ class MtlReader {
  private:
   void readLine(const std::string& key) {
     constexpr double kBrightest = 1e9;
-    static const std::set<std::string_view> kRead = {"kd", "ke", "d", "tr", "map_kd", "map_d"};
+    static const std::set<std::string_view> kRead = {"kd", "ke", "d", "tr", "map_kd", "map_ke", "map_d"};
     if (key == "newmtl") return beginMaterial();
     if (kRead.count(key) == 0) {
       if (kWithoutLight.count(key) == 0) unknown_.add(key, lines_.lineNumber());
@@ -100,6 +100,7 @@ class MtlReader {
     if (key == "d") dissolve_ = inRange(lines_, lines_.words().size() > 2 ? 2 : 1, 1.0);  // d -halo factor
     if (key == "tr") transparency_ = inRange(lines_, 1, 1.0);
     if (key == "map_kd") material_.diffuse_map = readMap(lines_);
+    if (key == "map_ke") material_.emission_map = readMap(lines_);
     if (key == "map_d") material_.alpha_map = readMap(lines_).file;
   }
 

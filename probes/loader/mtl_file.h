@@ -21,11 +21,12 @@ struct MtlMap {
 
 struct MtlMaterial {
   std::string name;
-  std::optional<f64::Number3> diffuse;  ///< Kd, linear, in [0, 1]
-  f64::Number3 emission{0.0};           ///< Ke, linear
-  double dissolve = 1.0;                ///< d, or 1 - Tr; 0: invisible
-  std::optional<MtlMap> diffuse_map;    ///< map_Kd
-  std::string alpha_map;                ///< map_d; empty: none
+  std::optional<f64::Number3> diffuse;   ///< Kd, linear, in [0, 1]
+  std::optional<f64::Number3> emission;  ///< Ke, linear
+  double dissolve = 1.0;                 ///< d, or 1 - Tr; 0: invisible
+  std::optional<MtlMap> diffuse_map;     ///< map_Kd
+  std::optional<MtlMap> emission_map;    ///< map_Ke
+  std::string alpha_map;                 ///< map_d; empty: none
 };
 
 struct MtlFile {
@@ -33,8 +34,8 @@ struct MtlFile {
   std::vector<std::string> warnings;   ///< without the file's name
 };
 
-/// Reads Kd, Ke, d, Tr, map_Kd and map_d of every material; keywords may have any case. Throws Error: `file` if the
-/// file cannot be read, `content` naming the line.
+/// Reads Kd, Ke, d, Tr, map_Kd, map_Ke and map_d of every material; keywords may have any case. Throws Error: `file` if
+/// the file cannot be read, `content` naming the line.
 MtlFile readMtl(const std::filesystem::path& path);
 
 }  // namespace welkin::loader

@@ -52,6 +52,11 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder, const std:
   return names;
 }
 
+/// Vertices count v from the top.
+geometry::UvRows uvRowsOf(const MtlMap& map) {
+  return {{{map.scale[0], 0.0, map.offset[0]}, {0.0, map.scale[1], 1.0 - map.scale[1] - map.offset[1]}}};
+}
+
 void addOnce(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
@@ -116,13 +121,11 @@ std::optional<uint32_t> ObjMaterials::read(const Source& source, bool has_uv) {
   std::optional<int> texture;
   if (from.diffuse_map && has_uv) texture = readTexture(*from.diffuse_map, source.folder);
   const bool image_missing = from.diffuse_map && !texture;
-  const bool emits = from.emission.x > 0.0 || from.emission.y > 0.0 || from.emission.z > 0.0;
+  const bool emits = readEmission(source, has_uv, surface);
   if (!texture && !emits && from.dissolve == 1.0 && (image_missing || !from.diffuse)) return std::nullopt;
   if (texture) {
     surface.texture = *texture;
-    const MtlMap& map = *from.diffuse_map;
-    surface.uv_row = {{{map.scale[0], 0.0, map.offset[0]},
-                       {0.0, map.scale[1], 1.0 - map.scale[1] - map.offset[1]}}};  // vertices count v from the top
+    surface.uv_row = uvRowsOf(*from.diffuse_map);
     surface.albedo = from.diffuse.value_or(f64::Number3(1.0));
     if (surface.albedo.x == 0.0 && surface.albedo.y == 0.0 && surface.albedo.z == 0.0)
       builder_.scene().warnings.push_back(
@@ -130,9 +133,25 @@ std::optional<uint32_t> ObjMaterials::read(const Source& source, bool has_uv) {
   } else if (from.diffuse && !image_missing) {
     surface.albedo = *from.diffuse;
   }
-  surface.emission = from.emission;
   readAlpha(from, surface);
   return builder_.addMaterial(std::move(result));
+}
+
+/// Without its image, or coordinates for it, a material emits nothing: a factor of 1 stands for the image alone.
+bool ObjMaterials::readEmission(const Source& source, bool has_uv, geometry::Material& surface) {
+  const MtlMaterial& from = source.material;
+  if (!from.emission && !from.emission_map) return false;
+  const f64::Number3 emission = from.emission.value_or(f64::Number3(1.0));
+  if (emission == f64::Number3(0.0)) return false;
+  if (from.emission_map) {
+    if (!has_uv) return false;
+    const std::optional<int> texture = readTexture(*from.emission_map, source.folder);
+    if (!texture) return false;
+    surface.emission_texture = *texture;
+    surface.emission_uv_row = uvRowsOf(*from.emission_map);
+  }
+  surface.emission = emission;
+  return true;
 }
 
 void ObjMaterials::readAlpha(const MtlMaterial& material, geometry::Material& surface) {

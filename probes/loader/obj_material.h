@@ -35,6 +35,8 @@ class ObjMaterials {
   void readLibrary(const std::filesystem::path& path);
   const Source* find(const std::string& name) const;
   std::optional<uint32_t> read(const Source& source, bool has_uv);
+  /// Whether it emits.
+  bool readEmission(const Source& source, bool has_uv, geometry::Material& surface);
   void readAlpha(const MtlMaterial& material, geometry::Material& surface);
   std::optional<int> readTexture(const MtlMap& map, const std::filesystem::path& folder);
 

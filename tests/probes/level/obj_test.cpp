@@ -159,10 +159,27 @@ TEST_CASE("Obj, FilesAreReadAsExportersWriteThem") {
 TEST_CASE("Obj, WordsThatAreNotReadAreNamedOnce") {
   const geometry::Surfaces s =
       surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare + "s 1\nsurf 0 1\nSurf 0 1\ncall b.obj\n"},
-                  {"a.mtl", "newmtl paint\nKa 1 1 1\nNs 10\nKd 0.5 0.5 0.5\nmap_Ke glow.png\nmap_ke glow.png\n"}});
+                  {"a.mtl", "newmtl paint\nKa 1 1 1\nNs 10\nKd 0.5 0.5 0.5\nGlow 1\nglow 1\n"}});
   REQUIRE(s.warning.size() == 2);
   CHECK(warns(s, "a.obj: not read: surf (line 13), call (line 15)"));
-  CHECK(warns(s, "a.mtl: not read: map_ke (line 5)"));
+  CHECK(warns(s, "a.mtl: not read: glow (line 5)"));
+}
+
+TEST_CASE("Obj, EmissionFollowsTheTexelsOfItsImage") {
+  const std::string image = targa(2, 1, {255, 0, 0, 255, 0, 0, 255, 255});
+  const auto emissionAt = [&](const std::string& mtl, double x) {
+    const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                                             {"a.mtl", "newmtl paint\nKd 0 0 0\n" + mtl},
+                                             {"glow.tga", image}});
+    CHECK(warns(s, "none.tga") == (mtl.find("none.tga") != std::string::npos));
+    const geometry::Tracer tracer(s);
+    return tracer.emission(*below(tracer, x, 0.1));
+  };
+  checkNear(emissionAt("map_Ke glow.tga\n", -0.5), {1, 0, 0}, 1e-6);
+  checkNear(emissionAt("Ke 4 4 2\nmap_Ke glow.tga\n", 0.5), {0, 0, 2}, 1e-6);
+  checkNear(emissionAt("Ke 4 4 2\nmap_Ke -o 0.5 0 glow.tga\n", -0.5), {0, 0, 2}, 1e-6);
+  checkNear(emissionAt("Ke 0 0 0\nmap_Ke glow.tga\n", -0.5), Number3(0.0), 0);
+  checkNear(emissionAt("Ke 4 4 2\nmap_Ke none.tga\n", -0.5), Number3(0.0), 0);
 }
 
 TEST_CASE("Obj, OtherEncodingsAreRefusedByName") {
