@@ -93,7 +93,7 @@ geometry::Column LevelBake::columnOfBake(geometry::SectorId sector) const {
 SectorState LevelBake::state(const std::filesystem::path& folder, geometry::SectorId sector) const {
   SectorState state{sector, {}, {}, {}, {}};
   state.from =
-      bakedFrom(sector, geometry::surfacesWithin(surfaces_, columnOfBake(sector)), texture_hash_, settingsOf(sector));
+      bakedFrom(geometry::surfacesAbout(surfaces_, sector, columnOfBake(sector)), texture_hash_, settingsOf(sector));
   const std::filesystem::path path = sectorPath(folder, sector);
   std::error_code none;
   if (folder.empty() || !std::filesystem::exists(path, none)) {
@@ -113,15 +113,15 @@ SectorState LevelBake::state(const std::filesystem::path& folder, geometry::Sect
 }
 
 sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progress& progress) const {
-  geometry::NearSurfaces near = geometry::surfacesWithin(surfaces_, columnOfBake(sector));
+  geometry::NearSurfaces near = geometry::surfacesAbout(surfaces_, sector, columnOfBake(sector));
   const SectorSettings settings = settingsOf(sector);
-  const sectors::BakedFrom from = bakedFrom(sector, near, texture_hash_, settings);
+  const sectors::BakedFrom from = bakedFrom(near, texture_hash_, settings);
   return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settings, from, progress);
 }
 
 SectorPlan LevelBake::plan(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
-  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
+  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesAbout(surfaces_, sector, column), surfaces_);
   return planSector(sector, near, surfaces_, settingsOf(sector), progress);
 }
 
@@ -131,10 +131,15 @@ std::optional<double> LevelBake::budget() const {
 
 geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
-  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesWithin(surfaces_, column), surfaces_);
+  const geometry::Surfaces near = geometry::withTexels(geometry::surfacesAbout(surfaces_, sector, column), surfaces_);
   placement::PlacementReport report;
-  return placement::placeSector(geometry::Tracer(near), sector, sectionOf(sector, section_, column).probes, report,
-                                progress);
+  geometry::PlacedSector placed = placement::placeSector(geometry::Tracer(near), {0, 0},
+                                                         sectionOf(sector, section_, column).probes, report, progress);
+  const Number3 corner = geometry::cornerOf(sector);
+  placed.id = sector;
+  for (geometry::Probe& probe : placed.probe) probe.position += corner;
+  for (geometry::Room& room : placed.room) room.box = {room.box.low + corner, room.box.high + corner};
+  return placed;
 }
 
 sectors::LevelIndex LevelBake::index() const {

@@ -35,12 +35,15 @@ sectors::LocalSampling samplingOf(const std::vector<transfer::LocalProbe>& probe
   return sampling;
 }
 
-/// Its probes as its own bake places them.
+/// Its probes as its own bake places them, in the world of `near`.
 std::vector<geometry::Probe> probesOfNeighbour(const geometry::Surfaces& near, geometry::SectorId id,
                                                const BakeSection& section, const base::Progress& progress) {
   const geometry::Column column = geometry::columnOf(id, section.transfer.reach_m);
-  const geometry::Surfaces surfaces = geometry::withTexels(geometry::surfacesWithin(near, column), near);
-  return placement::placeProbes(geometry::Tracer(surfaces), id, sectionOf(id, section, column).probes, progress);
+  const geometry::Surfaces surfaces = geometry::withTexels(geometry::surfacesAbout(near, id, column), near);
+  std::vector<geometry::Probe> probes =
+      placement::placeProbes(geometry::Tracer(surfaces), {0, 0}, sectionOf(id, section, column).probes, progress);
+  for (geometry::Probe& probe : probes) probe.position += geometry::cornerOf(id);
+  return probes;
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ bool hasLocalTransfer(geometry::SectorId sector, const TransferSection& transfer
 
 /// Virtual lights of a sector: its probes and those of the eight sectors about it, as far as they lie within reach, in
 /// the order of sectors and, within one, of placement. Neighbours are placed again, each out of the surfaces that its
-/// own bake reads: no file of theirs is read, and the lights are their probes. `near`, `section`: as columnOfBake
-/// reaches; what the progress throws ends it.
+/// own bake reads: no file of theirs is read, and the lights are their probes. Positions are of the caller's world,
+/// where a bake has its sector as 0_0. `near`, `section`: as columnOfBake reaches; what the progress throws ends it.
 std::vector<Number3> virtualLights(const geometry::Surfaces& near, const geometry::PlacedSector& sector,
                                    const BakeSection& section, const base::Progress& progress = {});
 

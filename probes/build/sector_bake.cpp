@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "format/container.h"
 #include "probes/build/local_bake.h"
@@ -23,10 +24,8 @@ void add(base::Hasher& hasher, const transfer::LightTrack& track) {
   for (const Number3& direction : track.direction) add(hasher, direction);
 }
 
-base::Hash128 hashOfSettings(geometry::SectorId sector, const SectorSettings& s) {
+base::Hash128 hashOfSettings(const SectorSettings& s) {
   base::Hasher hasher;
-  hasher.add(sector.x);
-  hasher.add(sector.z);
   hasher.add(settingsText(s.section));
   hasher.add(s.section.transfer.rays ? 0.0 : s.max_error);
   add(hasher, s.ground_albedo);
@@ -64,6 +63,12 @@ bool isUnlit(const transfer::ProbeTransfer& t) {
   return none(t.emitted);
 }
 
+/// A place of the settings from a sector's corner. Whole micrometres are the same numbers in every sector.
+Number3 placeFrom(const Number3& corner, const Number3& p) {
+  const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6; };
+  return {rounded(p.x - corner.x), p.y, rounded(p.z - corner.z)};
+}
+
 /// The traced probes as numbers, the sun's transfer in modes.
 transfer::SectorProbes probesOf(const geometry::PlacedSector& placed, const std::vector<transfer::TracedProbe>& traced,
                                 const SectorSettings& settings, transfer::SunModesError& error) {
@@ -99,6 +104,10 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
     std::erase_if(*boxes,
                   [&](const geometry::Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
+  const Number3 corner = geometry::cornerOf(sector);
+  for (Number3& p : section.probes.add) p = placeFrom(corner, p);
+  for (auto* boxes : {&section.probes.remove, &section.probes.room})
+    for (geometry::Box& b : *boxes) b = {placeFrom(corner, b.low), placeFrom(corner, b.high)};
   using Where = LocalLights::Where;
   LocalLights& lights = section.transfer.local_lights;
   if (lights.where == Where::listed) {
@@ -108,13 +117,13 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
   return section;
 }
 
-sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
-                             const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings) {
+sectors::BakedFrom bakedFrom(const geometry::NearSurfaces& near, const std::vector<base::Hash128>& texture_hash,
+                             const SectorSettings& settings) {
   sectors::BakedFrom from;
   base::Hasher surfaces;
   geometry::addTo(surfaces, near, texture_hash);
   from.surfaces = surfaces.digest();
-  from.settings = hashOfSettings(sector, settings);
+  from.settings = hashOfSettings(settings);
   base::Hasher lights;
   add(lights, settings.sun);
   add(lights, settings.moon);
@@ -142,18 +151,20 @@ sectors::SectorFile placedFile(const geometry::PlacedSector& placed, const place
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,
                                const SectorSettings& settings, const sectors::BakedFrom& from,
                                const base::Progress& progress) {
+  constexpr geometry::SectorId kHere{0, 0};
   const TransferSection& transfer = settings.section.transfer;
-  const bool is_local = hasLocalTransfer(sector, transfer, near);
+  const bool is_local = hasLocalTransfer(kHere, transfer, near);
   geometry::Surfaces within;
   if (is_local)
-    within = geometry::withTexels(geometry::surfacesWithin(near, geometry::columnOf(sector, transfer.reach_m)), near);
+    within = geometry::withTexels(geometry::surfacesWithin(near, geometry::columnOf(kHere, transfer.reach_m)), near);
   const geometry::Tracer tracer(is_local ? within : near);
   progress.check();
   placement::PlacementReport report;
-  const auto placed = placement::placeSector(tracer, sector, settings.section.probes, report, progress);
+  const auto placed = placement::placeSector(tracer, kHere, settings.section.probes, report, progress);
   progress.check();
   const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, progress);
   sectors::SectorFile file = placedFile(placed, report, settings);
+  file.id = sector;
   file.baked_from = from;
   for (std::size_t i = 0; i < traced.size(); ++i) {
     file.rays += traced[i].effort.rays;
@@ -165,7 +176,7 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
   }
   const transfer::SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
   file.probes = transfer::encodeProbes(probes);
-  file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, sector));
+  file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, kHere));
   if (!placed.probe.empty() && is_local) {
     file.local = bakeLocal(tracer, near, placed, settings, progress);
     file.rays += file.local->sampling.rays;

@@ -34,7 +34,7 @@ inline constexpr double kModesShare = 0.55;
 
 /// What a sector's bake is told besides its surfaces.
 struct SectorSettings {
-  BakeSection section;     ///< as sectionOf gives it
+  BakeSection section;     ///< as sectionOf gives it, from the sector's corner
   double max_error = 0.0;  ///< that totalOf should keep, for as many rays as it takes; 0: no budget
   Number3 ground_albedo{0.0};
   transfer::LightTrack sun, moon;  ///< without knots where their transfer is not directional
@@ -45,16 +45,20 @@ struct SectorSettings {
 geometry::Column columnOfBake(geometry::SectorId sector, const TransferSection& transfer,
                               const geometry::Surfaces& level);
 
-/// The settings with those places only that lie within what its bake reads.
+/// The settings with those places only that lie within what its bake reads. Their x and z count from the sector's
+/// corner, in whole micrometres.
 BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const geometry::Column& column);
 
-sectors::BakedFrom bakedFrom(geometry::SectorId sector, const geometry::NearSurfaces& near,
-                             const std::vector<base::Hash128>& texture_hash, const SectorSettings& settings);
+/// `near` as surfacesAbout gives it. Equal for sectors that hold the same, wherever in the world they are.
+sectors::BakedFrom bakedFrom(const geometry::NearSurfaces& near, const std::vector<base::Hash128>& texture_hash,
+                             const SectorSettings& settings);
 
-/// A sector's file with all that its placement settles.
+/// A sector's file with all that its placement settles, as if the sector were 0_0.
 sectors::SectorFile placedFile(const geometry::PlacedSector& placed, const placement::PlacementReport& report,
                                const SectorSettings& settings);
 
+/// The sector is baked as if it were 0_0: `near` as surfacesAbout gives it. So its file is the same but for its number
+/// wherever in the world it is.
 /// Runs on all threads of the caller's arena; the result is the same for any number of them. Throws Error(interrupted)
 /// when told to end, and what placing and tracing throw.
 sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfaces& near,

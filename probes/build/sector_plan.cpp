@@ -42,7 +42,7 @@ std::size_t localBytes(std::size_t count) {
 SectorPlan planSector(geometry::SectorId sector, const geometry::Surfaces& near, const geometry::Surfaces& level,
                       const SectorSettings& settings, const base::Progress& progress) {
   placement::PlacementReport report;
-  const auto placed = placement::placeSector(geometry::Tracer(near), sector, settings.section.probes, report, progress);
+  const auto placed = placement::placeSector(geometry::Tracer(near), {0, 0}, settings.section.probes, report, progress);
   sectors::SectorFile file = placedFile(placed, report, settings);
   file.probes = transfer::encodeProbes(darkProbes(placed, near, settings));
   SectorPlan plan;

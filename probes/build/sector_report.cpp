@@ -40,11 +40,13 @@ Json errorJson(const sectors::SectorFile& s) {
           {"local", localErrorJson(s.local)}};
 }
 
-Json placementJson(const placement::PlacementCounts& c) {
+Json placementJson(const sectors::SectorFile& s) {
+  const placement::PlacementCounts& c = s.placement;
   Json named = Json::array();
   for (const placement::NamedPlace& n : c.named) {
+    const Number3 p = placeInWorld(s.id, n);
     named.push_back({{"kind", format::EnumNamePlaceKind(static_cast<format::PlaceKind>(n.kind))},
-                     {"position", {n.position.x, n.position.y, n.position.z}},
+                     {"position", {p.x, p.y, p.z}},
                      {"by_hand", n.by_hand}});
     if (n.kind == placement::NamedPlace::Kind::moved) named.back()["moved_m"] = n.moved_m;
   }
@@ -81,7 +83,7 @@ Json reportJson(const sectors::SectorFile& s, const sectors::SectorEntry& entry)
           {"rays", s.rays},
           {"unlit", s.unlit},
           {"error", errorJson(s)},
-          {"placement", placementJson(s.placement)}};
+          {"placement", placementJson(s)}};
 }
 
 }  // namespace welkin::build

@@ -12,7 +12,8 @@ namespace welkin::build {
 /// What its numbers are off by.
 nlohmann::ordered_json errorJson(const sectors::SectorFile& sector);
 
-nlohmann::ordered_json placementJson(const placement::PlacementCounts& counts);
+/// What its placement came to, with places in the world.
+nlohmann::ordered_json placementJson(const sectors::SectorFile& sector);
 
 /// The hashes of what it was baked from.
 nlohmann::ordered_json fromJson(const sectors::BakedFrom& from);

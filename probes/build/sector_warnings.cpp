@@ -15,15 +15,15 @@ using Json = nlohmann::ordered_json;
 using sectors::SectorFile;
 
 /// The first places of some kinds, or of those the ones by hand, and how many more there are.
-std::string placesOf(const placement::PlacementCounts& placement,
-                     std::initializer_list<placement::NamedPlace::Kind> kinds, bool by_hand, std::size_t count) {
+std::string placesOf(const SectorFile& file, std::initializer_list<placement::NamedPlace::Kind> kinds, bool by_hand,
+                     std::size_t count) {
   const std::size_t most = by_hand ? placement::kMostNamedByHand : placement::kMostNamed;
   std::string text;
   std::size_t named = 0;
-  for (const placement::NamedPlace& n : placement.named) {
+  for (const placement::NamedPlace& n : file.placement.named) {
     if ((by_hand && !n.by_hand) || named == most || std::find(kinds.begin(), kinds.end(), n.kind) == kinds.end())
       continue;
-    const auto& p = n.position;
+    const f64::Number3 p = placeInWorld(file.id, n);
     text += named++ > 0 ? ", " : "";
     text +=
         n.by_hand ? fmt::format("[{}, {}, {}]", p.x, p.y, p.z) : fmt::format("[{:.2f}, {:.2f}, {:.2f}]", p.x, p.y, p.z);
@@ -76,7 +76,7 @@ void addWarnings(const SectorFile& file, std::optional<double> budget, Json& war
                           {"sector", nameOf(file.id)},
                           {"count", count},
                           {"message", fmt::format("sector {}: {} {}: {}", nameOf(file.id), count, what,
-                                                  placesOf(p, kinds, by_hand, count))}});
+                                                  placesOf(file, kinds, by_hand, count))}});
   };
   add("by-hand-dropped", p.by_hand_dropped,
       "probes by hand are left out, inside of geometry without a free place nearby, or past the 255th",

@@ -13,6 +13,8 @@ namespace welkin::geometry {
 using f64::Number3;
 namespace {
 
+constexpr double kPatch_m = 16.0;  // a part of a sector's side
+
 using Halves = std::pair<std::uint64_t, std::uint64_t>;
 
 Halves halvesOf(const base::Hash128& hash) {
@@ -28,9 +30,10 @@ std::vector<std::uint32_t> firstOfEqual(const std::vector<base::Hash128>& hash) 
 }
 
 struct Corners {
-  std::array<std::array<float, 3>, 3> position;
+  std::array<std::array<double, 3>, 3> position;
   std::array<std::array<float, 2>, 3> uv{};  ///< 0 if there is no texture
   std::array<std::array<float, 3>, 3> colour{{{1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F}}};
+  std::uint32_t role = 0;
 };
 
 class Ordering {
@@ -62,7 +65,8 @@ class Ordering {
   Surfaces run() {
     const std::vector<std::uint32_t> order = orderOfTriangles();
     std::vector<Triangle> triangle;
-    std::vector<std::array<float, 3>> position, colour;
+    std::vector<std::array<double, 3>> position;
+    std::vector<std::array<float, 3>> colour;
     std::vector<std::array<float, 2>> uv;
     triangle.reserve(order.size());
     position.reserve(3 * order.size());
@@ -98,6 +102,7 @@ class Ordering {
 
   Corners cornersOf(const Triangle& t) const {
     Corners c;
+    c.role = static_cast<std::uint32_t>(level_.object[t.object].role);
     for (std::size_t i = 0; i < 3; ++i) {
       c.position[i] = level_.position[t.vertex[i]];
       if (level_.material[t.material].isTextured() && !level_.uv.empty()) c.uv[i] = level_.uv[t.vertex[i]];
@@ -108,18 +113,24 @@ class Ordering {
 
   /// Puts neighbours in the world near each other in memory too.
   std::pair<int, int> patchOf(const Triangle& t) const {
-    constexpr double kPatch_m = 16.0;
     const auto& p = level_.position[t.vertex[0]];
-    return {static_cast<int>(std::floor(double{p[0]} / kPatch_m)),
-            static_cast<int>(std::floor(double{p[2]} / kPatch_m))};
+    return {static_cast<int>(std::floor(p[0] / kPatch_m)), static_cast<int>(std::floor(p[2] / kPatch_m))};
   }
 
+  /// Positions count from the corner of the triangle's patch, so the order is the same in every sector.
   base::Hash128 contentOf(const Triangle& t) const {
     struct {
       Corners corners;
       base::Hash128 material;
-      std::uint64_t role;
-    } const content{cornersOf(t), material_hash_[t.material], static_cast<std::uint64_t>(level_.object[t.object].role)};
+    } content{cornersOf(t), material_hash_[t.material]};
+    static_assert(sizeof(content) ==
+                      9 * sizeof(double) + 15 * sizeof(float) + sizeof(content.corners.role) + sizeof(content.material),
+                  "no padding");
+    const auto [i, k] = patchOf(t);
+    for (auto& p : content.corners.position) {
+      p[0] -= kPatch_m * i;
+      p[2] -= kPatch_m * k;
+    }
     return base::hashOf(std::as_bytes(std::span(&content, 1)));
   }
 

@@ -34,8 +34,8 @@ bool touches(const Surfaces& level, const Triangle& triangle, const Column& colu
   const auto& a = level.position[triangle.vertex[0]];
   const auto& b = level.position[triangle.vertex[1]];
   const auto& c = level.position[triangle.vertex[2]];
-  const auto least = [&](std::size_t axis) { return double{std::min(a[axis], std::min(b[axis], c[axis]))}; };
-  const auto most = [&](std::size_t axis) { return double{std::max(a[axis], std::max(b[axis], c[axis]))}; };
+  const auto least = [&](std::size_t axis) { return std::min(a[axis], std::min(b[axis], c[axis])); };
+  const auto most = [&](std::size_t axis) { return std::max(a[axis], std::max(b[axis], c[axis])); };
   return column.touches(least(0), most(0), least(2), most(2));
 }
 
@@ -119,6 +119,17 @@ NearSurfaces surfacesWithin(const Surfaces& level, const Column& column) {
   for (const Triangle& triangle : level.triangle)
     if (touches(level, triangle, column)) part.add(triangle);
   return part.finish(column);
+}
+
+NearSurfaces surfacesAbout(const Surfaces& level, SectorId sector, const Column& column) {
+  NearSurfaces near = surfacesWithin(level, column);
+  const Number3 corner = cornerOf(sector);
+  for (auto& p : near.surfaces.position) {
+    p[0] -= corner.x;
+    p[2] -= corner.z;
+  }
+  for (StaticLight& light : near.surfaces.light) light.position = light.position - corner;
+  return near;
 }
 
 Surfaces withTexels(NearSurfaces near, const Surfaces& level) {

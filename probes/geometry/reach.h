@@ -39,6 +39,9 @@ struct NearSurfaces {
 /// every directional light.
 NearSurfaces surfacesWithin(const Surfaces& level, const Column& column);
 
+/// The same with positions from the sector's corner: the same numbers wherever in the world the sector is.
+NearSurfaces surfacesAbout(const Surfaces& level, SectorId sector, const Column& column);
+
 /// Adds the level's texels, so that rays can be traced.
 Surfaces withTexels(NearSurfaces near, const Surfaces& level);
 

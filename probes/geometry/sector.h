@@ -47,7 +47,7 @@ struct Probe {
 /// A box with probes of its own inside. Probes outside never light the inside, and probes inside never light the
 /// outside. A position in several rooms belongs to the first.
 struct Room {
-  Box box;                        ///< stored as float32 in a sector's file
+  Box box;                        ///< stored as float32 from the sector's corner in a sector's file
   std::uint8_t probe = kNoProbe;  ///< its probe nearest to the middle of its part of the sector, or kNoProbe
 };
 
@@ -69,6 +69,11 @@ struct PlacedSector : SectorGrid {
   SectorId id;
   std::vector<Probe> probe;  ///< at most kMostProbes
 };
+
+/// The sector's corner of least x and z, at height 0. A sector is baked as if this were the world's origin.
+inline Number3 cornerOf(SectorId id) {
+  return {kSector_m * id.x, 0.0, kSector_m * id.z};
+}
 
 /// The sector that contains a position.
 inline SectorId sectorAt(const Number3& position) {

@@ -70,7 +70,7 @@ struct Object {
 };
 
 struct Surfaces {
-  std::vector<std::array<float, 3>> position;
+  std::vector<std::array<double, 3>> position;
   std::vector<std::array<float, 2>> uv;      ///< one per vertex, or empty
   std::vector<std::array<float, 3>> colour;  ///< one per vertex, linear, or empty
   std::vector<Triangle> triangle;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "probes/geometry/directions.h"
+#include "probes/geometry/sector.h"
 #include "probes/geometry/texture.h"
 #include "sky/base/error.h"
 
@@ -19,6 +20,28 @@ namespace {
 
 Number3 load(const std::array<float, 3>& v) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+/// A vertex as Embree has it, from the tracer's origin.
+std::array<float, 3> floatsOf(const std::array<double, 3>& position, const Number3& origin) {
+  return {static_cast<float>(position[0] - origin.x), static_cast<float>(position[1] - origin.y),
+          static_cast<float>(position[2] - origin.z)};
+}
+
+/// The coordinate nearest to 0 within the surfaces' bounds on each axis.
+Number3 nearestToZero(const Surfaces& s) {
+  Number3 nearest(0.0);
+  for (std::size_t axis = 0; axis < 3 && !s.position.empty(); ++axis) {
+    const auto [low, high] = std::minmax_element(s.position.begin(), s.position.end(),
+                                                 [=](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    nearest[static_cast<int>(axis)] = std::clamp(0.0, (*low)[axis], (*high)[axis]);
+  }
+  return nearest;
+}
+
+Number3 originBelow(const Number3& p) {
+  const auto below = [](double v) { return kSector_m * std::floor(v / kSector_m); };
+  return {below(p.x), below(p.y), below(p.z)};
 }
 
 /// Weights of a triangle's three vertices.
@@ -103,13 +126,14 @@ void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double
 
 struct Tracer::Scene {
   const Surfaces* surfaces;
+  Number3 origin;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   bool any_see_through = false;
   /// Embree's geometries: opaque and masked of static geometry, then opaque and masked of the rest.
   std::array<Part, 4> part;
 
-  explicit Scene(const Surfaces& s) : surfaces(&s) {
+  Scene(const Surfaces& s, const Number3& about) : surfaces(&s), origin(originBelow(about)) {
     static_assert(std::string_view(kIsa) == "avx2", "what the processor is asked for below");
     if (!__builtin_cpu_supports("avx2")) refuse(fmt::format("this processor has no {}", kIsa));
     device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
@@ -144,7 +168,10 @@ struct Tracer::Scene {
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), part[id].triangle.size()));
     if (vertex == nullptr || index == nullptr) refuse("out of memory");
-    for (const auto& position : surfaces->position) vertex = std::copy(position.begin(), position.end(), vertex);
+    for (const auto& position : surfaces->position) {
+      const auto from_origin = floatsOf(position, origin);
+      vertex = std::copy(from_origin.begin(), from_origin.end(), vertex);
+    }
     for (const std::uint32_t i : part[id].triangle) {
       const auto& corner = surfaces->triangle[i].vertex;
       index = std::copy(corner.begin(), corner.end(), index);
@@ -161,7 +188,8 @@ struct Tracer::Scene {
   }
 };
 
-Tracer::Tracer(const Surfaces& surfaces) : scene_(std::make_shared<Scene>(surfaces)) {}
+Tracer::Tracer(const Surfaces& surfaces, const std::optional<Number3>& about)
+    : scene_(std::make_shared<Scene>(surfaces, about ? *about : nearestToZero(surfaces))) {}
 Tracer::Tracer(std::shared_ptr<const Scene> scene, const Square& square) : scene_(std::move(scene)), square_(square) {}
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
@@ -169,6 +197,10 @@ Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 const Surfaces& Tracer::surfaces() const {
   return *scene_->surfaces;
+}
+
+const Number3& Tracer::origin() const {
+  return scene_->origin;
 }
 
 Tracer Tracer::within(const Number3& about, double reach_m) const {
@@ -189,7 +221,7 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit ray;
-  setRay(ray.ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
+  setRay(ray.ray, origin - scene_->origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
@@ -202,16 +234,21 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   // The position is computed from the vertices, not from the ray. So it lies on the triangle's plane up to the rounding
   // of doubles.
   const Triangle& triangle = surfaces().triangle[hit.triangle];
-  const Number3 a = load(surfaces().position[triangle.vertex[0]]);
-  const Number3 ab = load(surfaces().position[triangle.vertex[1]]) - a;
-  const Number3 ac = load(surfaces().position[triangle.vertex[2]]) - a;
-  hit.position = a + ab * hit.u + ac * hit.v;
+  const auto corner = [&](std::size_t i) {
+    return load(floatsOf(surfaces().position[triangle.vertex[i]], scene_->origin));
+  };
+  const Number3 a = corner(0);
+  const Number3 b = corner(1);
+  const Number3 c = corner(2);
+  const Number3 ab = b - a;
+  const Number3 ac = c - a;
+  hit.position = scene_->origin + (a + ab * hit.u + ac * hit.v);
   const Number3 normal = unit(cross(ab, ac));
   const bool behind = dot(normal, direction) > 0.0;
   hit.normal = behind ? -normal : normal;
   hit.back_along = -direction;
-  for (const std::uint32_t corner : triangle.vertex)
-    for (const float x : surfaces().position[corner]) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(double{x}));
+  for (const Number3& p : {a, b, c})
+    for (int axis = 0; axis < 3; ++axis) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(p[axis]));
   const Material& material = surfaces().material[triangle.material];
   hit.back = behind && !material.double_sided && !material.letsLightThrough();
   return hit;
@@ -221,7 +258,7 @@ bool Tracer::occluded(const Number3& origin, const Number3& direction, double fa
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray;
-  setRay(ray, origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
+  setRay(ray, origin - scene_->origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
   rtcOccluded1(scene_->scene, &context, &ray);
   return ray.tfar < 0.0F;
 }

@@ -20,7 +20,8 @@ struct Hit {
   std::uint32_t triangle = 0;
   double u = 0.0, v = 0.0;  ///< barycentric coordinates of the second and third vertex
   bool back = false;        ///< the ray hit the back of a one-sided surface
-  double coarsest_m = 0.0;  ///< largest coordinate of the triangle; Embree's distance to its plane is as coarse
+  double coarsest_m = 0.0;  ///< largest coordinate of the triangle from the tracer's origin: Embree's distance to its
+                            ///< plane is as coarse
   Number3 back_along{0.0};  ///< unit direction to where the ray came from; 0 for a point that no ray found
 };
 
@@ -35,8 +36,10 @@ class Tracer {
  public:
   static constexpr const char* kIsa = "avx2";
 
-  /// `surfaces` must outlive the tracer. Throws Error(file) if the processor lacks kIsa or memory runs out.
-  explicit Tracer(const Surfaces& surfaces);
+  /// `surfaces` must outlive the tracer. Embree's floats count from an origin in multiples of kSector_m: the one below
+  /// `about`, or without it the one nearest to 0 within the surfaces' bounds. So rays are as exact far out as at 0.
+  /// Throws Error(file) if the processor lacks kIsa or memory runs out.
+  explicit Tracer(const Surfaces& surfaces, const std::optional<Number3>& about = {});
   ~Tracer();
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
@@ -72,6 +75,8 @@ class Tracer {
   Number3 emission(const Hit& hit) const;
 
   const Surfaces& surfaces() const;
+  /// The place in the world of Embree's (0, 0, 0).
+  const Number3& origin() const;
 
  private:
   struct Scene;

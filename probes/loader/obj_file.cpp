@@ -66,7 +66,7 @@ class ObjReader {
   /// Reads x y z, then an optional weight or an optional colour.
   void readVertex() {
     constexpr std::size_t kWordsWithColour = 7;
-    file_.position.push_back({numberAt(1), numberAt(2), numberAt(3)});
+    file_.position.push_back({lines_.number(1), lines_.number(2), lines_.number(3)});
     if (lines_.words().size() < kWordsWithColour) {
       if (!file_.colour.empty()) file_.colour.push_back({1.0F, 1.0F, 1.0F});
       return;
@@ -113,7 +113,7 @@ class ObjReader {
     for (std::size_t i = 1; i <= count; ++i) {
       corners.push_back(readCorner(lines_.words()[i]));
       const auto& p = file_.position[static_cast<std::size_t>(corners.back().position)];
-      points.emplace_back(double{p[0]}, double{p[1]}, double{p[2]});
+      points.emplace_back(p[0], p[1], p[2]);
     }
     ObjPart& part = partOf();
     for (const auto& triangle : trianglesOf(points))

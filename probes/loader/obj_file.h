@@ -27,7 +27,7 @@ struct ObjPart {
 };
 
 struct ObjFile {
-  std::vector<std::array<float, 3>> position;
+  std::vector<std::array<double, 3>> position;
   std::vector<std::array<float, 3>> colour;  ///< one per position, linear; empty: none
   std::vector<std::array<float, 2>> uv;      ///< v from the bottom
   std::vector<std::array<float, 3>> normal;

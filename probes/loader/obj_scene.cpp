@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
+#include "probes/geometry/sector.h"
 #include "probes/loader/obj_file.h"
 #include "probes/loader/obj_material.h"
 
@@ -21,10 +23,24 @@ void append(const std::array<float, N>& from, level::FloatRows& to) {
   ++to.count;
 }
 
+/// The multiple of kSector_m below the coordinate nearest to 0 within the file's bounds, on each axis. From there
+/// floats are as exact far out as at the world's origin.
+f64::Number3 originOf(const ObjFile& file) {
+  level::Bounds bounds;
+  for (const auto& p : file.position)
+    if (std::all_of(p.begin(), p.end(), [](double v) { return std::isfinite(v); })) bounds.add({p[0], p[1], p[2]});
+  f64::Number3 origin(0.0);
+  for (int axis = 0; axis < 3 && !bounds.empty(); ++axis)
+    origin[axis] =
+        geometry::kSector_m * std::floor(std::clamp(0.0, bounds.low[axis], bounds.high[axis]) / geometry::kSector_m);
+  return origin;
+}
+
 /// The vertices of a part, one for each different corner.
 class PartVertices {
  public:
-  PartVertices(const ObjFile& file, const ObjPart& part) : file_(file) {
+  /// Positions count from `origin`.
+  PartVertices(const ObjFile& file, const ObjPart& part, const f64::Number3& origin) : file_(file), origin_(origin) {
     const auto all = [&](auto has) { return std::all_of(part.corners.begin(), part.corners.end(), has); };
     has_uv_ = all([](const ObjCorner& c) { return c.uv >= 0; });
     has_normals_ = all([](const ObjCorner& c) { return c.normal >= 0; });
@@ -41,7 +57,10 @@ class PartVertices {
     const auto [found, is_new] = places_.emplace(key, static_cast<uint32_t>(attributes_.positions.count));
     if (is_new) {
       const auto i = static_cast<std::size_t>(c.position);
-      append(file_.position[i], attributes_.positions);
+      const auto& p = file_.position[i];
+      append(std::array{static_cast<float>(p[0] - origin_.x), static_cast<float>(p[1] - origin_.y),
+                        static_cast<float>(p[2] - origin_.z)},
+             attributes_.positions);
       if (!file_.colour.empty()) append(file_.colour[i], attributes_.colours);
       if (has_normals_) append(file_.normal[static_cast<std::size_t>(c.normal)], attributes_.normals);
       if (has_uv_) {
@@ -53,6 +72,7 @@ class PartVertices {
   }
 
   const ObjFile& file_;
+  f64::Number3 origin_;
   bool has_uv_ = false;
   bool has_normals_ = false;
   level::Attributes attributes_;
@@ -67,9 +87,10 @@ class ObjSource : public level::GeometrySource {
     builder.scene().files.push_back(path);
     if (!file.unknown_words.empty())
       builder.scene().warnings.push_back(fmt::format("{}: not read: {}", path.string(), file.unknown_words));
+    origin_.translation = originOf(file);
     ObjMaterials materials(path, file.libraries, builder);
     for (const ObjPart& part : file.parts) {
-      const PartVertices vertices(file, part);
+      const PartVertices vertices(file, part, origin_.translation);
       level::MeshPiece piece = level::appendPiece(builder.scene(), vertices.attributes(), vertices.indices(),
                                                   path.string() + ": object " + part.object);
       piece.material = materials.at(part.material, vertices.hasUv());
@@ -92,7 +113,7 @@ class ObjSource : public level::GeometrySource {
         const std::string name = part.object.empty() ? path_.filename().string() : part.object;
         known = objects.emplace(part.object, builder_.addObject(name, role)).first;
       }
-      builder_.place(part.piece, entry.transform, known->second, entry.albedo);
+      builder_.place(part.piece, entry.transform * origin_, known->second, entry.albedo);
     }
   }
 
@@ -104,6 +125,7 @@ class ObjSource : public level::GeometrySource {
   std::filesystem::path path_;
   level::SceneBuilder& builder_;
   std::vector<Part> parts_;
+  geometry::Affine origin_;  ///< of the pieces, in the file's axes
 };
 
 }  // namespace

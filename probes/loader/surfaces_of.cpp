@@ -20,8 +20,20 @@ Number3 load(const float (&v)[3]) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
-Number3 load(const std::array<float, 3>& v) {
-  return {double{v[0]}, double{v[1]}, double{v[2]}};
+Number3 load(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// The nearest multiple of 2^-24 m. Sums of such numbers are exact up to 1e6 m.
+Number3 rounded(const Number3& p) {
+  const auto nearest = [](double v) { return std::floor(v * 0x1p24 + 0.5) * 0x1p-24; };
+  return {nearest(p.x), nearest(p.y), nearest(p.z)};
+}
+
+/// A placed position. A level that is moved by sectors has the same positions from its sectors' corners to the last
+/// bit.
+Number3 placed(const geometry::Affine& transform, const Number3& p) {
+  return rounded(transform.linear(p)) + rounded(transform.translation);
 }
 
 class Flattening {
@@ -37,7 +49,10 @@ class Flattening {
   geometry::Surfaces run() {
     result_.object = scene_.objects;
     result_.light = scene_.lights;
-    for (geometry::StaticLight& light : result_.light) light.intensity = light.intensity / luminance_unit_;
+    for (geometry::StaticLight& light : result_.light) {
+      light.position = rounded(light.position);
+      light.intensity = light.intensity / luminance_unit_;
+    }
     result_.warning = scene_.warnings;
     result_.file = scene_.files;
     for (const level::TextureSource& source : scene_.textures) result_.texture.push_back(decodeTexture(source));
@@ -94,14 +109,14 @@ class Flattening {
 
   void addVertex(const level::Vertex& vertex, const level::Placing& placing) {
     constexpr double kFarthest_m = 1e6;
-    const Number3 p = placing.transform.point(load(vertex.position));
+    const Number3 p = placed(placing.transform, load(vertex.position));
     for (int i = 0; i < 3; ++i)
       if (!(std::abs(p[i]) <= kFarthest_m))
         throw base::Error(base::ExitStatus::content,
                           fmt::format("object \"{}\" reaches ({}, {}, {}) m: at most {} from the origin is "
                                       "allowed",
                                       scene_.objects[placing.object].name, p.x, p.y, p.z, kFarthest_m));
-    result_.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    result_.position.push_back({p.x, p.y, p.z});
     if (has_uv_) result_.uv.push_back({vertex.uv[0], vertex.uv[1]});
     if (has_colours_) result_.colour.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2]});
   }

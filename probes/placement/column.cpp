@@ -23,7 +23,7 @@ struct Crossing {
 /// All crossings from the highest to the lowest.
 std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
   constexpr double kSheet_m = 1e-3;
-  constexpr double kFloats = 4.0 * 0x1p-23;  // the origin's own rounding
+  constexpr double kFloats = 4.0 * 0x1p-23;  // rounding of the ray's start
   std::vector<Crossing> result;
   const geometry::Surfaces& s = tracer.surfaces();
   double y = top_y;
@@ -34,7 +34,7 @@ std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, doub
       result.push_back({hit->position.y, hit->normal.y, !hit->back, two_sides || hit->back});
     }
     last = hit->triangle;
-    y -= hit->distance + kSheet_m + kFloats * std::abs(y);
+    y -= hit->distance + kSheet_m + kFloats * std::abs(y - tracer.origin().y);
   }
   return result;
 }

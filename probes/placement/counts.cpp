@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/placement/counts.h"
 
+#include <cmath>
 #include <tuple>
 
 #include "probes/placement/validity.h"
@@ -32,6 +33,12 @@ class Naming {
 };
 
 }  // namespace
+
+Number3 placeInWorld(geometry::SectorId sector, const NamedPlace& place) {
+  const Number3 p = place.position + geometry::cornerOf(sector);
+  const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6; };
+  return {rounded(p.x), p.y, rounded(p.z)};
+}
 
 PlacementCounts countsOf(const PlacementReport& r) {
   PlacementCounts c;

@@ -50,18 +50,14 @@ class Shadow {
 bool meetsALine(const Shadow& shadow, const geometry::SectorId& id, double spacing_m) {
   const auto lines = [&](int axis, int sector, double aside_m) {
     constexpr double kEdge_m = 1e-3;
-    const double low = std::max(shadow.low(axis) - kEdge_m, geometry::kSector_m * sector);
-    const double high = std::min(shadow.high(axis) + kEdge_m, geometry::kSector_m * (sector + 1.0));
-    return std::pair{lineFrom(low, spacing_m, aside_m), lineFrom(high, spacing_m, aside_m)};
+    return linesWithin(sector, shadow.low(axis) - kEdge_m, shadow.high(axis) + kEdge_m, spacing_m, aside_m);
   };
-  const auto [first_i, last_i] = lines(0, id.x, kLattice_x_m);
-  const auto [first_k, last_k] = lines(2, id.z, kLattice_z_m);
-  for (int k = first_k; k <= last_k; ++k)
-    for (int i = first_i; i <= last_i; ++i) {
-      const double x = lineAt(i, spacing_m, kLattice_x_m);
-      const double z = lineAt(k, spacing_m, kLattice_z_m);
-      if (geometry::sectorAt({x, 0, z}) == id && shadow.covers(x, z)) return true;
-    }
+  const LineRange along_x = lines(0, id.x, kLattice_x_m);
+  const LineRange along_z = lines(2, id.z, kLattice_z_m);
+  for (int k = along_z.first; k <= along_z.last; ++k)
+    for (int i = along_x.first; i <= along_x.last; ++i)
+      if (shadow.covers(lineAt(id.x, i, spacing_m, kLattice_x_m), lineAt(id.z, k, spacing_m, kLattice_z_m)))
+        return true;
   return false;
 }
 

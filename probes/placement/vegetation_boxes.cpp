@@ -20,28 +20,24 @@ std::optional<double> highestAt(const std::vector<geometry::Box>& boxes, double 
   return result;
 }
 
-/// First and last lattice line that meet a box, along x and z; first > last if none does.
-struct Lines {
-  int first_i, last_i, first_k, last_k;
-  bool none() const { return first_i > last_i || first_k > last_k; }
-};
-
-Lines linesOf(const geometry::Box& box, double spacing_m) {
-  Lines r{lineFrom(box.low.x, spacing_m, kLattice_x_m), lineFrom(box.high.x, spacing_m, kLattice_x_m),
-          lineFrom(box.low.z, spacing_m, kLattice_z_m), lineFrom(box.high.z, spacing_m, kLattice_z_m)};
-  if (lineAt(r.last_i, spacing_m, kLattice_x_m) > box.high.x) --r.last_i;
-  if (lineAt(r.last_k, spacing_m, kLattice_z_m) > box.high.z) --r.last_k;
-  return r;
+/// Sectors along an axis with a line of the lattice within low to high.
+std::vector<int> sectorsAlong(double low, double high, double spacing_m, double aside_m) {
+  std::vector<int> result;
+  const auto sectorOf = [](double v) { return static_cast<int>(std::floor(v / geometry::kSector_m)); };
+  for (int sector = sectorOf(low); sector <= sectorOf(high); ++sector)
+    if (!linesWithin(sector, low, high, spacing_m, aside_m).none()) result.push_back(sector);
+  return result;
 }
 
-/// Sector numbers along an axis where lines first to last lie.
-std::vector<int> sectorsAlong(int first, int last, double spacing_m, double aside_m) {
-  std::vector<int> result;
-  for (int n = first; n <= last; ++n) {
-    const int sector = static_cast<int>(std::floor(lineAt(n, spacing_m, aside_m) / geometry::kSector_m));
-    if (result.empty() || result.back() != sector) result.push_back(sector);
-  }
-  return result;
+/// The sectors with lines that meet a box.
+struct SectorsOfLines {
+  std::vector<int> x, z;
+  bool none() const { return x.empty() || z.empty(); }
+};
+
+SectorsOfLines sectorsOfLines(const geometry::Box& box, double spacing_m) {
+  return {sectorsAlong(box.low.x, box.high.x, spacing_m, kLattice_x_m),
+          sectorsAlong(box.low.z, box.high.z, spacing_m, kLattice_z_m)};
 }
 
 Number3 middleOf(const geometry::Box& box) {
@@ -78,7 +74,7 @@ std::vector<Number3> aboveVegetation(const std::vector<geometry::Box>& boxes, co
       result.push_back({line.x, *high + settings.height_m, line.z});
   for (const geometry::Box& box : boxes) {
     const Number3 middle = middleOf(box);
-    if (geometry::sectorAt(middle) != id || !linesOf(box, settings.vegetation_spacing_m).none()) continue;
+    if (geometry::sectorAt(middle) != id || !sectorsOfLines(box, settings.vegetation_spacing_m).none()) continue;
     const double high = highestAt(boxes, middle.x, middle.z).value_or(box.high.y);
     result.push_back({middle.x, high + settings.height_m, middle.z});
   }
@@ -86,13 +82,11 @@ std::vector<Number3> aboveVegetation(const std::vector<geometry::Box>& boxes, co
 }
 
 std::vector<geometry::SectorId> sectorsOfVegetation(const geometry::Box& box, const PlacementSettings& settings) {
-  const double spacing_m = settings.vegetation_spacing_m;
-  const Lines lines = linesOf(box, spacing_m);
-  if (lines.none()) return {geometry::sectorAt(middleOf(box))};
-  const std::vector<int> along_z = sectorsAlong(lines.first_k, lines.last_k, spacing_m, kLattice_z_m);
+  const SectorsOfLines along = sectorsOfLines(box, settings.vegetation_spacing_m);
+  if (along.none()) return {geometry::sectorAt(middleOf(box))};
   std::vector<geometry::SectorId> result;
-  for (const int x : sectorsAlong(lines.first_i, lines.last_i, spacing_m, kLattice_x_m))
-    for (const int z : along_z) result.push_back({x, z});
+  for (const int x : along.x)
+    for (const int z : along.z) result.push_back({x, z});
   return result;
 }
 

@@ -30,18 +30,36 @@ LevelIrradiance positive(const LevelIrradiance& e) {
   return {clamped(e.sky), clamped(e.sun_bounce), clamped(e.local)};
 }
 
+geometry::Box boxInWorld(const SectorFile& file, const geometry::Room& room) {
+  const Number3 corner = geometry::cornerOf(file.id);
+  return {room.box.low + corner, room.box.high + corner};
+}
+
+/// Whether two boxes are one that two sectors have stored, each as floats from its own corner.
+bool isSame(const geometry::Box& a, const geometry::Box& b) {
+  constexpr double kFloats = 0x1p-22;  // twice the rounding of a float
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from_corner =
+        axis == 1 ? std::max(std::abs(a.low.y), std::abs(a.high.y)) : geometry::kSector_m + a.high[axis] - a.low[axis];
+    if (std::abs(a.low[axis] - b.low[axis]) > kFloats * from_corner) return false;
+    if (std::abs(a.high[axis] - b.high[axis]) > kFloats * from_corner) return false;
+  }
+  return true;
+}
+
 /// The sector's room that contains a position, if any.
 const geometry::Room* roomAt(const SectorFile& file, const Number3& position) {
-  const auto found = std::find_if(file.room.begin(), file.room.end(),
-                                  [&](const geometry::Room& room) { return geometry::contains(room.box, position); });
+  const auto found = std::find_if(file.room.begin(), file.room.end(), [&](const geometry::Room& room) {
+    return geometry::contains(boxInWorld(file, room), position);
+  });
   return found == file.room.end() ? nullptr : &*found;
 }
 
 /// Whether the probe is in the room, or, without a room, outside all rooms. A room has the same box in every sector
-/// that it touches.
-bool isIn(const SectorFile& file, std::uint8_t probe, const geometry::Room* room) {
+/// that it touches, but for the rounding of floats.
+bool isIn(const SectorFile& file, std::uint8_t probe, const std::optional<geometry::Box>& room) {
   const std::size_t number = file.in_room.empty() ? 0 : file.in_room[probe];
-  return room == nullptr ? number == 0 : number > 0 && file.room[number - 1].box == room->box;
+  return room ? number > 0 && isSame(boxInWorld(file, file.room[number - 1]), *room) : number == 0;
 }
 
 int floorToInt(double v) {
@@ -84,7 +102,8 @@ LevelIrradiance LevelLight::ofProbe(const geometry::SectorId& sector, std::size_
   return positive(sum);
 }
 
-const transfer::ProbeIrradiance* LevelLight::probeAt(int x, double y, int z, const geometry::Room* room) const {
+const transfer::ProbeIrradiance* LevelLight::probeAt(int x, double y, int z,
+                                                     const std::optional<geometry::Box>& room) const {
   const geometry::SectorId id{floorToInt(static_cast<double>(x) / geometry::kCells),
                               floorToInt(static_cast<double>(z) / geometry::kCells)};
   const auto found = sector_.find(id);
@@ -108,6 +127,7 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
   const double low_y = home->second.file->low_y;
   const double y = (p.y - low_y) / height - 0.5;
   const geometry::Room* room = roomAt(*home->second.file, p);
+  const auto box = room == nullptr ? std::nullopt : std::optional(boxInWorld(*home->second.file, *room));
   LevelIrradiance sum;
   double total = 0.0;
   for (const int dz : {0, 1})
@@ -116,7 +136,7 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
         const auto share = [](double v, int d) { return d == 1 ? v - std::floor(v) : 1.0 - (v - std::floor(v)); };
         const double w = share(x, dx) * share(y, dy) * share(z, dz);
         const transfer::ProbeIrradiance* probe =
-            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz, room);
+            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz, box);
         if (probe == nullptr || !(w > 0.0)) continue;
         total += w;
         add(*probe, normal, w, sum);

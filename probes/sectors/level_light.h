@@ -48,8 +48,9 @@ class LevelLight {
     const SectorFile* file;
     std::vector<transfer::ProbeIrradiance> probe;
   };
-  /// The probe of the cell with these indices, which count from the level's origin, if it is in `room`; else nullptr.
-  const transfer::ProbeIrradiance* probeAt(int x, double y, int z, const geometry::Room* room) const;
+  /// The probe of the cell with these indices, which count from the level's origin, if it is in the room with this box,
+  /// or without one outside all rooms; else nullptr.
+  const transfer::ProbeIrradiance* probeAt(int x, double y, int z, const std::optional<geometry::Box>& room) const;
 
   std::map<geometry::SectorId, Sector> sector_;
 };

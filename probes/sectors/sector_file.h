@@ -61,6 +61,7 @@ struct BakedFrom {
   bool operator==(const BakedFrom&) const = default;
 };
 
+/// Rooms, named places, places of `settings` and lights of `local` count from the sector's corner.
 struct SectorFile : geometry::SectorGrid {
   geometry::SectorId id;
   transfer::SunTransfer sun = transfer::SunTransfer::none;

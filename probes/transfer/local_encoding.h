@@ -13,7 +13,7 @@
 //
 // Each virtual light that some probe keeps takes 12 bytes, also one in a neighbouring sector:
 //
-//     position      3 x f32    metres, world
+//     position      3 x f32    metres; in a sector's file, x and z count from the sector's corner
 //
 // If that is too much, the transfers of least influence in the whole sector are dropped.
 #pragma once

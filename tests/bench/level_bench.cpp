@@ -52,17 +52,18 @@ void run(const std::filesystem::path& file) {
   std::size_t probes = 0;
   for (const geometry::SectorId id : bake.sectors()) {
     // The parts, in the order of bakeSector.
-    geometry::NearSurfaces near =
-        clock.time(kWithin, [&] { return geometry::surfacesWithin(bake.surfaces(), geometry::columnOf(id, reach_m)); });
+    geometry::NearSurfaces near = clock.time(
+        kWithin, [&] { return geometry::surfacesAbout(bake.surfaces(), id, geometry::columnOf(id, reach_m)); });
     const build::SectorSettings settings{
         build::sectionOf(id, section, geometry::columnOf(id, reach_m)), 0.0, sky.ground_albedo, {}, {}};
-    clock.time(kHash, [&] { return build::bakedFrom(id, near, textures, settings); });
+    clock.time(kHash, [&] { return build::bakedFrom(near, textures, settings); });
     const geometry::Surfaces surfaces =
         clock.time(kWithin, [&] { return geometry::withTexels(std::move(near), bake.surfaces()); });
     const geometry::Tracer tracer = clock.time(kScene, [&] { return geometry::Tracer(surfaces); });
     placement::PlacementReport report;
-    const geometry::PlacedSector placed =
-        clock.time(kPlacement, [&] { return placement::placeSector(tracer, id, settings.section.probes, report); });
+    const geometry::PlacedSector placed = clock.time(kPlacement, [&] {
+      return placement::placeSector(tracer, {0, 0}, settings.section.probes, report);
+    });
     transfer::TransferSettings transfer;
     transfer.rays = static_cast<std::size_t>(*section.transfer.rays);
     transfer.bounces = section.transfer.bounces;
@@ -77,7 +78,7 @@ void run(const std::filesystem::path& file) {
     if (!traced.empty() && hasLocalTransfer(id, section.transfer, bake.surfaces())) {
       const geometry::Column column = build::columnOfBake(id, section.transfer, bake.surfaces());
       const geometry::Surfaces wide =
-          geometry::withTexels(geometry::surfacesWithin(bake.surfaces(), column), bake.surfaces());
+          geometry::withTexels(geometry::surfacesAbout(bake.surfaces(), id, column), bake.surfaces());
       clock.time(kLocal, [&] {
         const build::SectorSettings wanted{build::sectionOf(id, section, column), 0.0, {}, {}, {}};
         return build::bakeLocal(tracer, wide, placed, wanted, {});

@@ -17,7 +17,8 @@ constexpr double kEmpty = 0.68;  // share of empty squares; more houses would gi
 
 std::string objText(const geometry::Surfaces& surfaces) {
   std::string text = "mtllib town.mtl\n";
-  for (const auto& p : surfaces.position) text += fmt::format("v {} {} {}\n", p[0], p[1], p[2]);
+  for (const auto& p : surfaces.position)
+    text += fmt::format("v {} {} {}\n", static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]));
   std::optional<std::uint32_t> material;
   for (const auto& t : surfaces.triangle) {
     if (t.material != material) text += fmt::format("usemtl m{}\n", t.material);

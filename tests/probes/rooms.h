@@ -24,8 +24,7 @@ inline void addQuad(geometry::Surfaces& s, const Number3& corner, const Number3&
                     std::uint32_t material) {
   if (s.object.empty()) s.object.push_back({"room", geometry::Role::fixed});
   const auto first = static_cast<std::uint32_t>(s.position.size());
-  for (const Number3& p : {corner, corner + a, corner + a + b, corner + b})
-    s.position.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  for (const Number3& p : {corner, corner + a, corner + a + b, corner + b}) s.position.push_back({p.x, p.y, p.z});
   for (const auto& [i, j] : {std::pair{1U, 2U}, std::pair{2U, 3U}})
     s.triangle.push_back({{first, first + i, first + j}, material, 0});
 }

@@ -57,7 +57,7 @@ void reference(const Options& options) {
   const build::Subject subject = build::readLevel(options.file);
   for (const std::string& warning : subject.level->surfaces.warning)
     fmt::print(stderr, "welkin: warning: {}\n", base::oneLine(warning));
-  const geometry::Tracer tracer(subject.level->surfaces);
+  const geometry::Tracer tracer(subject.level->surfaces, position);
   const int bounces = options.bounces.value_or(subject.level->section.transfer.bounces);
   const reference::ReferenceSettings settings{options.samples, bounces, options.seed};
   reference::ReferenceIrradiance result;

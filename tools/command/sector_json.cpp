@@ -71,15 +71,20 @@ Json lightsJson(const sectors::SectorFile& s) {
   Json lights = Json::array();
   if (!s.local) return lights;
   const auto& p = s.local->encoded.position;
-  for (std::size_t i = 0; i < p.size(); i += 3) lights.push_back({p[i], p[i + 1], p[i + 2]});
+  const f64::Number3 corner = geometry::cornerOf(s.id);
+  for (std::size_t i = 0; i < p.size(); i += 3)
+    lights.push_back({corner.x + double{p[i]}, double{p[i + 1]}, corner.z + double{p[i + 2]}});
   return lights;
 }
 
-Json roomsJson(const std::vector<geometry::Room>& rooms) {
+Json roomsJson(const sectors::SectorFile& s) {
+  const f64::Number3 corner = geometry::cornerOf(s.id);
   Json list = Json::array();
-  for (const geometry::Room& r : rooms)
-    list.push_back({{"box", {r.box.low.x, r.box.low.y, r.box.low.z, r.box.high.x, r.box.high.y, r.box.high.z}},
-                    {"probe", r.probe}});
+  for (const geometry::Room& r : s.room) {
+    const f64::Number3 low = r.box.low + corner;
+    const f64::Number3 high = r.box.high + corner;
+    list.push_back({{"box", {low.x, low.y, low.z, high.x, high.y, high.z}}, {"probe", r.probe}});
+  }
   return list;
 }
 
@@ -165,14 +170,14 @@ Json sectorJson(const sectors::SectorFile& s, std::size_t total) {
       {"bytes", bytesJson(s, total)},
       {"rays", s.rays},
       {"error", build::errorJson(s)},
-      {"placement", build::placementJson(s.placement)},
+      {"placement", build::placementJson(s)},
       {"baked_from", build::fromJson(s.baked_from)},
       {"light", modesJson(decoded.modes)},
       {"virtual_lights", lightsJson(s)},
       {"probes", list},
       {"grid", s.grid},
       {"occlusion", occlusionJson(s, decoded)},
-      {"rooms", roomsJson(s.room)},
+      {"rooms", roomsJson(s)},
       {"unlit", s.unlit}};
   return {{"sector", sector}, {"settings", settingsJson(s.settings)}};
 }

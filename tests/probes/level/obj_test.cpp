@@ -319,4 +319,19 @@ TEST_CASE("Obj, MessagesNameFileAndLine") {
   refuseMtl("newmtl", "names no material");
 }
 
+TEST_CASE("Obj, VerticesFarFromTheOriginKeepTheirDigits") {
+  const auto squareAt = [](const std::string& x, const std::string& z) {
+    return surfacesOf({{"a.obj", "v " + x + ".125 0.3 " + z + ".7\nv " + x + ".875 0.3 " + z + ".7\nv " + x +
+                                     ".125 0.3 " + z + ".2\nf 1 2 3\n"}});
+  };
+  const geometry::Surfaces home = squareAt("0", "0");
+  const geometry::Surfaces far = squareAt("900032", "100032");
+  REQUIRE(far.position.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(far.position[i][0] - 900032.0 == home.position[i][0]);
+    CHECK(far.position[i][1] == home.position[i][1]);
+    CHECK(far.position[i][2] - 100032.0 == home.position[i][2]);
+  }
+}
+
 }  // namespace welkin::tests

@@ -249,4 +249,26 @@ TEST_CASE("SurfacesOf, AFileThatManyEntriesPlaceIsReadOnce") {
   checkNear(s.material[s.triangle[23].material].albedo, {0.1, 0.2, 0.3}, 0);
 }
 
+TEST_CASE("SurfacesOf, PositionsAreTheSameFromTheCornerOfEverySector") {
+  const auto levelAt = [](double x, double z) {
+    GltfText gltf;
+    const double half = std::sqrt(0.5);
+    gltf.addNode(gltf.addMesh(boxMesh()), {{"translation", {0.1, 0.2, 0.3}}, {"rotation", {0, 0.6, 0, 0.8}}});
+    gltf.addNode(gltf.addMesh(squareMesh()), {{"scale", {0.3, 7.1, 1.7}}, {"rotation", {half, half, 0, 0}}});
+    gltf.json["nodes"].push_back({{"translation", {x, 0, z}}, {"children", {0, 1}}});
+    gltf.json["scenes"][0]["nodes"] = {2};
+    return surfacesOf({{"a.gltf", gltf.text()}});
+  };
+  const geometry::Surfaces home = levelAt(0, 0);
+  for (const double x : {64.0, -100032.0, 900032.0}) {
+    const geometry::Surfaces far = levelAt(x, -x);
+    REQUIRE(far.position.size() == home.position.size());
+    for (std::size_t i = 0; i < home.position.size(); ++i) {
+      CHECK(far.position[i][0] - x == home.position[i][0]);
+      CHECK(far.position[i][1] == home.position[i][1]);
+      CHECK(far.position[i][2] + x == home.position[i][2]);
+    }
+  }
+}
+
 }  // namespace welkin::tests

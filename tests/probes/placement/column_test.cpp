@@ -97,18 +97,22 @@ TEST_CASE("Column, NoLineSlipsThroughSharedEdges") {
   CHECK(slips == 0);
 }
 
-TEST_CASE("Lattice, EveryLineIsOfOneSectorAndThePhaseIsTheWorlds") {
+TEST_CASE("Lattice, EverySectorHasTheSameLines") {
   for (const double spacing : {4.0, 3.0, 8.0, 5.5}) {
-    std::vector<double> x;
-    for (const int sector : {-2, -1, 0, 1}) {
-      const auto lines = placement::latticeOf({sector, -1}, spacing);
-      for (const placement::LatticeLine& line : lines) {
-        CHECK(geometry::sectorAt({line.x, 0, line.z}) == geometry::SectorId{sector, -1});
-        if (line.k == lines.front().k) x.push_back(line.x);
+    const auto home = placement::latticeOf({0, 0}, spacing);
+    const auto across = static_cast<std::size_t>(std::floor((64.0 - placement::kLattice_x_m) / spacing + 0.5));
+    const auto along = static_cast<std::size_t>(std::floor((64.0 - placement::kLattice_z_m) / spacing + 0.5));
+    CHECK(home.size() == across * along);
+    for (std::size_t i = 1; i < across; ++i) CHECK(home[i].x - home[i - 1].x == Approx(spacing));
+    for (const geometry::SectorId id : {geometry::SectorId{-2, 1}, geometry::SectorId{15000, -15000}}) {
+      const auto lines = placement::latticeOf(id, spacing);
+      REQUIRE(lines.size() == home.size());
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        CHECK(geometry::sectorAt({lines[i].x, 0, lines[i].z}) == id);
+        CHECK(std::abs(lines[i].x - 64.0 * id.x - home[i].x) < 1e-9);  // the rounding of a double
+        CHECK(std::abs(lines[i].z - 64.0 * id.z - home[i].z) < 1e-9);
       }
     }
-    for (std::size_t i = 1; i < x.size(); ++i) CHECK(x[i] - x[i - 1] == Approx(spacing));
-    CHECK(x.size() >= static_cast<std::size_t>(4 * 64 / spacing) - 1);
   }
   CHECK(placement::latticeOf({0, 0}, 4.0).size() == 256);
 }
