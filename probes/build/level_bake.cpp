@@ -70,13 +70,14 @@ LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, co
                       fmt::format("[transfer] rays = \"auto\": needs a budget below 1, and not {}; it "
                                   "comes from --max-error, --quality or max_error of the sky file",
                                   *max_error));
-  surfaces_ = geometry::inCanonicalOrder(std::move(surfaces_));
+  geometry::OrderedLevel ordered = geometry::orderedLevel(std::move(surfaces_));
+  surfaces_ = std::move(ordered.surfaces);
+  content_ = std::move(ordered.content);
   if (sky.moon) moon_path_ = sky.moon->path;
   if (section.transfer.sun == transfer::SunTransfer::directional) {
     sun_ = trackAlong(sun_path_);
     if (moon_path_) moon_ = trackAlong(*moon_path_);
   }
-  texture_hash_ = geometry::textureHashes(surfaces_);
   sectors_ = placement::sectorsOf(surfaces_, section_.probes, progress);
   std::sort(sectors_.begin(), sectors_.end());
   requireFewRooms(section_.probes.room, sectors_);
@@ -90,10 +91,13 @@ geometry::Column LevelBake::columnOfBake(geometry::SectorId sector) const {
   return build::columnOfBake(sector, section_.transfer, surfaces_);
 }
 
+sectors::BakedFrom LevelBake::bakedFrom(geometry::SectorId sector) const {
+  return build::bakedFrom(geometry::hashAbout(surfaces_, content_, sector, columnOfBake(sector)), settingsOf(sector));
+}
+
 SectorState LevelBake::state(const std::filesystem::path& folder, geometry::SectorId sector) const {
   SectorState state{sector, {}, {}, {}, {}};
-  state.from =
-      bakedFrom(geometry::surfacesAbout(surfaces_, sector, columnOfBake(sector)), texture_hash_, settingsOf(sector));
+  state.from = bakedFrom(sector);
   const std::filesystem::path path = sectorPath(folder, sector);
   std::error_code none;
   if (folder.empty() || !std::filesystem::exists(path, none)) {
@@ -114,9 +118,8 @@ SectorState LevelBake::state(const std::filesystem::path& folder, geometry::Sect
 
 sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progress& progress) const {
   geometry::NearSurfaces near = geometry::surfacesAbout(surfaces_, sector, columnOfBake(sector));
-  const SectorSettings settings = settingsOf(sector);
-  const sectors::BakedFrom from = bakedFrom(near, texture_hash_, settings);
-  return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settings, from, progress);
+  return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settingsOf(sector), bakedFrom(sector),
+                    progress);
 }
 
 SectorPlan LevelBake::plan(geometry::SectorId sector, const base::Progress& progress) const {

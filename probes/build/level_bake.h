@@ -60,6 +60,7 @@ class LevelBake {
 
  private:
   geometry::Column columnOfBake(geometry::SectorId sector) const;
+  sectors::BakedFrom bakedFrom(geometry::SectorId sector) const;
   SectorSettings settingsOf(geometry::SectorId sector) const;
 
   geometry::Surfaces surfaces_;
@@ -69,7 +70,7 @@ class LevelBake {
   model::LightPath sun_path_;
   std::optional<model::LightPath> moon_path_;
   transfer::LightTrack sun_, moon_;
-  std::vector<base::Hash128> texture_hash_;
+  std::vector<base::Hash128> content_;  // by triangle
   std::vector<geometry::SectorId> sectors_;
 };
 

@@ -26,14 +26,15 @@ Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, co
     const SectorState state = level.state(folder, sector);
     const bool fresh = state.stale.empty();
     const SectorPlan plan =
-        fresh ? SectorPlan{state.file->probes.probes(), state.file->local.has_value(), state.bytes.size()}
+        fresh ? SectorPlan{state.file->probes.probes(), state.file->local.has_value(), state.bytes.size(), 0}
               : level.plan(sector, progress);
     sectors.push_back({{"sector", nameOf(sector)},
                        {"bake", !fresh},
                        {"why", fresh ? "up to date" : state.stale},
                        {"probes", plan.probes},
                        {"local", plan.has_local},
-                       {"bytes", plan.bytes}});
+                       {"bytes", plan.bytes},
+                       {"most_rays", fresh || plan.rays > 0 ? Json(plan.rays) : Json()}});
   }
   return sectors;
 }

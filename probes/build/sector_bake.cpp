@@ -117,12 +117,9 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
   return section;
 }
 
-sectors::BakedFrom bakedFrom(const geometry::NearSurfaces& near, const std::vector<base::Hash128>& texture_hash,
-                             const SectorSettings& settings) {
+sectors::BakedFrom bakedFrom(const base::Hash128& surfaces, const SectorSettings& settings) {
   sectors::BakedFrom from;
-  base::Hasher surfaces;
-  geometry::addTo(surfaces, near, texture_hash);
-  from.surfaces = surfaces.digest();
+  from.surfaces = surfaces;
   from.settings = hashOfSettings(settings);
   base::Hasher lights;
   add(lights, settings.sun);

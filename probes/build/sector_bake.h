@@ -49,9 +49,8 @@ geometry::Column columnOfBake(geometry::SectorId sector, const TransferSection& 
 /// corner, in whole micrometres.
 BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const geometry::Column& column);
 
-/// `near` as surfacesAbout gives it. Equal for sectors that hold the same, wherever in the world they are.
-sectors::BakedFrom bakedFrom(const geometry::NearSurfaces& near, const std::vector<base::Hash128>& texture_hash,
-                             const SectorSettings& settings);
+/// `surfaces` is hashAbout the sector. Equal for sectors that hold the same, wherever in the world they are.
+sectors::BakedFrom bakedFrom(const base::Hash128& surfaces, const SectorSettings& settings);
 
 /// A sector's file with all that its placement settles, as if the sector were 0_0.
 sectors::SectorFile placedFile(const geometry::PlacedSector& placed, const placement::PlacementReport& report,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "probes/build/local_bake.h"
+#include "probes/transfer/local_transfer.h"
 
 namespace welkin::build {
 namespace {
@@ -37,6 +38,21 @@ std::size_t localBytes(std::size_t count) {
   return std::min(most, transfer::kMostLocalBytes);
 }
 
+/// Rays of all probes, at most: a path tests its way and some lights at every surface. Local transfer also traces the
+/// paths that choose its lights.
+std::uint64_t mostRays(const SectorPlan& plan, const SectorSettings& settings) {
+  const TransferSection& t = settings.section.transfer;
+  if (!t.rays) return 0;
+  const auto paths = static_cast<std::uint64_t>(*t.rays);
+  const auto bounces = static_cast<std::uint64_t>(t.bounces);
+  const std::size_t lights = settings.sun.direction.size() + settings.moon.direction.size();
+  const std::uint64_t tested = std::min(transfer::TransferSettings{}.light_rays, lights);
+  std::uint64_t rays = paths * (1 + bounces * (1 + tested));
+  if (plan.has_local)
+    rays += 2 * paths * bounces * (1 + transfer::LocalSettings{}.light_rays) + 9 * geometry::kMostProbes;
+  return plan.probes * rays;
+}
+
 }  // namespace
 
 SectorPlan planSector(geometry::SectorId sector, const geometry::Surfaces& near, const geometry::Surfaces& level,
@@ -49,6 +65,7 @@ SectorPlan planSector(geometry::SectorId sector, const geometry::Surfaces& near,
   plan.probes = placed.probe.size();
   plan.has_local = plan.probes > 0 && hasLocalTransfer(sector, settings.section.transfer, level);
   plan.bytes = sectors::encodeSector(file).size() + (plan.has_local ? localBytes(plan.probes) : 0);
+  plan.rays = mostRays(plan, settings);
   return plan;
 }
 

@@ -13,6 +13,8 @@ struct SectorPlan {
   /// kSunModes modes of the sun. The bake makes fewer where a sun stands still, and as many as a budget takes. Emitted
   /// light counts where an emissive surface is within reach, local transfer with its upper limit.
   std::size_t bytes = 0;
+  /// The rays that the bake traces after placement, at most; 0 where rays = "auto" takes as many as the budget needs.
+  std::uint64_t rays = 0;
 };
 
 /// Throws what placeSector throws. Arguments as for bakeSector; `level` decides on local transfer.

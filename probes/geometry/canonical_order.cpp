@@ -13,8 +13,6 @@ namespace welkin::geometry {
 using f64::Number3;
 namespace {
 
-constexpr double kPatch_m = 16.0;  // a part of a sector's side
-
 using Halves = std::pair<std::uint64_t, std::uint64_t>;
 
 Halves halvesOf(const base::Hash128& hash) {
@@ -62,8 +60,10 @@ class Ordering {
     material_ = firstOfEqual(material_hash_);
   }
 
-  Surfaces run() {
+  OrderedLevel run() {
     const std::vector<std::uint32_t> order = orderOfTriangles();
+    std::vector<base::Hash128> content;
+    content.reserve(order.size());
     std::vector<Triangle> triangle;
     std::vector<std::array<double, 3>> position;
     std::vector<std::array<float, 3>> colour;
@@ -75,6 +75,7 @@ class Ordering {
       const auto first = static_cast<std::uint32_t>(position.size());
       triangle.push_back({{first, first + 1, first + 2}, material_[old.material], old.object});
       const Corners corners = cornersOf(old);
+      content.push_back(content_[i]);
       position.insert(position.end(), corners.position.begin(), corners.position.end());
       if (!level_.uv.empty()) uv.insert(uv.end(), corners.uv.begin(), corners.uv.end());
       if (!level_.colour.empty()) colour.insert(colour.end(), corners.colour.begin(), corners.colour.end());
@@ -88,7 +89,7 @@ class Ordering {
         if (*texture >= 0) *texture = static_cast<int>(texture_[static_cast<std::size_t>(*texture)]);
     std::sort(level_.light.begin(), level_.light.end(),
               [](const StaticLight& a, const StaticLight& b) { return numbersOf(a) < numbersOf(b); });
-    return std::move(level_);
+    return {std::move(level_), std::move(content)};
   }
 
  private:
@@ -111,12 +112,6 @@ class Ordering {
     return c;
   }
 
-  /// Puts neighbours in the world near each other in memory too.
-  std::pair<int, int> patchOf(const Triangle& t) const {
-    const auto& p = level_.position[t.vertex[0]];
-    return {static_cast<int>(std::floor(p[0] / kPatch_m)), static_cast<int>(std::floor(p[2] / kPatch_m))};
-  }
-
   /// Positions count from the corner of the triangle's patch, so the order is the same in every sector.
   base::Hash128 contentOf(const Triangle& t) const {
     struct {
@@ -126,7 +121,7 @@ class Ordering {
     static_assert(sizeof(content) ==
                       9 * sizeof(double) + 15 * sizeof(float) + sizeof(content.corners.role) + sizeof(content.material),
                   "no padding");
-    const auto [i, k] = patchOf(t);
+    const auto [i, k] = patchOf(level_, t);
     for (auto& p : content.corners.position) {
       p[0] -= kPatch_m * i;
       p[2] -= kPatch_m * k;
@@ -147,34 +142,50 @@ class Ordering {
     return result;
   }
 
-  std::vector<std::uint32_t> orderOfTriangles() const {
-    std::vector<base::Hash128> content;
-    content.reserve(level_.triangle.size());
-    for (const Triangle& t : level_.triangle) content.push_back(contentOf(t));
-    const std::vector<base::Hash128> vegetation = vegetationHashes(content);
+  std::vector<std::uint32_t> orderOfTriangles() {
+    content_.reserve(level_.triangle.size());
+    for (const Triangle& t : level_.triangle) content_.push_back(contentOf(t));
+    const std::vector<base::Hash128> vegetation = vegetationHashes(content_);
     const auto keyOf = [&](std::uint32_t i) {
       const std::uint32_t object = level_.triangle[i].object;
-      return std::tuple(patchOf(level_.triangle[i]), halvesOf(content[i]), halvesOf(vegetation[object]), object, i);
+      // Patches first put neighbours in the world near each other in memory too.
+      return std::tuple(patchOf(level_, level_.triangle[i]), halvesOf(content_[i]), halvesOf(vegetation[object]),
+                        object, i);
     };
     std::vector<decltype(keyOf(0))> order;
-    order.reserve(content.size());
-    for (std::uint32_t i = 0; i < content.size(); ++i) order.push_back(keyOf(i));
+    order.reserve(content_.size());
+    for (std::uint32_t i = 0; i < content_.size(); ++i) order.push_back(keyOf(i));
     std::sort(order.begin(), order.end());
     std::vector<std::uint32_t> result;
     result.reserve(order.size());
-    for (const auto& key : order) result.push_back(std::get<4>(key));
+    for (const auto& key : order) {
+      const std::uint32_t i = std::get<4>(key);
+      const bool again = !result.empty() && content_[i] == content_[result.back()] &&
+                         patchOf(level_, level_.triangle[i]) == patchOf(level_, level_.triangle[result.back()]);
+      if (!again || isVegetation(level_.triangle[i])) result.push_back(i);
+    }
     return result;
   }
 
   Surfaces level_;
   std::vector<std::uint32_t> texture_, material_;  // for each index, the first one that is equal
   std::vector<base::Hash128> material_hash_;
+  std::vector<base::Hash128> content_;
 };
 
 }  // namespace
 
-Surfaces inCanonicalOrder(Surfaces level) {
+std::pair<int, int> patchOf(const Surfaces& level, const Triangle& triangle) {
+  const auto& p = level.position[triangle.vertex[0]];
+  return {static_cast<int>(std::floor(p[0] / kPatch_m)), static_cast<int>(std::floor(p[2] / kPatch_m))};
+}
+
+OrderedLevel orderedLevel(Surfaces level) {
   return Ordering(std::move(level)).run();
+}
+
+Surfaces inCanonicalOrder(Surfaces level) {
+  return orderedLevel(std::move(level)).surfaces;
 }
 
 }  // namespace welkin::geometry

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
+
+#include "probes/geometry/canonical_order.h"
 
 namespace welkin::geometry {
 namespace {
@@ -103,6 +106,17 @@ class Part {
   bool any_colour_ = false;
 };
 
+/// The same with positions from the sector's corner.
+NearSurfaces fromCorner(SectorId sector, NearSurfaces near) {
+  const Number3 corner = cornerOf(sector);
+  for (auto& p : near.surfaces.position) {
+    p[0] -= corner.x;
+    p[2] -= corner.z;
+  }
+  for (StaticLight& light : near.surfaces.light) light.position = light.position - corner;
+  return near;
+}
+
 void addTo(base::Hasher& hasher, const Number3& v) {
   for (const double number : {v.x, v.y, v.z}) hasher.add(number);
 }
@@ -122,14 +136,31 @@ NearSurfaces surfacesWithin(const Surfaces& level, const Column& column) {
 }
 
 NearSurfaces surfacesAbout(const Surfaces& level, SectorId sector, const Column& column) {
-  NearSurfaces near = surfacesWithin(level, column);
-  const Number3 corner = cornerOf(sector);
-  for (auto& p : near.surfaces.position) {
-    p[0] -= corner.x;
-    p[2] -= corner.z;
+  return fromCorner(sector, surfacesWithin(level, column));
+}
+
+base::Hash128 hashAbout(const Surfaces& level, const std::vector<base::Hash128>& content, SectorId sector,
+                        const Column& column) {
+  constexpr int kPatches = static_cast<int>(kSector_m / kPatch_m);
+  struct Found {
+    base::Hash128 content;
+    std::int32_t patch_x, patch_z;
+    std::uint64_t tree;  ///< number of a vegetation object in the order of first use; 0 for others
+  };
+  Renumbering trees(level.object.size());
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < level.triangle.size(); ++i) {
+    const Triangle& t = level.triangle[i];
+    if (!touches(level, t, column)) continue;
+    const auto [x, z] = patchOf(level, t);
+    const bool tree = level.object[t.object].role == Role::vegetation;
+    found.push_back({content[i], x - kPatches * sector.x, z - kPatches * sector.z,
+                     tree ? 1 + std::uint64_t{trees.of(t.object, [](std::uint32_t) {})} : 0});
   }
-  for (StaticLight& light : near.surfaces.light) light.position = light.position - corner;
-  return near;
+  base::Hasher hasher;
+  hasher.addAll(std::span<const Found>(found));
+  addTo(hasher, fromCorner(sector, Part(level).finish(column)), {});  // the lights
+  return hasher.digest();
 }
 
 Surfaces withTexels(NearSurfaces near, const Surfaces& level) {

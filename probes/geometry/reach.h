@@ -51,6 +51,11 @@ std::vector<base::Hash128> textureHashes(const Surfaces& level);
 /// Adds a material to a hash, with the indices of its textures.
 void addTo(base::Hasher& hasher, const Material& material);
 
+/// A hash of everything that a bake can see of the surfaces and lights within the column, from the sector's corner.
+/// `content` as in OrderedLevel. It copies no surface.
+base::Hash128 hashAbout(const Surfaces& level, const std::vector<base::Hash128>& content, SectorId sector,
+                        const Column& column);
+
 /// Adds everything that a bake can see of the surfaces to a hash.
 void addTo(base::Hasher& hasher, const NearSurfaces& near, const std::vector<base::Hash128>& texture_hash);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "probes/geometry/directions.h"
+#include "probes/geometry/nearest_point.h"
 #include "probes/geometry/sector.h"
 #include "probes/geometry/texture.h"
 #include "sky/base/error.h"
@@ -261,6 +262,38 @@ bool Tracer::occluded(const Number3& origin, const Number3& direction, double fa
   setRay(ray, origin - scene_->origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
   rtcOccluded1(scene_->scene, &context, &ray);
   return ray.tfar < 0.0F;
+}
+
+bool Tracer::isNearer(const Number3& position, double distance_m) const {
+  struct Question {
+    const Scene* scene;
+    Number3 position;
+    double distance_m;
+    bool is_nearer;
+  } question{scene_.get(), position - scene_->origin, distance_m, false};
+  const auto ask = [](RTCPointQueryFunctionArguments* arguments) {
+    auto& q = *static_cast<Question*>(arguments->userPtr);
+    if (q.is_nearer || arguments->geomID >= 2) return false;  // only static geometry counts
+    const Surfaces& s = *q.scene->surfaces;
+    const auto& vertex = s.triangle[q.scene->part[arguments->geomID].triangle[arguments->primID]].vertex;
+    const auto corner = [&](std::size_t i) { return load(floatsOf(s.position[vertex[i]], q.scene->origin)); };
+    const Number3 way = nearestPoint(q.position, corner(0), corner(1), corner(2)) - q.position;
+    q.is_nearer = dot(way, way) < q.distance_m * q.distance_m;
+    return false;
+  };
+  constexpr float kRounding = 1.0F + 0x1p-20F;  // floats may not hide a triangle that is just nearer
+  RTCPointQuery query;
+  query.x = static_cast<float>(question.position.x);
+  query.y = static_cast<float>(question.position.y);
+  query.z = static_cast<float>(question.position.z);
+  query.time = 0.0F;
+  const double largest =
+      std::max({std::abs(question.position.x), std::abs(question.position.y), std::abs(question.position.z)});
+  query.radius = static_cast<float>(distance_m + largest * 0x1p-22) * kRounding;
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene_->scene, &query, &context, ask, &question);
+  return question.is_nearer;
 }
 
 Number3 Tracer::leaving(const Hit& hit) const {

@@ -56,6 +56,10 @@ class Tracer {
   /// Whether closest() would find a surface.
   bool occluded(const Number3& origin, const Number3& direction, double far, Meets meets = Meets::all) const;
 
+  /// Whether any point of static geometry is nearer than a distance >= 0, in any direction. Masked texels count as
+  /// surface.
+  bool isNearer(const Number3& position, double distance_m) const;
+
   /// The start of a ray that leaves the hit: off the plane on the normal's side, by more than the rounding of floats.
   /// It also moves back along the ray that found the hit, where that way was free. So it does not start in or behind a
   /// wall that stands on the surface there.

@@ -22,32 +22,51 @@ bool isRemoved(const PlacementSettings& settings, const Number3& p) {
                      [&](const geometry::Box& box) { return geometry::contains(box, p); });
 }
 
+/// Whether further searches of a sector for free places are hopeless, after some in vain and some that found one. A
+/// search takes up to some thousand rays, and in a soup of triangles nearly all are in vain.
+bool isHopeless(std::size_t vain, std::size_t found) {
+  return vain >= 64 + 4 * found;
+}
+
 /// A wanted place and the result of settling it.
 struct Wanted {
   Number3 position;
   bool by_hand = false;
   bool removed = false;
   Place place = Place::free;
+  std::optional<Number3> foot;  ///< of a probe above ground, which stays in sight of it
   std::optional<Number3> settled;
+  bool mustMove() const { return !removed && !settled; }
 };
 
-/// Finds a free place. A probe above ground stays in sight of the `foot` of its place.
-Wanted settle(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-              const Number3& position, bool by_hand, const std::optional<Number3>& foot = {}) {
-  Wanted result{position, by_hand, !by_hand && isRemoved(settings, position), Place::free, std::nullopt};
+/// Asks whether a probe may stand at the place itself.
+Wanted ask(const geometry::Tracer& tracer, const PlacementSettings& settings, const Number3& position, bool by_hand,
+           const std::optional<Number3>& foot = {}) {
+  Wanted result{position, by_hand, !by_hand && isRemoved(settings, position), Place::free, foot, std::nullopt};
   if (result.removed) return result;
   result.place = placeAt(tracer, position, settings.clearance_m);
-  const bool stays = result.place == Place::free || (by_hand && result.place == Place::too_close);
-  if (stays) {
-    result.settled = position;
-    return result;
-  }
-  const std::size_t room = roomOf(settings, position);
-  result.settled = freePlaceNear(tracer, position, settings.clearance_m, [&](const Number3& to) {
-    return geometry::sectorAt(to) == id && roomOf(settings, to) == room && (by_hand || !isRemoved(settings, to)) &&
-           (!foot || sees(tracer, *foot, to));
-  });
+  if (result.place == Place::free || (by_hand && result.place == Place::too_close)) result.settled = position;
   return result;
+}
+
+/// Searches for a free place near one where none may stand.
+void search(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+            Wanted& wanted) {
+  const std::size_t room = roomOf(settings, wanted.position);
+  wanted.settled = freePlaceNear(tracer, wanted.position, settings.clearance_m, [&](const Number3& to) {
+    return geometry::sectorAt(to) == id && roomOf(settings, to) == room &&
+           (wanted.by_hand || !isRemoved(settings, to)) && (!wanted.foot || sees(tracer, *wanted.foot, to));
+  });
+}
+
+/// Finds a free place, as long as searches are not in vain. Probes by hand are always searched for.
+Wanted settle(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+              const Number3& position, bool by_hand, const PlacementReport& report,
+              const std::optional<Number3>& foot = {}) {
+  Wanted wanted = ask(tracer, settings, position, by_hand, foot);
+  if (wanted.mustMove() && (by_hand || !isHopeless(report.dropped.size(), report.moved.size())))
+    search(tracer, id, settings, wanted);
+  return wanted;
 }
 
 std::optional<Candidate> take(const Wanted& wanted, PlacementReport& report) {
@@ -95,7 +114,7 @@ bool isUnderWater(const geometry::Tracer& tracer, Number3 point) {
 LatticeColumn groundAt(const geometry::Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line,
                        double top_y) {
   LatticeColumn result;
-  for (const Span& span : spansAt(tracer, line.x, line.z, top_y)) {
+  for (const Span& span : spansAt(tracer, line.x, line.z, top_y, settings.headroom_m)) {
     if (!span.hasFloor()) continue;
     const double height = span.high_y - span.low_y;
     if (span.inside) {
@@ -113,19 +132,39 @@ LatticeColumn groundAt(const geometry::Tracer& tracer, const PlacementSettings& 
   return result;
 }
 
-/// Ground with a candidate above it.
-LatticeColumn columnAt(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-                       const LatticeLine& line, double top_y) {
+/// Ground with the place above it.
+LatticeColumn columnAt(const geometry::Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line,
+                       double top_y) {
   LatticeColumn result = groundAt(tracer, settings, line, top_y);
   const bool odd_i = line.i % 2 != 0;
   const bool odd_k = line.k % 2 != 0;
   result.preference = odd_i != odd_k ? 2 : odd_i ? 1 : 0;
-  for (Ground& ground : result.ground) {
-    result.wanted.push_back(settle(tracer, id, settings, ground.point.above, false, ground.point.foot));
-    const Wanted& wanted = result.wanted.back();
-    if (wanted.place == Place::inside && !wanted.settled) ground.walkable = false;  // behind one-sided surfaces
-  }
+  for (const Ground& ground : result.ground)
+    result.wanted.push_back(ask(tracer, settings, ground.point.above, false, ground.point.foot));
   return result;
+}
+
+/// Searches for free places for all columns, side by side in blocks, until it is hopeless.
+void searchAll(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+               std::vector<LatticeColumn>& columns, const base::Progress& progress) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<Wanted*> all;
+  for (LatticeColumn& column : columns)
+    for (Wanted& wanted : column.wanted)
+      if (wanted.mustMove()) all.push_back(&wanted);
+  std::size_t vain = 0;
+  std::size_t found = 0;
+  for (std::size_t from = 0; from < all.size() && !isHopeless(vain, found); from += kBlock) {
+    const std::size_t to = std::min(from + kBlock, all.size());
+    tbb::parallel_for(from, to, [&](std::size_t i) {
+      progress.check();
+      search(tracer, id, settings, *all[i]);
+    });
+    for (std::size_t i = from; i < to; ++i) ++(all[i]->settled ? found : vain);
+  }
+  for (LatticeColumn& column : columns)
+    for (std::size_t i = 0; i < column.ground.size(); ++i)  // behind one-sided surfaces
+      if (column.wanted[i].place == Place::inside && !column.wanted[i].settled) column.ground[i].walkable = false;
 }
 
 /// Lines for ground that no line of the lattice meets.
@@ -155,10 +194,12 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
     if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
   };
   for (const Number3& p : settings.add)
-    if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true));
+    if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true, report));
   const auto candidatesOn = [&](const std::vector<LatticeLine>& lines) {
-    return columnsOf(lines, progress,
-                     [&](const LatticeLine& line) { return columnAt(tracer, id, settings, line, top_y); });
+    std::vector<LatticeColumn> found =
+        columnsOf(lines, progress, [&](const LatticeLine& line) { return columnAt(tracer, settings, line, top_y); });
+    searchAll(tracer, id, settings, found, progress);
+    return found;
   };
   const auto hasGround = [](const LatticeColumn& column) { return !column.ground.empty(); };
   std::vector<LatticeColumn> columns = candidatesOn(latticeOf(id, settings.spacing_m));
@@ -185,7 +226,7 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
       if (column.preference == preference)
         for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
-    add(settle(tracer, id, settings, p, false));
+    add(settle(tracer, id, settings, p, false, report));
   for (const LatticeColumn& column : between)
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);
@@ -197,7 +238,7 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
 std::optional<Candidate> candidateFor(const geometry::Tracer& tracer, const geometry::SectorId& id,
                                       const PlacementSettings& settings, const WalkablePoint& point,
                                       PlacementReport& report) {
-  return take(settle(tracer, id, settings, point.above, false, point.foot), report);
+  return take(settle(tracer, id, settings, point.above, false, report, point.foot), report);
 }
 
 }  // namespace welkin::placement

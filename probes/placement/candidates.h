@@ -38,7 +38,7 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
                         double top_y, PlacementReport& report, const base::Progress& progress = {});
 
 /// A candidate for a walkable point between the lines, moved and reported as others are. Nothing if no probe may stand
-/// there.
+/// there. Where searches of the sector were nearly all in vain, further places that are not free get none.
 std::optional<Candidate> candidateFor(const geometry::Tracer& tracer, const geometry::SectorId& id,
                                       const PlacementSettings& settings, const WalkablePoint& point,
                                       PlacementReport& report);

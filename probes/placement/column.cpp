@@ -41,7 +41,7 @@ std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, doub
 
 }  // namespace
 
-std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
+std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, double top_y, double least_m) {
   const std::vector<Crossing> crossing = crossingsAt(tracer, x, z, top_y);
   std::vector<Span> result;
   for (std::size_t i = crossing.size() + 1; i-- > 0;) {
@@ -55,6 +55,10 @@ std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, do
     if (below != nullptr) span.floor_normal_y = below->normal_y;
     if (!open_above || !open_below) {
       if (above == nullptr || below == nullptr) continue;
+      if (span.high_y - span.low_y < least_m) {
+        if (open_below) result.push_back(span);
+        continue;
+      }
       const double rise = std::min(1.0, 0.5 * (span.high_y - span.low_y));
       span.inside = insideGeometry(tracer, {x, span.low_y + rise, z});
       if (span.inside && !open_below) continue;

@@ -24,7 +24,8 @@ struct GridCell {
   bool middle_free = false;
   bool middle_above_ground = false;  ///< if false, it may be outside the level, behind all surfaces
   bool above_ground = false;         ///< has air with a floor, in the cell or below it
-  std::vector<Number3> point;        ///< points in the air; the middle comes first if it is one
+  std::vector<Number3> point;        ///< at most 16 points in the air; the middle
+                                     ///< comes first if it is one
 };
 
 struct GridCells {

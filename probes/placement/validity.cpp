@@ -27,35 +27,14 @@ const std::array<Number3, kRays>& fixedDirections() {
   return direction;
 }
 
-/// Whether placeAt would return `free`, found with fewer rays.
-bool isFree(const geometry::Tracer& tracer, const Number3& position, double clearance_m) {
-  std::size_t backs = 0;
-  const geometry::Surfaces& s = tracer.surfaces();
-  for (const Number3& direction : fixedDirections()) {
-    const auto hit = tracer.closest(position, direction, kFar_m);
-    if (!hit) continue;
-    if (hit->back && ++backs > kMostBackRays) return false;
-    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == geometry::Role::fixed)
-      return false;
-  }
-  return true;
-}
+/// A file holds places to a millimetre (transfer/encoding.h), so probes keep this much more.
+constexpr double kStored_m = 1e-3;
 
 }  // namespace
 
 Place placeAt(const geometry::Tracer& tracer, const Number3& position, double clearance_m) {
-  std::size_t backs = 0;
-  bool close = false;
-  const geometry::Surfaces& s = tracer.surfaces();
-  for (const Number3& direction : fixedDirections()) {
-    const auto hit = tracer.closest(position, direction, kFar_m);
-    if (!hit) continue;
-    if (hit->back) ++backs;
-    if (hit->distance < clearance_m && s.object[s.triangle[hit->triangle].object].role == geometry::Role::fixed)
-      close = true;
-  }
-  if (backs > kMostBackRays) return Place::inside;
-  return close ? Place::too_close : Place::free;
+  if (insideGeometry(tracer, position)) return Place::inside;
+  return tracer.isNearer(position, clearance_m + kStored_m) ? Place::too_close : Place::free;
 }
 
 bool insideGeometry(const geometry::Tracer& tracer, const Number3& position) {
@@ -74,7 +53,7 @@ std::optional<Number3> freePlaceNear(const geometry::Tracer& tracer, const Numbe
     for (const Number3& direction : fixedDirections()) {
       const Number3 to = position + direction * distance_m;
       if (!allowed(to) || (!inside && !sees(tracer, position, to))) continue;
-      if (isFree(tracer, to, clearance_m)) return to;
+      if (!tracer.isNearer(to, clearance_m + kStored_m) && !insideGeometry(tracer, to)) return to;
     }
   return std::nullopt;
 }

@@ -21,7 +21,7 @@ enum class Place { free, inside, too_close };
 /// to back in one plane, a ray may meet either. Such walls need two sides or a thickness.
 bool insideGeometry(const geometry::Tracer& tracer, const Number3& position);
 
-/// The same test, and whether static geometry is within clearance_m along those directions.
+/// The same test, and whether static geometry is within clearance_m and a millimetre in any direction.
 Place placeAt(const geometry::Tracer& tracer, const Number3& position, double clearance_m);
 
 /// The nearest free place within 2 m, from a fixed set around the position, that `allowed` accepts. If the position is

@@ -10,6 +10,7 @@
 #include "probes/build/level_bake.h"
 #include "probes/build/local_bake.h"
 #include "probes/build/subject.h"
+#include "probes/geometry/canonical_order.h"
 #include "probes/placement/placement.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sky/base/error.h"
@@ -45,7 +46,7 @@ void run(const std::filesystem::path& file) {
   build::BakeSection section = subject.level->section;
   section.transfer.rays = section.transfer.rays.value_or(1024);
   const build::LevelBake bake(std::move(subject.level->surfaces), section, sky, std::nullopt);
-  const std::vector<base::Hash128> textures = geometry::textureHashes(bake.surfaces());
+  const std::vector<base::Hash128> content = geometry::orderedLevel(bake.surfaces()).content;
   const double reach_m = section.transfer.reach_m;
   Clock clock;
   std::uint64_t rays = 0;
@@ -56,7 +57,10 @@ void run(const std::filesystem::path& file) {
         kWithin, [&] { return geometry::surfacesAbout(bake.surfaces(), id, geometry::columnOf(id, reach_m)); });
     const build::SectorSettings settings{
         build::sectionOf(id, section, geometry::columnOf(id, reach_m)), 0.0, sky.ground_albedo, {}, {}};
-    clock.time(kHash, [&] { return build::bakedFrom(near, textures, settings); });
+    clock.time(kHash, [&] {
+      return build::bakedFrom(geometry::hashAbout(bake.surfaces(), content, id, geometry::columnOf(id, reach_m)),
+                              settings);
+    });
     const geometry::Surfaces surfaces =
         clock.time(kWithin, [&] { return geometry::withTexels(std::move(near), bake.surfaces()); });
     const geometry::Tracer tracer = clock.time(kScene, [&] { return geometry::Tracer(surfaces); });

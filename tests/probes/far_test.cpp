@@ -39,7 +39,7 @@ build::BakeSection section() {
 geometry::Surfaces moved(geometry::Surfaces s, const Number3& by) {
   for (auto& p : s.position)
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += by[static_cast<int>(axis)];
-  for (geometry::PointLight& light : s.light) light.position += by;
+  for (geometry::StaticLight& light : s.light) light.position += by;
   return s;
 }
 

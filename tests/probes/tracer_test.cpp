@@ -160,4 +160,43 @@ TEST_CASE("Tracer, ARayThatLeavesALargeSurfaceDoesNotMeetItAgain") {
   CHECK(hits == 5000);
 }
 
+TEST_CASE("Tracer, NearnessIsThatOfTheNearestOfManyPoints") {
+  geometry::Random random(11);
+  const auto somewhere = [&] {
+    const double x = random.unit();
+    const double y = random.unit();
+    return Number3(x, y, random.unit()) * 2.0;
+  };
+  for (int i = 0; i < 60; ++i) {
+    geometry::Surfaces s;
+    const Number3 corner = somewhere();
+    const Number3 a = somewhere() - Number3(1.0);
+    const Number3 b = somewhere() - Number3(1.0);
+    addQuad(s, corner, a, b, addMaterial(s, Number3(0.5)));
+    s.triangle.pop_back();  // the triangle corner, corner + a, corner + a + b
+    const geometry::Tracer tracer(s);
+    const Number3 p = somewhere();
+    double nearest = 1e9;
+    constexpr int kSteps = 400;
+    for (int u = 0; u <= kSteps; ++u)
+      for (int v = 0; v <= u; ++v) {
+        const Number3 way = corner + a * (static_cast<double>(u) / kSteps) + b * (static_cast<double>(v) / kSteps) - p;
+        nearest = std::min(nearest, std::sqrt(dot(way, way)));
+      }
+    constexpr double kStep_m = 0.009;  // half a diagonal of the sampled lattice, at most
+    CHECK(tracer.isNearer(p, nearest + 1e-6));
+    CHECK_FALSE(tracer.isNearer(p, nearest - kStep_m));
+  }
+}
+
+TEST_CASE("Tracer, OnlyStaticGeometryIsNear") {
+  geometry::Surfaces s = groundOf(Number3(0.5), 10.0);
+  s.object.push_back({"leaf", geometry::Role::vegetation});
+  addQuad(s, {-1, 2, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+  for (std::size_t i = 2; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
+  const geometry::Tracer tracer(s);
+  CHECK_FALSE(tracer.isNearer({0, 1.9, 0}, 0.5));
+  CHECK(tracer.isNearer({0, 1.9, 0}, 2.0));
+}
+
 }  // namespace welkin::tests

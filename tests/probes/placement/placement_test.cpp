@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/placement/placement.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "placed.h"
+#include "probes/geometry/random.h"
 #include "probes/placement/validity.h"
 
 namespace welkin::tests {
@@ -129,7 +132,8 @@ TEST_CASE("Placement, NothingInsideBodies") {
 
 TEST_CASE("Placement, AProbeTooCloseToAWallIsMovedAndReported") {
   geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
-  addBoxOutside(s, {2.4, 0, 0}, {3, 4, 64}, 0);  // the first lines of the lattice are at 2.287
+  addBoxOutside(s, {2.4, 0, 0}, {3, 4, 64},
+                0);  // the first lines of the lattice are at 2.287
   placement::PlacementReport report;
   const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
   CHECK(report.moved.size() == 16);
@@ -158,7 +162,8 @@ TEST_CASE("Placement, EveryWalkablePointSeesAProbe") {
 
 TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {
   geometry::Surfaces s = groundOf({0.5, 0.5, 0.5});
-  addBoxOutside(s, {3, -1, 3}, {5.6, 3, 5.6}, 0);  // the lines are at 2.287 and 6.287
+  addBoxOutside(s, {3, -1, 3}, {5.6, 3, 5.6},
+                0);  // the lines are at 2.287 and 6.287
   addBoxInside(s, {3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}, 0);
   placement::PlacementReport report;
   const geometry::PlacedSector sector = place(s, {0, 0}, {}, &report);
@@ -167,6 +172,34 @@ TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {
   CHECK(std::count_if(sector.probe.begin(), sector.probe.end(), [](const geometry::Probe& p) {
           return geometry::contains({{3.1, 0.1, 3.1}, {5.5, 2.9, 5.5}}, p.position);
         }) == 1);
+}
+
+TEST_CASE("Placement, InASoupItGivesUpTheSameForAnyThreads") {
+  geometry::Random random(7);
+  geometry::Surfaces s;
+  addMaterial(s, Number3(0.5));
+  s.object.push_back({"soup", geometry::Role::fixed});
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const double x = 64.0 * random.unit();
+      const double y = 64.0 * random.unit();
+      s.position.push_back({x, y, 64.0 * random.unit()});
+    }
+    s.triangle.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0, 0});
+  }
+  const auto placed = [&](int threads, placement::PlacementReport& report) {
+    tbb::task_arena arena(threads);
+    return arena.execute([&] { return place(s, {0, 0}, {}, &report); });
+  };
+  placement::PlacementReport one, three;
+  const geometry::PlacedSector first = placed(1, one);
+  const geometry::PlacedSector second = placed(3, three);
+  CHECK(one.dropped.size() > 200);  // far more than are searched for
+  CHECK(one.dropped.size() == three.dropped.size());
+  REQUIRE(first.probe.size() == second.probe.size());
+  CHECK(!first.probe.empty());
+  for (std::size_t i = 0; i < first.probe.size(); ++i) CHECK(first.probe[i].position == second.probe[i].position);
+  CHECK((first.grid == second.grid));
 }
 
 }  // namespace welkin::tests

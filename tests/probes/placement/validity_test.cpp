@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "probes/geometry/directions.h"
+#include "probes/geometry/random.h"
 #include "sh/deterministic.h"
 #include "tests/probes/rooms.h"
 
@@ -87,6 +89,25 @@ TEST_CASE("Validity, AWayFromAWallDoesNotCrossIt") {
     const auto out = placement::freePlaceNear(tracer, {x, 5, 5}, 0.25, anywhere);
     REQUIRE(out);
     CHECK(out->x * x > 0.0);
+  }
+}
+
+TEST_CASE("Validity, TheClearanceHoldsInEveryDirection") {
+  geometry::Random random(3);
+  constexpr double kClearance_m = 0.2;
+  for (int i = 0; i < 400; ++i) {
+    const double s = random.unit();
+    const Number3 direction = geometry::sphereDirection(s, random.unit());
+    for (const double distance_m : {0.18, 0.2 - 1e-4, 0.2 + 2e-3}) {
+      // The tip of a needle. It is thinner than the angles between any fixed set of rays.
+      geometry::Surfaces level;
+      const Number3 across = cross(direction, Number3(0.3, 0.5, 0.8)) * 1e-3;
+      addQuad(level, direction * distance_m, direction + across, direction - across,
+              addMaterial(level, Number3(0.5), true));
+      const geometry::Tracer tracer(level);
+      CHECK(placement::placeAt(tracer, Number3(0.0), kClearance_m) ==
+            (distance_m < kClearance_m ? placement::Place::too_close : placement::Place::free));
+    }
   }
 }
 
