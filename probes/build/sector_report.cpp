@@ -44,7 +44,7 @@ Json placementJson(const sectors::SectorFile& s) {
   const placement::PlacementCounts& c = s.placement;
   Json named = Json::array();
   for (const placement::NamedPlace& n : c.named) {
-    const Number3 p = placeInWorld(s.id, n);
+    const f64::Number3 p = placeInWorld(s.id, n);
     named.push_back({{"kind", format::EnumNamePlaceKind(static_cast<format::PlaceKind>(n.kind))},
                      {"position", {p.x, p.y, p.z}},
                      {"by_hand", n.by_hand}});
