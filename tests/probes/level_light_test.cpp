@@ -113,11 +113,13 @@ TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
 }
 
 TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {
-  // The same box has another index on either side of the border.
+  // The same box has another index on either side of the border. Each file counts from its own sector's corner, as
+  // floats.
   sectors::SectorFile west = sectorOf({-1, 0}, [](int, int, int) { return std::uint8_t{0}; });
   sectors::SectorFile east = sectorOf({0, 0}, [](int x, int, int) { return static_cast<std::uint8_t>(x < 1 ? 1 : 0); });
-  const geometry::Box hall = {{-20, -10, 0}, {3, 60, 64}};
-  west.room = {{{{-60, -10, 0}, {-50, 60, 64}}, geometry::kNoProbe}, {hall, 0}};
+  const geometry::Box hall = {{-20, -10, 0}, {double{3.1F} - 0.1, 60, 64}};
+  const geometry::Box hall_from_west = {{44, -10, 0}, {67, 60, 64}};
+  west.room = {{{{4, -10, 0}, {14, 60, 64}}, geometry::kNoProbe}, {hall_from_west, 0}};
   west.in_room = {2, 0};
   east.room = {{hall, 1}};
   east.in_room = {0, 1};
