@@ -53,6 +53,13 @@ inline std::string readBytes(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// Flips the lowest bit of one byte, which must exist.
+inline void flipBit(const std::filesystem::path& path, std::size_t at) {
+  std::string bytes = readBytes(path);
+  bytes.at(at) ^= 1;
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
 /// Paths of all regular files under a folder, relative to it, sorted.
 inline std::vector<std::string> filesUnder(const std::filesystem::path& folder) {
   std::vector<std::string> names;

@@ -247,7 +247,7 @@ SkyFile readSkyFile(const std::filesystem::path& path) {
 SkyFile skyFileOf(const base::TomlFile& toml) {
   const std::string file = toml.path.string();
   const toml::table& root = toml.root;
-  Reading reading{toml.path.parent_path(), {}, {}};
+  Reading reading{toml.path.parent_path(), {}, {}, {}};
   reading.record(toml.path.filename().string(), toml.path, toml.bytes);
   SkyFile result;
   base::TomlTable top(file, &root, "");

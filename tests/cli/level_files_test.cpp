@@ -83,7 +83,7 @@ TEST_CASE("LevelFiles, AnEmptyFileIsWrongContent") {
     const Run run = runTool({command, level / "out"});
     INFO(command << ": " << run.err);
     REQUIRE(run.status == 3);
-    REQUIRE(run.err.starts_with("welkin: " + level / ("out/" + file) + ": "));
+    REQUIRE(run.err.starts_with("welkin: " + level / ("out/" + file)));
     REQUIRE_FALSE(run.said("null pointer"));
   };
   for (const std::string file : {"sky.welkin", "level.welkin", "level.1-of-2.welkin", "sectors/sector_0_0.welkin"}) {

@@ -79,12 +79,6 @@ class BakedSky {
   Folder folder_;
 };
 
-void flipBit(const std::string& path, std::size_t at) {
-  std::string bytes = readBytes(path);
-  bytes.at(at) ^= 1;
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
 /// Writes a record with other content and a matching checksum.
 void writeRecord(const std::string& path, ordered_json record) {
   record.erase("xxh3_128");

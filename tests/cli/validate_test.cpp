@@ -12,12 +12,6 @@ Run validate(const std::string& path) {
   return runTool({"validate", path});
 }
 
-void flipBit(const std::string& path, std::size_t at) {
-  std::string bytes = readBytes(path);
-  bytes.at(at) ^= 1;
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
 /// Requires the folder to be refused with every one of its files damaged, and with every one of another folder's.
 void requireEachFileChecked(const fs::path& out, const fs::path& other) {
   REQUIRE(validate(out.string()).status == 0);

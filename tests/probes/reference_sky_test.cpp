@@ -19,8 +19,8 @@ const std::vector<Number3> kTiltedNormals = {
 const Number3 kColoured(0.2, 0.5, 0.9);
 
 /// Height of a point above ground without walls. Rays to the horizon that miss the ground see black below it.
-constexpr double kHeight_m = 0.1;
-constexpr double kMissedGround = 2.0 * kHeight_m / kEndless_m;
+constexpr double kOver_m = 0.1;
+constexpr double kMissedGround = 2.0 * kOver_m / kEndless_m;
 
 reference::ReferenceIrradiance irradianceAt(const geometry::Surfaces& level, const model::Sky& sky,
                                             const Number3& position, const Number3& normal, int bounces = 2,
@@ -43,7 +43,7 @@ TEST_CASE("Reference, APlaneUnderAUniformSkyHasItsClosedForm") {
   for (const Number3& albedo : {kColoured, Number3(1.0)})
     for (const Number3& n : normalsAndBasis()) {
       const Number3 expected = (Number3(0.5 * (1.0 + n.y)) + albedo * (0.5 * (1.0 - n.y))) * (radiance * det::kPi);
-      const auto e = irradianceAt(groundOf(albedo, kEndless_m), uniformSky(radiance), {0, kHeight_m, 0}, n);
+      const auto e = irradianceAt(groundOf(albedo, kEndless_m), uniformSky(radiance), {0, kOver_m, 0}, n);
       checkEstimate(e.sky, expected, radiance * kMissedGround);
       CHECK(e.sun_bounce.value == Number3(0.0));
       CHECK(e.local.value == Number3(0.0));
@@ -61,7 +61,7 @@ TEST_CASE("Reference, APlaneUnderTheSunHasItsClosedForm") {
     for (const Number3& n : normalsAndBasis()) {
       model::Sky sky = sunOnly(3.0, 2.1, elevation);
       const Number3 expected = kColoured * (3.0 * std::sin(elevation) * 0.5 * (1.0 - n.y));
-      const auto e = irradianceAt(groundOf(kColoured, kEndless_m), sky, {0, kHeight_m, 0}, n);
+      const auto e = irradianceAt(groundOf(kColoured, kEndless_m), sky, {0, kOver_m, 0}, n);
       checkEstimate(e.sun_bounce, expected, 3.0 * kMissedGround);
       CHECK(e.sky.value == Number3(0.0));
       sky.ground_albedo = kColoured;
@@ -151,7 +151,7 @@ TEST_CASE("Reference, TheSkyLosesItsColourBeforeItBounces") {
   const Number3 n = geometry::unit({0.6, -0.3, 0.2});
   const Number3 expected = seen * (Number3(0.5 * (1.0 + n.y)) + kColoured * (0.5 * (1.0 - n.y))) * det::kPi;
   constexpr double kFloatGradient = 1e-6;
-  checkEstimate(irradianceAt(groundOf(kColoured, kEndless_m), sky, {0, kHeight_m, 0}, n).sky, expected,
+  checkEstimate(irradianceAt(groundOf(kColoured, kEndless_m), sky, {0, kOver_m, 0}, n).sky, expected,
                 2.0 * kMissedGround + kFloatGradient);
   sky.ground_albedo = kColoured;
   checkEstimate(irradianceAt({}, sky, {0, 1, 0}, n).sky, expected, kFloatGradient);

@@ -9,7 +9,7 @@ namespace {
 constexpr double kDark_h = 19.0;  // neither sun nor moon
 const Number3 kGround(0.5, 0.25, 0.125);
 const Camera kDownward{0.0, -f64::kHalfPi, 0.2};
-const Number3 kEye(0.0, 30.0, 0.0);
+const Number3 kLampEye(0.0, 30.0, 0.0);
 
 /// A square of ground that fills the picture.
 GltfText ground() {
@@ -42,12 +42,12 @@ TEST_CASE("LevelView, LampsOfEachKindShineByTheirFormulas", "[vulkan]") {
   stage.view->setTime(kDark_h);
   const Number3 up(0.0, 1.0, 0.0);
   const Number3 ambient = skyIrradiance(stage.sky, stage.view->sample(), up);
-  const FloatImage image = stage.view->draw(64, 64, kDownward, kEye);
+  const FloatImage image = stage.view->draw(64, 64, kDownward, kLampEye);
   Worst worst;
   double least = 1e30;
   double most = 0.0;
   forEachPixel(image, kDownward, [&](const Pixel& pixel) {
-    const Number3 p = kEye + pixel.ray * (kEye.y / -pixel.ray.y);
+    const Number3 p = kLampEye + pixel.ray * (kLampEye.y / -pixel.ray.y);
     Number3 irradiance = ambient;
     for (const geometry::StaticLight& light : stage.scene.lights)
       irradiance += geometry::arrivingAt(light, p, up).irradiance;
@@ -85,7 +85,7 @@ TEST_CASE("LevelView, GlassPassesItsShareOfWhatIsBehind", "[vulkan]") {
         // A pane that light passes casts no shadow on the ground; an opaque one hides it.
         const Number3 expected =
             (pane * (alpha * (1.0 - transmission)) + share * kGround) * (1.0 / f64::kPi) * irradiance;
-        const FloatImage image = stage.view->draw(16, 16, kDownward, kEye);
+        const FloatImage image = stage.view->draw(16, 16, kDownward, kLampEye);
         Worst worst;
         forEachPixel(image, kDownward, [&](const Pixel& pixel) { compare(worst, image, pixel, expected); });
         WARN("transmission " << transmission << ", alpha " << alpha << ": worst " << worst.error << " at "

@@ -21,11 +21,11 @@ std::string repeated(const std::string& text, std::size_t times) {
   return whole;
 }
 
-/// Runs the work in a thread with a stack of 256 KiB, as `ulimit -s 256` gives.
+/// Runs the work in a thread with a stack of 256 KiB, as `ulimit -s 256` gives, or a larger one under sanitizers.
 void onASmallStack(const std::function<void()>& work) {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, std::size_t{256} << 10);
+  pthread_attr_setstacksize(&attributes, std::size_t{WELKIN_SMALL_STACK_KIB} << 10);
   pthread_t thread{};
   const auto run = [](void* what) -> void* {
     (*static_cast<const std::function<void()>*>(what))();

@@ -224,7 +224,7 @@ TEST_CASE("LevelTexture, TransmissionTakesTheMeanOfItsTexturesRed") {
   REQUIRE(s.warning.size() == 1);
   CHECK_THAT(s.warning[0], Catch::Contains("transmissionTexture"));
   gltf.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 1.5;
-  checkSurfacesRefused({{"a.gltf", gltf.text()}, {"glass.tga", image}}, {"material 0", "transmissionFactor = 1.5"});
+  checkSurfacesRefused({{"a.gltf", gltf.text()}, {"glass.tga", image}}, {"materials[0]", "transmissionFactor = 1.5"});
 }
 
 TEST_CASE("LevelTexture, MessagesNameTheFileAndThePart") {

@@ -219,7 +219,7 @@ TEST_CASE("SurfacesOf, LightsAreReadAsTheirNodesPlaceThem") {
   lights[0]["intensity"] = -1;
   checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "intensity"});
   lights[0] = {{"type", "point"}, {"range", -2}};
-  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "range is -2"});
+  checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"lights[0]", "range = -2"});
   lights[0] = {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}};
   checkSurfacesRefused({{"a.gltf", gltf.text()}}, {"node 1", "innerConeAngle is 0.5"});
   lights[0] = {{"type", "spot"}, {"spot", {{"outerConeAngle", 1.6}}}};

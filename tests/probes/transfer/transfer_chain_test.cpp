@@ -14,7 +14,7 @@ using f64::Number3;
 namespace {
 
 /// A sun that rises in the east at 6 and stands in the zenith at noon.
-Number3 sunAt(double time_h) {
+Number3 chainSunAt(double time_h) {
   const double hour = det::kTwoPi * (time_h - 6.0) / 24.0;
   return {std::cos(hour), std::sin(hour), 0.0};
 }
@@ -36,7 +36,7 @@ TEST_CASE("TransferChain, PlaneFromRaysToShading") {
   const Number3 rho(0.2, 0.35, 0.5);
   const geometry::Surfaces ground = groundOf(rho);
   const geometry::Tracer tracer(ground);
-  const transfer::LightTrack track = transfer::trackOf(sunAt, 48);
+  const transfer::LightTrack track = transfer::trackOf(chainSunAt, 48);
   transfer::TransferSettings settings;
   settings.ground_albedo = rho;
   settings.light_directions = track.direction;
@@ -62,9 +62,9 @@ TEST_CASE("TransferChain, PlaneFromRaysToShading") {
   const std::array<Number3, 4> sky{Number3(std::sqrt(det::kPi)), Number3(std::sqrt(3.0 * det::kPi) / 2.0)};
   for (const double time : {6.001, 7.3, 9.0, 11.9, 16.25})
     for (const transfer::SunTransfer way : {transfer::SunTransfer::sh, transfer::SunTransfer::directional}) {
-      const double sine = sunAt(time).y;
+      const double sine = chainSunAt(time).y;
       const transfer::Relight light =
-          transfer::relightAt(time, sky, {sunAt(time), Number3(2.0)}, {}, way, decoded.modes);
+          transfer::relightAt(time, sky, {chainSunAt(time), Number3(2.0)}, {}, way, decoded.modes);
       for (const Number3& n : {Number3(0, 1, 0), Number3(0, -1, 0), geometry::unit(Number3(1, 0.2, -0.5))})
         for (int c = 0; c < 3; ++c) {
           double mean = 0.0;
