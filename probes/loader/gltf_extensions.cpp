@@ -19,17 +19,11 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view kRead[] = {
-    "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression", "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",     "KHR_materials_emissive_strength",
     "KHR_materials_transmission",
     "KHR_materials_unlit",  // the albedo is that of the base colour
-    "KHR_mesh_quantization",
-    "KHR_node_visibility",
-    "KHR_texture_transform",
+    "KHR_mesh_quantization",      "KHR_node_visibility",     "KHR_texture_transform",
 };
 
 /// Formats of textures: who reads a texture warns of them.

@@ -25,8 +25,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = det::kPi / 180.0;
 
-/// The file's folder, and the inputs read so far, with warnings of their headers. Each is read once: its hash is that of
-/// the bytes which are decoded.
+/// The file's folder, and the inputs read so far, with warnings of their headers. Each is read once: its hash is that
+/// of the bytes which are decoded.
 struct Reading {
   std::filesystem::path folder;
   std::vector<Input> inputs;

@@ -33,8 +33,8 @@ struct SkyState {
 /// there and cannot be read.
 SkyState skyState(const std::filesystem::path& folder, const SkyFile& file, Certify certify);
 
-/// What sky.json of a folder says that a bake made; null without the file. Throws Error: content where it is damaged, or
-/// where an output that it lists is another file; file where one is missing.
+/// The outputs that sky.json of a folder records; null without the file. Throws Error: content where it is damaged,
+/// or where an output that it lists is another file; file where one is missing.
 nlohmann::ordered_json checkedRecord(const std::filesystem::path& folder);
 
 /// The content of sky.json, with a checksum of itself. `made` has "outputs": of each "file" and "xxh3_128".

@@ -96,7 +96,7 @@ void requireRoomForModule() {
 const ImageModule& imageModule() {
   static const ImageModule* const kModule = [] {
     requireRoomForModule();
-    std::fenv_t arithmetic;  // libraries built with -ffast-math change it when they are loaded
+    std::fenv_t arithmetic;  // libraries built for fast arithmetic change it when they are loaded
     std::fegetenv(&arithmetic);
     void* library = dlopen(WELKIN_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed: images may outlive any scope
     std::fesetenv(&arithmetic);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * A library for LD_PRELOAD that changes the floating-point environment, as libraries built with -ffast-math do. It sets
- * the bits WELKIN_MXCSR (hexadecimal) of the SSE control register when it is loaded. If WELKIN_MXCSR_LATE is set, it
- * waits until the program loads the module that reads images. */
+ * A library for LD_PRELOAD that changes the floating-point environment, as libraries built for fast arithmetic do. It
+ * sets the bits WELKIN_MXCSR (hexadecimal) of the SSE control register when it is loaded. If WELKIN_MXCSR_LATE is set,
+ * it waits until the program loads the module that reads images. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdlib.h>

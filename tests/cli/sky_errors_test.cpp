@@ -153,23 +153,23 @@ TEST_CASE("SkyErrors, HostileText") {
     return text;
   };
   constexpr int kDeep = 100000;
-  requireInvalid(
-      {{"", {"[sky]", "missing"}},
-       {"this is not TOML", {":1:", "not TOML"}},
-       {"[sky]\nintensity = 1\nintensity = 2", {":3:", "not TOML"}},
-       {"[sky]\nx = " + repeat("[", kDeep), {":2:", "more than 16 lists"}},
-       {"[sky]\nx = " + repeat("[", kDeep) + repeat("]", kDeep), {":2:", "more than 16 lists"}},
-       {"[sky]\nx = " + repeat("{a=", kDeep), {":2:", "more than 16 lists"}},
-       {"[sky]\n\na" + repeat(".a", kDeep) + " = 1", {":3:", "parts"}},
-       {"[sky]\na" + repeat(" . \"a\"", kDeep) + " = 1", {":2:", "parts"}},
-       {"[sky" + repeat(".a", kDeep) + "]", {":1:", "parts"}},
-       {"[sky]\nx = " + repeat("{a.a.a.a.a.a.a.a.a.a.a.a = ", 200) + "1" + repeat("}", 200), {":2:", "more than 16 lists"}},
-       {"[sky]\n" + std::string(1 << 20, 'a') + " = 1", {"unknown key", "..."}},
-       {"#" + std::string(20 << 20, ' '), {"bytes", "16777216"}},
-       {std::string(1000, '\0'), {"not TOML"}},
-       {std::string("[sky]\nnormalise = \"s\0n\"", 22), {"not TOML"}},
-       {"[sky]\nnormalise = \"\xff\xfe\"", {"not TOML"}},
-       {"\x89PNG\r\n\x1a\n", {"not TOML"}}});
+  requireInvalid({{"", {"[sky]", "missing"}},
+                  {"this is not TOML", {":1:", "not TOML"}},
+                  {"[sky]\nintensity = 1\nintensity = 2", {":3:", "not TOML"}},
+                  {"[sky]\nx = " + repeat("[", kDeep), {":2:", "more than 16 lists"}},
+                  {"[sky]\nx = " + repeat("[", kDeep) + repeat("]", kDeep), {":2:", "more than 16 lists"}},
+                  {"[sky]\nx = " + repeat("{a=", kDeep), {":2:", "more than 16 lists"}},
+                  {"[sky]\n\na" + repeat(".a", kDeep) + " = 1", {":3:", "parts"}},
+                  {"[sky]\na" + repeat(" . \"a\"", kDeep) + " = 1", {":2:", "parts"}},
+                  {"[sky" + repeat(".a", kDeep) + "]", {":1:", "parts"}},
+                  {"[sky]\nx = " + repeat("{a.a.a.a.a.a.a.a.a.a.a.a = ", 200) + "1" + repeat("}", 200),
+                   {":2:", "more than 16 lists"}},
+                  {"[sky]\n" + std::string(1 << 20, 'a') + " = 1", {"unknown key", "..."}},
+                  {"#" + std::string(20 << 20, ' '), {"bytes", "16777216"}},
+                  {std::string(1000, '\0'), {"not TOML"}},
+                  {std::string("[sky]\nnormalise = \"s\0n\"", 22), {"not TOML"}},
+                  {"[sky]\nnormalise = \"\xff\xfe\"", {"not TOML"}},
+                  {"\x89PNG\r\n\x1a\n", {"not TOML"}}});
 }
 
 TEST_CASE("SkyErrors, DotsOutsideKeysAreNotParts") {
