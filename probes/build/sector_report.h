@@ -12,7 +12,7 @@ namespace welkin::build {
 /// What its numbers are off by.
 nlohmann::ordered_json errorJson(const sectors::SectorFile& sector);
 
-/// What its placement came to, with places in the world.
+/// The result of its placement, with places in the world.
 nlohmann::ordered_json placementJson(const sectors::SectorFile& sector);
 
 /// The hashes of what it was baked from.

@@ -32,7 +32,7 @@ Number3 arrivingShare(const Rays& rays, Number3 origin, const Number3& direction
   return Number3(0.0);
 }
 
-/// What a path finds in a direction.
+/// The surface that a path meets in a direction, and the light that passes on the way.
 struct Sight {
   std::optional<Hit> hit;  ///< the surface that reflects the path; nothing where it leaves the level
   Number3 weight{1.0};     ///< of the path from here on

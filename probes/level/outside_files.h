@@ -10,7 +10,7 @@
 
 namespace welkin::level {
 
-/// What a level does with them: `warn`, `allow` or `refuse` ([level] outside_files).
+/// How a level treats them: `warn`, `allow` or `refuse` ([level] outside_files).
 enum class OutsideFiles { warn, allow, refuse };
 
 /// The files that are not below `folder`, links followed: each once, in their order. None if `folder` is empty.

@@ -77,7 +77,7 @@ uint32_t index(const unsigned char* from, int type) {
   return load<uint32_t>(from);
 }
 
-/// What floats() allows, for its message.
+/// The kinds that floats() allows, for its message.
 const char* allowedOf(Integers integers, bool quantized) {
   if (integers == Integers::fractions) return "float, or normalized unsigned byte or short";
   if (integers == Integers::any_fractions) return "float, or normalized byte or short";

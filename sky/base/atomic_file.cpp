@@ -94,7 +94,7 @@ bool removeLeftover(const std::filesystem::path& path) {
   if (!S_ISREG(status.st_mode)) return false;
   const Descriptor file(
       uninterrupted([&] { return ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
-  // Who has the lock and finds the file in its place is the only one to move it.
+  // The owner of the lock, if it finds the file in its place, is the only one to move it.
   return file.fd >= 0 && lockRange(file, kWhole) == Locked::yes && isAt(file, path) && ::unlink(path.c_str()) == 0;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an exception means to a user: the one place that gives exceptions of other libraries an exit status.
+// The meaning of an exception to a user: the one place that gives exceptions of other libraries an exit status.
 #pragma once
 
 #include <exception>

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whether the brackets outside of strings nest deeper than the limit. Of a text that is not JSON the answer is of no
+/// Whether the brackets outside of strings nest deeper than the limit. The answer for a text that is not JSON is of no
 /// meaning, and of no harm: the library's parser does not recurse.
 bool isTooDeep(std::string_view text) {
   int depth = 0;

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 #include "sky/image/colour.h"
 #include "sky/image/exr_layers.h"
 #include "sky/image/image_header.h"
@@ -216,7 +217,7 @@ Image readExr(const std::string& name, std::span<const std::byte> bytes, const I
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {  // OpenEXR's exceptions, whatever their base
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, oneLine(e.what())));
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, base::oneLine(e.what())));
   }
 }
 

@@ -152,13 +152,6 @@ Refusal whyTargaImpossible(Reader& file) {
 
 }  // namespace
 
-std::string oneLine(std::string message) {
-  while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  return message;
-}
-
 Refusal whyHeaderUnusable(std::span<const std::byte> bytes, std::string_view format, int largest_side) {
   Reader file{bytes};
   if (format == "openexr") return whyExrImpossible(file, largest_side);

@@ -21,9 +21,6 @@ namespace welkin::image {
 std::optional<std::string> whyHeaderUnusable(std::span<const std::byte> file, std::string_view format,
                                              int largest_side);
 
-/// A library's message as one line.
-std::string oneLine(std::string message);
-
 /// Throws Error(content), naming the file, for a size out of the limits.
 void requireSize(const std::string& file, std::int64_t width, std::int64_t height, const ImageLimits& limits);
 

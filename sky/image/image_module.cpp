@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 #include "sky/image/image_header.h"
 #include "sky/image/jpeg_read.h"
 #include "sky/image/png_read.h"
@@ -100,10 +101,10 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   const auto input = OIIO::ImageInput::create("tiff");
   if (!input || !input->set_ioproxy(&memory))
     throw base::Error(base::ExitStatus::file,
-                      fmt::format("{}: OpenImageIO lacks TIFF: {}", name, oneLine(OIIO::geterror())));
+                      fmt::format("{}: OpenImageIO lacks TIFF: {}", name, base::oneLine(OIIO::geterror())));
   OIIO::ImageSpec spec;
   if (!input->open("picture.tif", spec, wanted))
-    throw invalid("not an image that can be read: " + oneLine(input->geterror()));
+    throw invalid("not an image that can be read: " + base::oneLine(input->geterror()));
   if (spec.depth > 1) throw invalid(fmt::format("{} slices of texels; an image is flat", spec.depth));
   requireSize(name, spec.width, spec.height, limits);
   if (spec.nchannels < 1 || spec.nchannels > 16)
@@ -116,7 +117,7 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   const bool grey = spec.nchannels < 3;
   constexpr OIIO::stride_t kTexel = 3 * sizeof(float);
   if (!input->read_image(0, 0, 0, grey ? 1 : 3, OIIO::TypeDesc::FLOAT, rgb.data(), kTexel))
-    throw invalid("damaged or cut: " + oneLine(input->geterror()));
+    throw invalid("damaged or cut: " + base::oneLine(input->geterror()));
   for (std::size_t i = 0; grey && i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
   picture.gamma = spec.format.is_floating_point() ? 1.0 : 0.0;
   picture.colours = fields.colours;
@@ -151,7 +152,7 @@ std::vector<std::byte> encodePng(int width, int height, int bits, const void* rg
       !output->write_image(spec.format, rgb) || !output->close())
     throw base::Error(base::ExitStatus::internal,
                       fmt::format("OpenImageIO cannot encode a PNG of {} x {}: {}", width, height,
-                                  oneLine(output ? output->geterror() : OIIO::geterror())));
+                                  base::oneLine(output ? output->geterror() : OIIO::geterror())));
   const auto bytes = std::as_bytes(std::span(memory.buffer()));
   return {bytes.begin(), bytes.end()};
 }

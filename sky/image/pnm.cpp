@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "sh/deterministic.h"
-#include "sky/base/error.h"
 #include "sky/image/image_header.h"
+#include "sky/image/text_reader.h"
 
 namespace welkin::image {
 namespace {
@@ -22,14 +22,9 @@ bool isSpace(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-class Reader {
+class Reader : public TextReader {
  public:
-  Reader(const std::string& name, std::span<const std::byte> bytes)
-      : name_(name), text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
-
-  base::Error refusal(const std::string& why) const {
-    return {base::ExitStatus::content, fmt::format("{}: {}", name_, why)};
-  }
+  using TextReader::TextReader;
 
   /// Reads the word that stands after spaces and comments.
   std::string_view word() {
@@ -58,10 +53,6 @@ class Reader {
           fmt::format("damaged or cut: {} bytes of texels are missing", size + 1 - std::min(size, text_.size())));
     return text_.substr(1, size);
   }
-
- private:
-  const std::string& name_;
-  std::string_view text_;
 };
 
 std::uint32_t bigEndian(const char* p, int count) {

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "sky/base/error.h"
 #include "sky/image/colour.h"
 #include "sky/image/image_header.h"
 #include "sky/image/orientation.h"
+#include "sky/image/text_reader.h"
 
 namespace welkin::image {
 namespace {
@@ -27,14 +27,9 @@ struct Header {
   Orientation orientation;
 };
 
-class Reader {
+class Reader : public TextReader {
  public:
-  Reader(const std::string& name, std::span<const std::byte> bytes)
-      : name_(name), text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
-
-  base::Error refusal(const std::string& why) const {
-    return {base::ExitStatus::content, fmt::format("{}: {}", name_, why)};
-  }
+  using TextReader::TextReader;
 
   Header header();
   /// Reads one line of texels into four planes: three mantissas and the exponents.
@@ -60,9 +55,6 @@ class Reader {
   void field(std::string_view line, Header& header) const;
   void resolution(std::string_view line, Header& header) const;
   void runs(std::size_t length, std::uint8_t* plane);
-
-  const std::string& name_;
-  std::string_view text_;
 };
 
 std::string_view trimmed(std::string_view text) {

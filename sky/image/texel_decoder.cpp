@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 #include "sky/image/image_header.h"
 #include "sky/image/jpeg_read.h"
 #include "sky/image/png_read.h"
@@ -96,15 +97,15 @@ CodedImage decodeTexels(const std::string& name, const char* format, std::span<c
   const auto input = OIIO::ImageInput::create(format);
   if (!input || !input->set_ioproxy(&memory))
     throw base::Error(base::ExitStatus::file,
-                      fmt::format("{}: OpenImageIO lacks {}: {}", name, format, oneLine(OIIO::geterror())));
+                      fmt::format("{}: OpenImageIO lacks {}: {}", name, format, base::oneLine(OIIO::geterror())));
   OIIO::ImageSpec spec;
   if (!input->open(std::string("texture.") + format, spec, wanted))
-    refuse(name, "damaged or cut: " + oneLine(input->geterror()));
+    refuse(name, "damaged or cut: " + base::oneLine(input->geterror()));
   if (spec.nchannels < 1 || spec.nchannels > kChannels)
     refuse(name, fmt::format("{} channels; 1 to {} are allowed", spec.nchannels, kChannels));
   CodedImage image = imageOf(name, spec.width, spec.height, limits);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data(), kChannels))
-    refuse(name, "damaged or cut: " + oneLine(input->geterror()));
+    refuse(name, "damaged or cut: " + base::oneLine(input->geterror()));
   spreadChannels(spec.nchannels, image);
   return image;
 }

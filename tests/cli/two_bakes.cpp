@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a killed process may leave.
+/// Files that a killed process may leave.
 bool isTemporary(const std::string& name) {
   return name.ends_with(".tmp") || name == ".welkin.lock";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the headers of PNG, TIFF and JPEG say of colours, encoding and orientation, in small pictures made here.
+// Headers of PNG, TIFF and JPEG: colours, encoding and orientation, in small pictures made here.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -76,7 +76,7 @@ TEST_CASE("GltfExtensions, ATextureOfAnotherFormatLeavesTheFactor") {
   checkFactorAlone(texturedText([](json& j) { j["images"][0]["mimeType"] = "image/ktx2"; }),
                    "texture 0 is in a format that is not read: image 0");
   checkFactorAlone(texturedText([](json& j) { j["textures"][0].erase("source"); }), "texture 0 has no image");
-  // What says that it is a PNG is a damaged one.
+  // An image that begins as a PNG is a damaged one.
   CHECK(sceneOf(texturedText([](json& j) { j["images"][0]["mimeType"] = "image/png"; })).textures.size() == 1);
 }
 
