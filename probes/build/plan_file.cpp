@@ -12,11 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 Json highestJson(const model::LightPath& path) {
   const auto top = model::culminationOf(path);
-  return {{"highest_deg", top.elevation_rad / kDegree}, {"highest_time_h", top.time_h}};
+  return {{"highest_deg", top.elevation_rad / det::kDegree}, {"highest_time_h", top.time_h}};
 }
 
 Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, const base::Progress& progress) {

@@ -43,9 +43,9 @@ bool touches(const Surfaces& level, const Triangle& triangle, const Column& colu
 }
 
 /// Builds the part triangle by triangle.
-class Part {
+class ReachedPart {
  public:
-  explicit Part(const Surfaces& level)
+  explicit ReachedPart(const Surfaces& level)
       : level_(level), material_(level.material.size()), texture_(level.texture.size()), object_(level.object.size()) {}
 
   void add(const Triangle& triangle) {
@@ -129,7 +129,7 @@ Column columnOf(SectorId sector, double reach_m) {
 }
 
 NearSurfaces surfacesWithin(const Surfaces& level, const Column& column) {
-  Part part(level);
+  ReachedPart part(level);
   for (const Triangle& triangle : level.triangle)
     if (touches(level, triangle, column)) part.add(triangle);
   return part.finish(column);
@@ -159,7 +159,7 @@ base::Hash128 hashAbout(const Surfaces& level, const std::vector<base::Hash128>&
   }
   base::Hasher hasher;
   hasher.addAll(std::span<const Found>(found));
-  addTo(hasher, fromCorner(sector, Part(level).finish(column)), {});  // the lights
+  addTo(hasher, fromCorner(sector, ReachedPart(level).finish(column)), {});  // the lights
   return hasher.digest();
 }
 

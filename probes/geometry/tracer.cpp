@@ -17,6 +17,12 @@
 #include "sky/base/error.h"
 
 namespace welkin::geometry {
+/// The triangles of one Embree geometry.
+struct TracedPart {
+  const Surfaces* surfaces;
+  std::vector<std::uint32_t> triangle;  ///< index into Surfaces::triangle for each primitive
+};
+
 namespace {
 
 Number3 load(const std::array<float, 3>& v) {
@@ -78,16 +84,10 @@ Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v)
   return {result.colour * texel.colour, result.alpha * texel.alpha};
 }
 
-/// The triangles of one Embree geometry.
-struct Part {
-  const Surfaces* surfaces;
-  std::vector<std::uint32_t> triangle;  ///< index into Surfaces::triangle for each primitive
-};
-
 constexpr unsigned kForLight = 1;  ///< RTCRay::flags of Meets::light
 
 void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
-  const auto& part = *static_cast<const Part*>(arguments->geometryUserPtr);
+  const auto& part = *static_cast<const TracedPart*>(arguments->geometryUserPtr);
   for (unsigned i = 0; i < arguments->N; ++i) {
     if (arguments->valid[i] == 0) continue;
     const Triangle& triangle = part.surfaces->triangle[part.triangle[RTCHitN_primID(arguments->hit, arguments->N, i)]];
@@ -132,7 +132,7 @@ struct Tracer::Scene {
   RTCScene scene = nullptr;
   bool any_see_through = false;
   /// Embree's geometries: opaque and masked of static geometry, then opaque and masked of the rest.
-  std::array<Part, 4> part;
+  std::array<TracedPart, 4> part;
 
   Scene(const Surfaces& s, const Number3& about) : surfaces(&s), origin(originBelow(about)) {
     static_assert(std::string_view(kIsa) == "avx2", "what the processor is asked for below");

@@ -68,7 +68,7 @@ MtlMap readMap(const TextLines& lines) {
 }
 
 /// Keywords that change no diffuse light: highlights, reflections, normals.
-const std::set<std::string_view> kWithoutLight = {
+const std::set<std::string_view> kMtlWithoutLight = {
     "ka",     "ks",       "ns",     "ni",     "tf",       "km",       "illum",   "sharpness", "map_ka",
     "map_ks", "map_ns",   "map_ni", "map_km", "refl",     "map_refl", "bump",    "map_bump",  "disp",
     "norm",   "map_disp", "pr",     "pm",     "ps",       "pc",       "pcr",     "aniso",     "anisor",
@@ -91,7 +91,7 @@ class MtlReader {
     static const std::set<std::string_view> kRead = {"kd", "ke", "d", "tr", "map_kd", "map_ke", "map_d"};
     if (key == "newmtl") return beginMaterial();
     if (kRead.count(key) == 0) {
-      if (kWithoutLight.count(key) == 0) unknown_.add(key, lines_.lineNumber());
+      if (kMtlWithoutLight.count(key) == 0) unknown_.add(key, lines_.lineNumber());
       return;
     }
     if (!has_material_) lines_.refuse(fmt::format("{} before the first newmtl", lines_.words()[0]));

@@ -19,7 +19,7 @@ namespace {
 using f64::Number3;
 
 /// Keywords that change no light: points, lines, smoothing, and how other programs show a model.
-const std::set<std::string_view> kWithoutLight = {"p",        "l",        "s",  "mg",         "lod",      "bevel",
+const std::set<std::string_view> kObjWithoutLight = {"p",        "l",        "s",  "mg",         "lod",      "bevel",
                                                   "c_interp", "d_interp", "vp", "shadow_obj", "trace_obj"};
 
 class ObjReader {
@@ -48,7 +48,7 @@ class ObjReader {
       material_ = lines_.nameFrom(1);
     else if (keyword == "mtllib")
       readLibrary();
-    else if (kWithoutLight.count(keyword) == 0)
+    else if (kObjWithoutLight.count(keyword) == 0)
       unknown_.add(keyword, lines_.lineNumber());
   }
 

@@ -2,19 +2,12 @@
 #include "probes/sectors/level_index.h"
 
 #include "format/domain_check.h"
+#include "probes/sectors/hash_record.h"
 #include "sky/bake/checked_file.h"
 #include "sky/bake/encode.h"
 
 namespace welkin::sectors {
 namespace {
-
-format::Hash encode(const base::Hash128& hash) {
-  return {hash.low, hash.high};
-}
-
-base::Hash128 decode(const format::Hash& hash) {
-  return {hash.low(), hash.high()};
-}
 
 std::optional<model::LightPath> decode(const format::LightPath* p) {
   if (p == nullptr) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "format/domain_check.h"
 #include "format/sector_check.h"
 #include "probes/geometry/sector_name.h"
+#include "probes/sectors/hash_record.h"
 #include "sky/bake/checked_file.h"
 
 namespace welkin::sectors {
@@ -115,14 +116,6 @@ BakedLocal decode(const format::LocalTransfer& l) {
     local.thinning.worst_probe = e->worst_probe();
   }
   return local;
-}
-
-format::Hash encode(const base::Hash128& hash) {
-  return {hash.low, hash.high};
-}
-
-base::Hash128 decode(const format::Hash& hash) {
-  return {hash.low(), hash.high()};
 }
 
 Offset<format::Placement> encode(FlatBufferBuilder& b, const placement::PlacementCounts& c) {

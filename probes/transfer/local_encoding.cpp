@@ -13,11 +13,11 @@ namespace welkin::transfer {
 namespace {
 
 constexpr std::size_t kNumbers = 4 * 3;  ///< numbers per transfer
-constexpr double kLargest = 3e38;
+constexpr double kLargestLocal = 3e38;
 constexpr double kFarthest_m = 1e7;
 constexpr std::size_t kMostLights = std::size_t{1} << 16;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuseNumber(const std::string& what) {
   throw base::Error(base::ExitStatus::content, "local transfer: " + what);
 }
 
@@ -35,12 +35,12 @@ double largestOf(const LocalTransfer& t) {
 }
 
 void check(const LocalTransfer& t, std::size_t probe, std::size_t lights) {
-  if (t.light >= lights) refuse(fmt::format("probe {}: light {}; allowed: less than {}", probe, t.light, lights));
+  if (t.light >= lights) refuseNumber(fmt::format("probe {}: light {}; allowed: less than {}", probe, t.light, lights));
   const auto number = numbersOf(t);
   for (std::size_t i = 0; i < kNumbers; ++i)
-    if (!(number[i] >= (i < 3 ? 0.0 : -kLargest) && number[i] <= kLargest))
-      refuse(fmt::format("probe {}: light {}: coefficient {}: {}; allowed: {} to {}", probe, t.light, i / 3, number[i],
-                         i < 3 ? 0.0 : -kLargest, kLargest));
+    if (!(number[i] >= (i < 3 ? 0.0 : -kLargestLocal) && number[i] <= kLargestLocal))
+      refuseNumber(fmt::format("probe {}: light {}: coefficient {}: {}; allowed: {} to {}", probe, t.light, i / 3, number[i],
+                         i < 3 ? 0.0 : -kLargestLocal, kLargestLocal));
 }
 
 static_assert(kLocalTransferBytes == 2 * sizeof(std::uint16_t) + kNumbers * sizeof(std::int8_t));
@@ -120,18 +120,18 @@ std::size_t EncodedLocal::bytes() const {
 
 EncodedLocal encodeLocal(const SectorLocal& local) {
   if (local.light.size() > kMostLights)
-    refuse(fmt::format("{} lights; allowed: at most {}", local.light.size(), kMostLights));
+    refuseNumber(fmt::format("{} lights; allowed: at most {}", local.light.size(), kMostLights));
   EncodedLocal encoded;
   for (const Number3& p : local.light)
     for (int c = 0; c < 3; ++c) {
       if (!(std::abs(p[c]) <= kFarthest_m))
-        refuse(fmt::format("a light's coordinate: {}; allowed: {} to {}", p[c], -kFarthest_m, kFarthest_m));
+        refuseNumber(fmt::format("a light's coordinate: {}; allowed: {} to {}", p[c], -kFarthest_m, kFarthest_m));
       encoded.position.push_back(static_cast<float>(p[c]));
     }
   for (std::size_t i = 0; i < local.probe.size(); ++i) {
     const auto& transfers = local.probe[i];
     if (transfers.size() > kMostLocalLights)
-      refuse(fmt::format("probe {}: {} lights; allowed: at most {}", i, transfers.size(), kMostLocalLights));
+      refuseNumber(fmt::format("probe {}: {} lights; allowed: at most {}", i, transfers.size(), kMostLocalLights));
     encoded.count.push_back(static_cast<std::uint8_t>(transfers.size()));
     for (const LocalTransfer& t : transfers) {
       check(t, i, local.light.size());
@@ -152,7 +152,7 @@ SectorLocal decodedLocal(const EncodedLocal& e) {
   const bool fits = counts && e.position.size() == 3 * lights && e.light.size() == transfers &&
                     e.scale.size() == transfers && e.radiance.size() == kNumbers * transfers;
   if (!fits || std::any_of(e.light.begin(), e.light.end(), [&](std::uint16_t l) { return l >= lights; }))
-    refuse("its arrays do not fit each other");
+    refuseNumber("its arrays do not fit each other");
   SectorLocal local;
   for (std::size_t l = 0; l < lights; ++l)
     local.light.emplace_back(double{e.position[3 * l]}, double{e.position[3 * l + 1]}, double{e.position[3 * l + 2]});

@@ -13,24 +13,24 @@
 namespace welkin::transfer {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuseTransfer(const std::string& what) {
   throw base::Error(base::ExitStatus::content, "[transfer] " + what);
 }
 
 void check(const TransferSettings& s) {
   if (s.rays < kLeastRays || s.rays > kMostRays || s.rays % kReplicates != 0)
-    refuse(fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
+    refuseTransfer(fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
   if (s.bounces < 0 || s.bounces > kMostBounces)
-    refuse(fmt::format("bounces: {}; allowed: 0 to {}", s.bounces, kMostBounces));
+    refuseTransfer(fmt::format("bounces: {}; allowed: 0 to {}", s.bounces, kMostBounces));
   if (!(s.max_error >= 0.0 && s.max_error < 1.0))
-    refuse(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
-  if (!(s.reach_m >= 0.0)) refuse(fmt::format("reach_m: {}; allowed: at least 0", s.reach_m));
+    refuseTransfer(fmt::format("max-error: {}; allowed: at least 0, less than 1", s.max_error));
+  if (!(s.reach_m >= 0.0)) refuseTransfer(fmt::format("reach_m: {}; allowed: at least 0", s.reach_m));
   for (const double albedo : {s.ground_albedo.x, s.ground_albedo.y, s.ground_albedo.z})
-    if (!(albedo >= 0.0 && albedo <= 1.0)) refuse(fmt::format("ground_albedo: {}; allowed: 0 to 1", albedo));
+    if (!(albedo >= 0.0 && albedo <= 1.0)) refuseTransfer(fmt::format("ground_albedo: {}; allowed: 0 to 1", albedo));
   for (const Number3& light : s.light_directions)
     if (!(std::abs(dot(light, light) - 1.0) < 1e-9))
-      refuse(fmt::format("the light's direction ({}, {}, {}) is not of length 1", light.x, light.y, light.z));
-  if (!s.light_directions.empty() && s.light_rays == 0) refuse("light rays: 0; allowed: at least 1");
+      refuseTransfer(fmt::format("the light's direction ({}, {}, {}) is not of length 1", light.x, light.y, light.z));
+  if (!s.light_directions.empty() && s.light_rays == 0) refuseTransfer("light rays: 0; allowed: at least 1");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct WelkinVulkanSky {
 namespace welkin::vulkan {
 namespace {
 
-VkDeviceSize roundUp(VkDeviceSize bytes, VkDeviceSize to) {
+VkDeviceSize alignUp(VkDeviceSize bytes, VkDeviceSize to) {
   return (bytes + to - 1) / to * to;
 }
 
@@ -133,9 +133,9 @@ WelkinResult createSkyImages(WelkinVulkanSky& o, const WelkinVulkanCreateInfo& c
     return r;
 
   VkDeviceSize bytes = 0;
-  const VkDeviceSize alignment = roundUp(o.device.properties.limits.optimalBufferCopyOffsetAlignment, 16);
+  const VkDeviceSize alignment = alignUp(o.device.properties.limits.optimalBufferCopyOffsetAlignment, 16);
   for (uint32_t i = 0; i < o.image_count; ++i) {
-    bytes = roundUp(bytes, alignment);
+    bytes = alignUp(bytes, alignment);
     o.images[i].staging_offset = bytes;
     bytes += o.images[i].stagedBytes();
   }
@@ -176,7 +176,7 @@ bool hasModesOf(const WelkinVulkanSky& o, const WelkinSkySample& sample) {
 }
 
 WelkinResult createFrames(WelkinVulkanSky& o, WelkinMessage* message) {
-  o.slice_bytes = roundUp(sizeof(WelkinSkyConstants), o.device.properties.limits.minUniformBufferOffsetAlignment);
+  o.slice_bytes = alignUp(sizeof(WelkinSkyConstants), o.device.properties.limits.minUniformBufferOffsetAlignment);
   if (const auto r = createMapped(o.device, o.slice_bytes * o.frame_count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                   "welkin constants", o.uniforms, message))
     return r;

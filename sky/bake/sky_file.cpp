@@ -23,8 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegree = det::kPi / 180.0;
-
 /// The file's folder, and the inputs read so far, with warnings of their headers. Each is read once: its hash is that
 /// of the bytes which are decoded.
 struct Reading {
@@ -115,8 +113,8 @@ void readHandPath(base::Section& section, model::LightPath& path) {
   const auto rows = section.rows("path", {"azimuth_deg", "elevation_deg"});
   for (const auto& row : rows) {
     path.key_time_h.push_back(row[0]);
-    path.key_azimuth_rad.push_back(row[1] * kDegree + path.north_offset_rad);
-    path.key_elevation_rad.push_back(row[2] * kDegree);
+    path.key_azimuth_rad.push_back(row[1] * det::kDegree + path.north_offset_rad);
+    path.key_elevation_rad.push_back(row[2] * det::kDegree);
   }
 }
 
@@ -130,12 +128,12 @@ void readLightLook(base::Section& section, model::Light& light) {
       table.refuse("colour", table.node("colour"),
                    "must not be black: it gives hue and saturation, illuminance the rest");
   }
-  light.disc_radius_rad = section.number("disc_radius_deg") * kDegree;
+  light.disc_radius_rad = section.number("disc_radius_deg") * det::kDegree;
 }
 
 model::Light readSun(base::Section section) {
   model::Light sun;
-  const double north = section.number("north_offset_deg") * kDegree;
+  const double north = section.number("north_offset_deg") * det::kDegree;
   sun.path.north_offset_rad = north;
   readHandPath(section, sun.path);
   if (sun.path.key_time_h.empty()) {
@@ -156,16 +154,16 @@ model::Light readSun(base::Section section) {
 
 model::Light readMoon(base::Section section, const model::LightPath& sun) {
   model::Light moon;
-  moon.path.north_offset_rad = section.number("north_offset_deg", sun.north_offset_rad / kDegree) * kDegree;
+  moon.path.north_offset_rad = section.number("north_offset_deg", sun.north_offset_rad / det::kDegree) * det::kDegree;
   readHandPath(section, moon.path);
   if (moon.path.key_time_h.empty()) {
     if (!section.table().has("declination_deg"))
       section.table().refuse("path", nullptr, "is missing; a moon needs path, or declination_deg and phase");
     const bool sun_has_place = sun.key_time_h.empty();
     moon.path.latitude_rad =
-        section.number("latitude_deg", sun_has_place ? std::optional(sun.latitude_rad / kDegree) : std::nullopt) *
-        kDegree;
-    moon.path.declination_rad = section.number("declination_deg") * kDegree;
+        section.number("latitude_deg", sun_has_place ? std::optional(sun.latitude_rad / det::kDegree) : std::nullopt) *
+        det::kDegree;
+    moon.path.declination_rad = section.number("declination_deg") * det::kDegree;
     // A new moon (0) crosses the meridian with the sun, a full moon (1/2) twelve hours later.
     moon.path.transit_h = (sun_has_place ? sun.transit_h : 12.0) + 24.0 * section.number("phase");
   } else {

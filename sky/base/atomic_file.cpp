@@ -78,7 +78,7 @@ std::vector<std::byte> readUpTo(int fd, std::size_t most, const std::filesystem:
 }
 
 constexpr ByteRange kWhole;
-constexpr int kMostAttempts = 1000;
+constexpr int kMostNameAttempts = 1000;
 
 std::filesystem::path temporaryPath(const std::filesystem::path& path, int number) {
   std::filesystem::path temporary = path;
@@ -107,7 +107,7 @@ struct Temporary {
 
 Temporary makeTemporary(const std::filesystem::path& path) {
   int number = 0;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMostNameAttempts; ++attempt) {
     Temporary made{temporaryPath(path, number), Descriptor(), Descriptor()};
     made.file = Descriptor(uninterrupted(
         [&] { return ::open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666); }));

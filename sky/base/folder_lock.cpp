@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kName = 64;  // bytes of an owner's name; a part's name and its lock have the same bytes
 constexpr ByteRange kAll;
-constexpr int kMostAttempts = 1000;
+constexpr int kMostLockAttempts = 1000;
 
 fs::path lockPath(const fs::path& folder) {
   return folder / ".welkin.lock";
@@ -53,7 +53,7 @@ std::string readName(const Descriptor& file, off_t start) {
 
 FolderLock::FolderLock(const fs::path& folder, std::optional<int> part) : path_(lockPath(folder)), whole_(!part) {
   const ByteRange range = part ? ByteRange{*part * static_cast<off_t>(kName), kName} : kAll;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMostLockAttempts; ++attempt) {
     Descriptor file(uninterrupted(
         [&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666); }));
     if (file.fd < 0) {

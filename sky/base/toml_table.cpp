@@ -77,7 +77,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string phrase(Range range) {
+std::string rangeText(Range range) {
   return fmt::format("{} to {}", range.low, range.high);
 }
 
@@ -127,15 +127,15 @@ TomlTable TomlTable::table(const std::string& key) {
 
 double TomlTable::numberOf(const std::string& key, const toml::node& n, Range range) const {
   const auto value = n.value<double>();
-  if (!value || !n.is_number()) refuse(key, &n, fmt::format("must be a number, {}", phrase(range)));
-  if (!range.contains(*value)) refuse(key, &n, fmt::format("must be {}", phrase(range)));
+  if (!value || !n.is_number()) refuse(key, &n, fmt::format("must be a number, {}", rangeText(range)));
+  if (!range.contains(*value)) refuse(key, &n, fmt::format("must be {}", rangeText(range)));
   return *value;
 }
 
 double TomlTable::number(const std::string& key, Range range, std::optional<double> otherwise) {
   const toml::node* n = node(key);
   if (n != nullptr) return numberOf(key, *n, range);
-  if (!otherwise) refuse(key, nullptr, fmt::format("is missing; it must be {}", phrase(range)));
+  if (!otherwise) refuse(key, nullptr, fmt::format("is missing; it must be {}", rangeText(range)));
   return *otherwise;
 }
 
@@ -163,7 +163,7 @@ std::string TomlTable::string(const std::string& key, const std::vector<std::str
 Number3 TomlTable::colourOf(const std::string& key, const toml::node& n, Range range) const {
   const toml::array* a = n.as_array();
   if (a == nullptr || a->size() != 3)
-    refuse(key, &n, fmt::format("must be a colour, [r, g, b], each {}", phrase(range)));
+    refuse(key, &n, fmt::format("must be a colour, [r, g, b], each {}", rangeText(range)));
   return {numberOf(key, *a->get(0), range), numberOf(key, *a->get(1), range), numberOf(key, *a->get(2), range)};
 }
 

@@ -28,7 +28,7 @@ CubeLayout strip(const std::string& name, bool across, Layout orientation) {
 }
 
 /// Index among +x -x +y -y +z -z of an axis with its sign.
-std::size_t faceOf(const Number3& axis) {
+std::size_t faceTowards(const Number3& axis) {
   for (int i = 0; i < 3; ++i)
     if (axis[i] != 0.0) return static_cast<std::size_t>(2 * i + (axis[i] < 0.0 ? 1 : 0));
   return 0;
@@ -60,7 +60,7 @@ CubeLayout cross(const std::string& name, bool across, const Number3& middle, co
     back.down = back.down * -1.0;
   }
   for (const PlacedFace& face : {centre, rightOf(centre), leftOf(centre), above(centre), below(centre), back})
-    layout.face[faceOf(face.normal)] = face;
+    layout.face[faceTowards(face.normal)] = face;
   return layout;
 }
 

@@ -24,14 +24,14 @@ constexpr int kExif = JPEG_APP0 + 1;
 constexpr int kIcc = JPEG_APP0 + 2;
 
 /// libjpeg's state. Its errors jump back to the call; no object with a destructor lives in between.
-struct Decoder {
+struct JpegDecoder {
   jpeg_decompress_struct state{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
   std::jmp_buf back{};
   char message[JMSG_LENGTH_MAX] = "";
 
-  Decoder() {
+  JpegDecoder() {
     state.err = jpeg_std_error(&errors);
     state.client_data = this;
     errors.error_exit = [](j_common_ptr s) { fail(s); };
@@ -42,9 +42,9 @@ struct Decoder {
     };
     errors.output_message = [](j_common_ptr) {};
   }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { jpeg_destroy_decompress(&state); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
+  ~JpegDecoder() { jpeg_destroy_decompress(&state); }
 
   bool open(std::span<const std::byte> bytes) {
     if (setjmp(back) != 0) return false;  // NOLINT(cert-err52-cpp): libjpeg's way out
@@ -53,7 +53,7 @@ struct Decoder {
     progress.progress_monitor = [](j_common_ptr s) {
       constexpr int kMostScans = 200;
       if (reinterpret_cast<j_decompress_ptr>(s)->input_scan_number <= kMostScans) return;
-      auto* self = static_cast<Decoder*>(s->client_data);
+      auto* self = static_cast<JpegDecoder*>(s->client_data);
       std::snprintf(self->message, sizeof self->message, "more than %d scans", kMostScans);
       std::longjmp(self->back, 1);  // NOLINT(cert-err52-cpp)
     };
@@ -85,7 +85,7 @@ struct Decoder {
 
  private:
   [[noreturn]] static void fail(j_common_ptr s) {
-    auto* self = static_cast<Decoder*>(s->client_data);
+    auto* self = static_cast<JpegDecoder*>(s->client_data);
     s->err->format_message(s, self->message);
     std::longjmp(self->back, 1);  // NOLINT(cert-err52-cpp)
   }
@@ -94,7 +94,7 @@ struct Decoder {
 }  // namespace
 
 JpegPicture decodeJpeg(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
-  Decoder decoder;
+  JpegDecoder decoder;
   const auto refuse = [&](const std::string& why) {
     return base::Error(base::ExitStatus::content, fmt::format("{}: {}", name, why));
   };

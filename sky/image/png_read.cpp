@@ -21,18 +21,18 @@ namespace {
 constexpr png_byte kCicp[] = "cICP";
 
 /// libpng's state. Its errors jump back to the call; no object with a destructor lives in between.
-struct Decoder {
+struct PngDecoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::span<const std::byte> bytes;
   std::size_t place = 0;
   std::array<char, 256> message{};
 
-  explicit Decoder(std::span<const std::byte> file) : bytes(file) {
+  explicit PngDecoder(std::span<const std::byte> file) : bytes(file) {
     png = png_create_read_struct(
         PNG_LIBPNG_VER_STRING, this,
         [](png_structp p, png_const_charp text) {
-          auto* self = static_cast<Decoder*>(png_get_error_ptr(p));
+          auto* self = static_cast<PngDecoder*>(png_get_error_ptr(p));
           std::strncpy(self->message.data(), text, self->message.size() - 1);
           std::longjmp(png_jmpbuf(p), 1);  // NOLINT(cert-err52-cpp): libpng's way out
         },
@@ -40,14 +40,14 @@ struct Decoder {
     info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info == nullptr) throw base::Error(base::ExitStatus::file, "libpng cannot start");
   }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
 
   bool open() {
     if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
     png_set_read_fn(png, this, [](png_structp p, png_bytep to, std::size_t count) {
-      auto* self = static_cast<Decoder*>(png_get_io_ptr(p));
+      auto* self = static_cast<PngDecoder*>(png_get_io_ptr(p));
       if (count > self->bytes.size() - self->place) png_error(p, "the file ends too early");
       std::memcpy(to, self->bytes.data() + self->place, count);
       self->place += count;
@@ -92,7 +92,7 @@ bool hasChunk(std::span<const std::byte> file, std::string_view name) {
 }
 
 /// Notes what is left out. libpng drops chunks about colours that contradict each other or themselves.
-void noteDropped(const Decoder& d, PngPicture& picture) {
+void noteDropped(const PngDecoder& d, PngPicture& picture) {
   constexpr std::pair<const char*, png_uint_32> kChunks[] = {
       {"gAMA", PNG_INFO_gAMA}, {"cHRM", PNG_INFO_cHRM}, {"sRGB", PNG_INFO_sRGB}, {"iCCP", PNG_INFO_iCCP}};
   for (const auto& [name, flag] : kChunks)
@@ -101,7 +101,7 @@ void noteDropped(const Decoder& d, PngPicture& picture) {
   if (hasChunk(d.bytes, "acTL")) picture.notes.push_back("an animation (acTL); its first picture was read");
 }
 
-void readColours(Decoder& d, PngPicture& picture) {
+void readColours(PngDecoder& d, PngPicture& picture) {
   noteDropped(d, picture);
   png_charp name = nullptr;
   int number = 0;
@@ -133,7 +133,7 @@ void readColours(Decoder& d, PngPicture& picture) {
 }  // namespace
 
 PngPicture decodePng(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
-  Decoder decoder(bytes);
+  PngDecoder decoder(bytes);
   const auto damaged = [&] {
     return base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, decoder.message.data()));
   };

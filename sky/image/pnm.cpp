@@ -22,7 +22,7 @@ bool isSpace(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-class Reader : public TextReader {
+class PnmReader : public TextReader {
  public:
   using TextReader::TextReader;
 
@@ -62,7 +62,7 @@ std::uint32_t bigEndian(const char* p, int count) {
 }
 
 /// The floats' rows go from the bottom.
-void readFloats(Reader& reader, int channels, Image& image) {
+void readFloats(PnmReader& reader, int channels, Image& image) {
   const auto scale = reader.number<double>("the scale");
   const double factor = std::abs(scale);
   if (!(factor >= 1e-30 && factor <= 1e30)) throw reader.refusal("the scale is not 1e-30 to 1e+30, of either sign");
@@ -80,7 +80,7 @@ void readFloats(Reader& reader, int channels, Image& image) {
   if (factor != 1.0) image.notes.push_back(fmt::format("values were multiplied by the scale {:.6g}", factor));
 }
 
-void readCodes(Reader& reader, bool text, int channels, Image& image) {
+void readCodes(PnmReader& reader, bool text, int channels, Image& image) {
   const auto largest = reader.number<std::int64_t>("the largest value");
   if (largest < 1 || largest > 65535)
     throw reader.refusal(fmt::format("the largest value is {}; 1 to 65535 are allowed", largest));
@@ -106,7 +106,7 @@ void readCodes(Reader& reader, bool text, int channels, Image& image) {
 }  // namespace
 
 Image readPnm(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
-  Reader reader(name, bytes);
+  PnmReader reader(name, bytes);
   const std::string_view magic = reader.word();
   if (magic.size() != 2) throw reader.refusal("damaged: two characters name the format");
   const auto width = reader.number<std::int64_t>("the width"), height = reader.number<std::int64_t>("the height");

@@ -27,7 +27,7 @@ struct Header {
   Orientation orientation;
 };
 
-class Reader : public TextReader {
+class RadianceReader : public TextReader {
  public:
   using TextReader::TextReader;
 
@@ -64,7 +64,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 template <std::size_t N>
-std::array<double, N> Reader::numbers(std::string_view key, std::string_view text) const {
+std::array<double, N> RadianceReader::numbers(std::string_view key, std::string_view text) const {
   std::array<double, N> value{};
   std::string_view rest = text;
   for (double& v : value) {
@@ -78,7 +78,7 @@ std::array<double, N> Reader::numbers(std::string_view key, std::string_view tex
 }
 
 /// Reads one line of the header. Lines that start with a tab are of an earlier picture.
-void Reader::field(std::string_view line, Header& header) const {
+void RadianceReader::field(std::string_view line, Header& header) const {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) return;
   const std::string_view key = line.substr(0, equals), value = trimmed(line.substr(equals + 1));
@@ -108,7 +108,7 @@ void Reader::field(std::string_view line, Header& header) const {
 }
 
 /// Reads "-Y 32 +X 64" and its seven turns and mirrors. The first axis counts the lines.
-void Reader::resolution(std::string_view line, Header& header) const {
+void RadianceReader::resolution(std::string_view line, Header& header) const {
   std::string_view rest = line;
   bool axis_seen[2] = {false, false};
   for (std::int64_t* count : {&header.lines, &header.length}) {
@@ -128,7 +128,7 @@ void Reader::resolution(std::string_view line, Header& header) const {
     throw refusal("damaged or cut: the order of the texels names an axis twice, or more than two");
 }
 
-Header Reader::header() {
+Header RadianceReader::header() {
   Header header;
   textLine();  // "#?RADIANCE", "#?RGBE"
   for (std::string_view line = textLine(); !line.empty(); line = textLine()) field(line, header);
@@ -137,7 +137,7 @@ Header Reader::header() {
 }
 
 /// One plane of a line by runs: above 128, so many times one byte; else that many bytes.
-void Reader::runs(std::size_t length, std::uint8_t* plane) {
+void RadianceReader::runs(std::size_t length, std::uint8_t* plane) {
   for (std::size_t at = 0; at < length;) {
     const std::size_t code = next();
     const bool run = code > 128;
@@ -148,7 +148,7 @@ void Reader::runs(std::size_t length, std::uint8_t* plane) {
   }
 }
 
-void Reader::line(std::size_t length, std::vector<std::uint8_t>& planes) {
+void RadianceReader::line(std::size_t length, std::vector<std::uint8_t>& planes) {
   if (text_.size() < 4) throw refusal("damaged or cut: the file ends before the last texel");
   const auto byte = [&](std::size_t i) { return std::size_t{static_cast<std::uint8_t>(text_[i])}; };
   if (length >= 8 && length < 32768 && byte(0) == 2 && byte(1) == 2 && byte(2) < 128) {
@@ -180,7 +180,7 @@ void Reader::line(std::size_t length, std::vector<std::uint8_t>& planes) {
 }  // namespace
 
 Image readRadiance(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
-  Reader reader(name, bytes);
+  RadianceReader reader(name, bytes);
   const Header header = reader.header();
   requireSize(name, header.length, header.lines, limits);
   const auto length = static_cast<std::size_t>(header.length), lines = static_cast<std::size_t>(header.lines);

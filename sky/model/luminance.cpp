@@ -33,8 +33,6 @@ const LuminanceModel* findLuminance(std::string_view name) {
 
 namespace {
 
-constexpr double kDegree = det::kPi / 180.0;
-
 /// Least value of a luminance factor. With coefficients up to 1e4 a relative luminance is then at most 2e26, which a
 /// float holds and the runtime accepts.
 constexpr double kDarkest = 1e-9;
@@ -46,7 +44,7 @@ const char* phrase(double factor) {
 /// Finds the angle in [low, high] where the indicatrix is least: a scan by 1/8 degree, refined by golden section around
 /// its best.
 double darkestAngle(const LuminanceModel& m, double low, double high) {
-  const int steps = std::max(8, static_cast<int>(std::ceil((high - low) / (kDegree / 8.0))));
+  const int steps = std::max(8, static_cast<int>(std::ceil((high - low) / (det::kDegree / 8.0))));
   const double step = (high - low) / steps;
   double best = low;
   for (int i = 1; i <= steps; ++i)
@@ -83,7 +81,7 @@ std::optional<std::string> whyUnusable(const LuminanceModel& m, const LightPath&
     return fmt::format(
         "a = {}: makes the luminance {} (1 + a exp b = {:.6g}) at the zenith (0, 1, 0), for any sun, for example at "
         "elevation {:.2f} degrees; with b = {} a must be above {:.6g}",
-        m.a, phrase(zenith), zenith, det::elevationOf(noon) / kDegree, m.b, -det::exp(-m.b));
+        m.a, phrase(zenith), zenith, det::elevationOf(noon) / det::kDegree, m.b, -det::exp(-m.b));
   std::vector<double> times = sun.key_time_h;
   for (int minute = 0; minute < 1440; ++minute) times.push_back(minute / 60.0);
   // The angles to the sun that the upper hemisphere shows, and 0 for the normalisation. The range is widest under the
@@ -106,8 +104,8 @@ std::optional<std::string> whyUnusable(const LuminanceModel& m, const LightPath&
   return fmt::format(
       "{} = {}: makes the luminance {} (indicatrix {:.6g}) at sun elevation {:.2f} degrees, {:.2f} h, in direction "
       "({:.4f}, {:.4f}, {:.4f}), {:.2f} degrees from the sun; it must be above {} wherever the day's sun looks",
-      name, name[0] == 'c' ? m.c : m.e, phrase(value), value, det::elevationOf(s) / kDegree, time, d.x, d.y, d.z,
-      angle / kDegree, kDarkest);
+      name, name[0] == 'c' ? m.c : m.e, phrase(value), value, det::elevationOf(s) / det::kDegree, time, d.x, d.y, d.z,
+      angle / det::kDegree, kDarkest);
 }
 
 }  // namespace welkin::model

@@ -11,13 +11,11 @@ namespace welkin::model {
 using det::Number3;
 namespace {
 
-constexpr double kDegree = det::kPi / 180.0;
-
 /// Text of a sky file's key that lies below the horizon half way along a stretch.
 std::string keyBelow(const LightPath& path, const HorizonStretch& stretch) {
   const double middle_h = format::wrapTime(stretch.from_h + stretch.length_h / 2.0);
   const Number3 d = path.directionAt(middle_h);
-  const long azimuth_deg = std::lround((det::atan(d.x, -d.z) - path.north_offset_rad) / kDegree) % 360;
+  const long azimuth_deg = std::lround((det::atan(d.x, -d.z) - path.north_offset_rad) / det::kDegree) % 360;
   return fmt::format("[{:.4g}, {}, -30]", middle_h, (azimuth_deg + 360) % 360);
 }
 
@@ -32,7 +30,7 @@ Culmination culminationOf(const LightPath& path) {
 
 std::vector<HorizonStretch> horizonStretchesOf(const LightPath& path) {
   const std::size_t count = path.key_time_h.size();
-  const auto isOnHorizon = [](double elevation_rad) { return std::abs(elevation_rad) <= kHorizonBand_deg * kDegree; };
+  const auto isOnHorizon = [](double elevation_rad) { return std::abs(elevation_rad) <= kHorizonBand_deg * det::kDegree; };
   if (std::all_of(path.key_elevation_rad.begin(), path.key_elevation_rad.end(), isOnHorizon)) return {};
   const auto lengthAfter = [&](std::size_t i) {  // From key i to the next, over midnight after the last one.
     return i + 1 < count ? path.key_time_h[i + 1] - path.key_time_h[i] : path.key_time_h[0] + 24.0 - path.key_time_h[i];
@@ -57,7 +55,7 @@ std::vector<Warning> pathWarningsOf(const LightPath& path, const std::string& li
   if (const Culmination top = culminationOf(path); top.elevation_rad < 0.0)
     warnings.push_back({"never-rises", 1,
                         fmt::format("the {} never rises: it is highest at {:.4g} h, {:.3g} degrees below the horizon",
-                                    light, top.time_h, -top.elevation_rad / kDegree)});
+                                    light, top.time_h, -top.elevation_rad / det::kDegree)});
   const auto stretches = horizonStretchesOf(path);
   if (stretches.empty()) return warnings;
   std::string when;

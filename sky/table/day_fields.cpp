@@ -11,7 +11,7 @@
 namespace welkin::table {
 namespace {
 
-constexpr auto kOrders = static_cast<std::size_t>(model::IrradianceProjector::kOrders);
+constexpr auto kFieldOrders = static_cast<std::size_t>(model::IrradianceProjector::kOrders);
 
 /// Instants darker than this share of the brightest are divided by that share.
 constexpr double kDarkest = 1e-4;
@@ -57,7 +57,7 @@ ErrorGrid::Normal ErrorGrid::normal(std::size_t point) const {
   const std::size_t upper = rows_.size() * kColumns;
   const std::size_t i = point % upper;
   const double sign = point < upper ? 1.0 : -1.0;
-  return {sign * row_y_[i / kColumns], sign * cosine_[i % kColumns * kOrders + 1]};
+  return {sign * row_y_[i / kColumns], sign * cosine_[i % kColumns * kFieldOrders + 1]};
 }
 
 std::vector<double> ErrorGrid::valuesOf(const FieldChannel& channel) const {
@@ -65,10 +65,10 @@ std::vector<double> ErrorGrid::valuesOf(const FieldChannel& channel) const {
   value.reserve(count());
   for (const int row : rows_)
     for (std::size_t column = 0; column < kColumns; ++column) {
-      const double* series = channel.series.data() + static_cast<std::size_t>(row) * kOrders;
-      const double* cosine = cosine_.data() + column * kOrders;
+      const double* series = channel.series.data() + static_cast<std::size_t>(row) * kFieldOrders;
+      const double* cosine = cosine_.data() + column * kFieldOrders;
       double sum = 0.0;
-      for (std::size_t m = 0; m < kOrders; ++m) sum += series[m] * cosine[m];
+      for (std::size_t m = 0; m < kFieldOrders; ++m) sum += series[m] * cosine[m];
       value.push_back(sum);
     }
   addLower(value, channel.moment[model::polarIndex(1, 0)] / det::kShLinear,

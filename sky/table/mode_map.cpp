@@ -15,18 +15,18 @@ namespace welkin::table {
 using det::Number3;
 namespace {
 
-constexpr std::size_t kRows = model::IrradianceProjector::kRows;
-constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
+constexpr std::size_t kSeriesRows = model::IrradianceProjector::kRows;
+constexpr std::size_t kSeriesOrders = model::IrradianceProjector::kOrders;
 
 /// Values of a mode at the texels' centres, by row and column.
 std::vector<double> atCentres(const FieldChannel& mode, std::size_t columns, std::size_t rows) {
   std::vector<double> value;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
-      const double* series = mode.series.data() + j * (kRows - 1) / (rows - 1) * kOrders;
+      const double* series = mode.series.data() + j * (kSeriesRows - 1) / (rows - 1) * kSeriesOrders;
       sh::MultipleCosines cosine(2.0 * static_cast<double>(i) / static_cast<double>(columns - 1) - 1.0);
       double sum = 0.0;
-      for (std::size_t m = 0; m < kOrders; ++m, cosine.advance()) sum += series[m] * cosine.value();
+      for (std::size_t m = 0; m < kSeriesOrders; ++m, cosine.advance()) sum += series[m] * cosine.value();
       value.push_back(sum);
     }
   return value;

@@ -17,12 +17,6 @@ namespace {
 /// The error includes that of the stored floats.
 constexpr double kFloats = 1e-5;
 
-std::vector<double> everyHours(double step_h) {
-  std::vector<double> hours;
-  for (int i = 0; i * step_h < 24.0; ++i) hours.push_back(i * step_h);
-  return hours;
-}
-
 /// An instant's error when its rows lie between those of two others, `share` of the way. It follows the definition,
 /// from the values of the functions.
 double errorBetween(const SampledDay& day, const table::Representation& r, std::size_t first, std::size_t second,

@@ -19,7 +19,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-constexpr double kRounding = 1e-12;                       // of a few products in double; hours, radians
+constexpr double kPathRounding = 1e-12;                       // of a few products in double; hours, radians
 constexpr double kEquationOfTime_h_day = 30.3 / 3600.0;   // its fastest change, at a winter solstice
 constexpr double kDeclination_rad_day = 0.403 * kDegree;  // its fastest change is below the sun's own
 constexpr double kStep_h = 1.0 / 60.0;
@@ -40,9 +40,9 @@ void requireSame(const model::LightPath& a, const model::LightPath& b) {
   for (double t = 0.0; t < 24.0; t += 0.5) {
     const Number3 p = a.directionAt(t);
     const Number3 q = b.directionAt(t);
-    REQUIRE(p.x == Approx(q.x).margin(kRounding));
-    REQUIRE(p.y == Approx(q.y).margin(kRounding));
-    REQUIRE(p.z == Approx(q.z).margin(kRounding));
+    REQUIRE(p.x == Approx(q.x).margin(kPathRounding));
+    REQUIRE(p.y == Approx(q.y).margin(kPathRounding));
+    REQUIRE(p.z == Approx(q.z).margin(kPathRounding));
   }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("SunPath, PolarNightNeverRises") {
     const double expected = 12.0 * kDegree - std::abs(path.declination_rad);
     CHECK(highest(path) == Approx(expected).margin(1e-5));
     CHECK(highest(path) < -11.0 * kDegree);
-    CHECK(model::culminationOf(path).elevation_rad == Approx(expected).margin(kRounding));
+    CHECK(model::culminationOf(path).elevation_rad == Approx(expected).margin(kPathRounding));
   }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("SunPath, PolesKeepTheElevation") {
       const model::LightPath path = model::sunPathFromPlace(latitude_deg, 40.0, 0.0, 2010, day);
       const double expected = latitude_deg > 0.0 ? path.declination_rad : -path.declination_rad;
       for (double t = 0.0; t < 24.0; t += 0.25)
-        REQUIRE(det::elevationOf(path.directionAt(t)) == Approx(expected).margin(kRounding));
+        REQUIRE(det::elevationOf(path.directionAt(t)) == Approx(expected).margin(kPathRounding));
       // From above the north pole the sun goes clockwise, from above the south pole counterclockwise.
       const Number3 now = path.directionAt(10.0);
       const Number3 then = path.directionAt(11.0);
@@ -91,10 +91,10 @@ TEST_CASE("SunPath, EquinoxOnTheEquatorGoesThroughTheZenith") {
     const double near_h = 0.41 * kDegree;  // a day's declination
     REQUIRE(std::abs(path.declination_rad) < near_h);
     CHECK(det::elevationOf(path.directionAt(path.transit_h)) ==
-          Approx(M_PI / 2.0 - std::abs(path.declination_rad)).margin(kRounding));
+          Approx(M_PI / 2.0 - std::abs(path.declination_rad)).margin(kPathRounding));
     const Number3 rise = path.directionAt(path.transit_h - 6.0);  // due east, six hours before
     CHECK(rise.x == Approx(1.0).margin(1e-4));
-    CHECK(rise.y == Approx(0.0).margin(kRounding));
+    CHECK(rise.y == Approx(0.0).margin(kPathRounding));
     CHECK(path.directionAt(path.transit_h + 6.0).x == Approx(-1.0).margin(1e-4));
     CHECK(path.directionAt(path.transit_h + 12.0).y == Approx(-1.0).margin(1e-4));
   }
@@ -105,8 +105,8 @@ TEST_CASE("SunPath, DateLineIsOnePlace") {
     // One instant, two dates: 12 h on the eastern clock is 12 h of the day before on the western.
     const model::LightPath east = model::sunPathFromPlace(latitude_deg, 180.0, 12.0, 2008, 61);
     const model::LightPath west = model::sunPathFromPlace(latitude_deg, -180.0, -12.0, 2008, 60);
-    CHECK(west.declination_rad == Approx(east.declination_rad).margin(kRounding));
-    CHECK(west.transit_h == Approx(east.transit_h).margin(kRounding));
+    CHECK(west.declination_rad == Approx(east.declination_rad).margin(kPathRounding));
+    CHECK(west.transit_h == Approx(east.transit_h).margin(kPathRounding));
     requireSame(east, west);
     // One date and clock time on the same meridian. The transits are a day apart, which is no difference.
     requireSame(east, model::sunPathFromPlace(latitude_deg, -180.0, 12.0, 2008, 61));
@@ -118,8 +118,8 @@ TEST_CASE("SunPath, UtcOffsetShiftsTheClock") {
     // The same instant at 12 h: the same sun, 24 hours later on the clock.
     const model::LightPath early = model::sunPathFromPlace(30.0, 20.0, -12.0, 2015, day);
     const model::LightPath late = model::sunPathFromPlace(30.0, 20.0, 12.0, 2015, day + 1);
-    CHECK(late.declination_rad == Approx(early.declination_rad).margin(kRounding));
-    CHECK(late.transit_h - early.transit_h == Approx(24.0).margin(kRounding));
+    CHECK(late.declination_rad == Approx(early.declination_rad).margin(kPathRounding));
+    CHECK(late.transit_h - early.transit_h == Approx(24.0).margin(kPathRounding));
     // On one date only the frozen instant moves.
     const model::LightPath zero = model::sunPathFromPlace(30.0, 20.0, 0.0, 2015, day);
     for (const double offset_h : {-12.0, -3.5, 5.75, 14.0}) {
@@ -163,7 +163,7 @@ TEST_CASE("SunPath, FiniteAndUnitOverItsWholeDomain") {
         REQUIRE(std::abs(path.declination_rad) < 24.0 * kDegree);  // the obliquity was 23.93 degrees
         for (double t = 0.0; t < 24.0; t += 2.3) {
           const Number3 d = path.directionAt(t);
-          REQUIRE(dot(d, d) == Approx(1.0).margin(kRounding));
+          REQUIRE(dot(d, d) == Approx(1.0).margin(kPathRounding));
         }
       }
 }

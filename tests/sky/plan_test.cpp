@@ -16,12 +16,6 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-std::vector<double> everyHours(double step_h) {
-  std::vector<double> hours;
-  for (int i = 0; i * step_h < 24.0; ++i) hours.push_back(i * step_h);
-  return hours;
-}
-
 table::PlanRequest within(double max_error) {
   table::PlanRequest request;
   request.max_error = max_error;

@@ -18,4 +18,11 @@ struct NamedSky {
 
 std::vector<NamedSky> someSkies();
 
+/// Hours of a day from midnight.
+inline std::vector<double> everyHours(double step_h) {
+  std::vector<double> hours;
+  for (int i = 0; i * step_h < 24.0; ++i) hours.push_back(i * step_h);
+  return hours;
+}
+
 }  // namespace welkin::tests

@@ -14,8 +14,6 @@
 namespace welkin::command {
 namespace {
 
-constexpr double kDegree = f64::kPi / 180.0;
-
 /// Parses `text` as a finite number; nothing if any part of it is not a number.
 std::optional<double> parseNumber(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -98,12 +96,12 @@ nlohmann::ordered_json vectorJson(const float v[3]) {
 }
 
 double azimuthDegrees(const float d[3]) {
-  const double azimuth = std::atan2(double{d[0]}, -double{d[2]}) / kDegree;
+  const double azimuth = std::atan2(double{d[0]}, -double{d[2]}) / f64::kDegree;
   return azimuth < 0.0 ? azimuth + 360.0 : azimuth;
 }
 
 double elevationDegrees(const float d[3]) {
-  return f64::elevationOf({double{d[0]}, double{d[1]}, double{d[2]}}) / kDegree;
+  return f64::elevationOf({double{d[0]}, double{d[1]}, double{d[2]}}) / f64::kDegree;
 }
 
 nlohmann::ordered_json lightJson(const WelkinLight& light) {

@@ -18,13 +18,11 @@
 namespace welkin::command {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// Text with the time and the elevation at which a light is highest. It says so if the light never rises.
 std::string highestText(const model::LightPath& path) {
   const auto top = model::culminationOf(path);
   return fmt::format("{}highest at {:.2f} h, {:.2f} degrees", top.elevation_rad < 0.0 ? "never rises: " : "",
-                     top.time_h, top.elevation_rad / kDegree);
+                     top.time_h, top.elevation_rad / det::kDegree);
 }
 
 void printSectors(const nlohmann::ordered_json& sectors) {

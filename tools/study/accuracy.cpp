@@ -13,10 +13,6 @@ namespace {
 constexpr std::size_t kModeCounts[] = {4, 5, 6, 8};
 constexpr int kBandCounts[] = {2, 3, 5};
 
-std::string share(double value) {
-  return inWords(value, Quantity::share, 2);
-}
-
 ModelRow measureModel(const std::string& name, const model::Sky& sky, bool grey, double step_h,
                       const base::Progress& progress) {
   ModelRow row{name, grey};
@@ -140,11 +136,10 @@ model::Sky modelSky(const model::LuminanceModel& model, const model::Sky& exampl
     sky.gradient_sun = example.gradient_sun;
     sky.gradient_anti = example.gradient_anti;
   }
-  constexpr double kDegree = det::kHalfPi / 90.0;
   sky.sun.path.key_time_h = {4.4, 5.4, 12.0, 18.6, 19.6};  // in step with the gradients' dawn and dusk
   for (const double elevation : {-18.0, 0.0, 90.0, 0.0, -18.0}) {
-    sky.sun.path.key_azimuth_rad.push_back(90.0 * kDegree);
-    sky.sun.path.key_elevation_rad.push_back(elevation * kDegree);
+    sky.sun.path.key_azimuth_rad.push_back(90.0 * det::kDegree);
+    sky.sun.path.key_elevation_rad.push_back(elevation * det::kDegree);
   }
   return sky;
 }

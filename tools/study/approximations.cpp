@@ -9,10 +9,6 @@
 namespace welkin::study {
 namespace {
 
-std::string share(double value) {
-  return inWords(value, Quantity::share, 2);
-}
-
 /// The largest of a number over the wanted rows.
 template <typename Rows, typename Wanted, typename Number>
 double largest(const Rows& rows, const Wanted& wanted, const Number& number) {

@@ -9,9 +9,6 @@
 namespace welkin::study {
 namespace {
 
-std::string share(double value) {
-  return inWords(value, Quantity::share, 2);
-}
 std::string bytes(double value) {
   return inWords(value, Quantity::bytes, 3);
 }

@@ -17,4 +17,9 @@ enum class Quantity {
 /// `value` with at most `digits` significant digits and its unit; the same for every locale.
 std::string inWords(double value, Quantity quantity, int digits);
 
+/// A share in words, with two digits.
+inline std::string share(double value) {
+  return inWords(value, Quantity::share, 2);
+}
+
 }  // namespace welkin::study

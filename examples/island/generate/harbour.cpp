@@ -4,8 +4,8 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 307;
-const Colour kWood(0.34, 0.25, 0.16);
+constexpr uint32_t kHarbourSeed = 307;
+const Colour kDriedWood(0.34, 0.25, 0.16);
 
 /// A point of the hull: `s` from stern to bow, `v` from keel to rim, both in [0, 1]; `side` is -1 or 1.
 Vec3 hull(double s, double v, double side, double thickness) {
@@ -26,34 +26,34 @@ Mesh jetty() {
   constexpr int kPlanks = 66;
   for (int i = 0; i < kPlanks; ++i) {
     const auto id = static_cast<uint32_t>(i);
-    if (random(kSeed, id) < 0.04) continue;  // a plank is missing
+    if (random(kHarbourSeed, id) < 0.04) continue;  // a plank is missing
     const double z = 1.5 - (kLength + 1.5) * i / kPlanks;
-    const double left = random(kSeed + 1, id, -1.06, -0.92);
-    const double right = random(kSeed + 2, id, 0.92, 1.06);
-    const Colour colour = kWood * random(kSeed + 3, id, 0.7, 1.2);
+    const double left = random(kHarbourSeed + 1, id, -1.06, -0.92);
+    const double right = random(kHarbourSeed + 2, id, 0.92, 1.06);
+    const Colour colour = kDriedWood * random(kHarbourSeed + 3, id, 0.7, 1.2);
     mesh.add("wood", box({}, {left, kDeck - 0.06, z - 0.42}, {right, kDeck, z}, colour), Shading::flat);
   }
   for (const double x : {-0.75, 0.75})
-    mesh.add("wood", box({}, {x - 0.07, kDeck - 0.22, -kLength}, {x + 0.07, kDeck - 0.06, 1.5}, kWood * 0.7),
+    mesh.add("wood", box({}, {x - 0.07, kDeck - 0.22, -kLength}, {x + 0.07, kDeck - 0.06, 1.5}, kDriedWood * 0.7),
              Shading::flat);
   for (int i = 0; i <= 8; ++i) {
     const auto id = static_cast<uint32_t>(i);
     for (const double x : {-0.98, 0.98}) {
-      const double top = kDeck + (i % 2 == 0 ? random(kSeed + 4, id, 0.45, 0.8) : -0.1);
+      const double top = kDeck + (i % 2 == 0 ? random(kHarbourSeed + 4, id, 0.45, 0.8) : -0.1);
       const double z = -kLength * i / 8.0 + 0.1;
-      mesh.add("wood", post({x * 1.03, -5.5, z}, {x, top, z}, 0.11, 7, kWood * 0.75), Shading::smooth);
+      mesh.add("wood", post({x * 1.03, -5.5, z}, {x, top, z}, 0.11, 7, kDriedWood * 0.75), Shading::smooth);
     }
   }
   // a head across the end
   for (int i = 0; i < 12; ++i) {
-    const Colour colour = kWood * random(kSeed + 5, static_cast<uint32_t>(i), 0.7, 1.2);
+    const Colour colour = kDriedWood * random(kHarbourSeed + 5, static_cast<uint32_t>(i), 0.7, 1.2);
     const double x = -3.0 + 0.5 * i;
     mesh.add("wood", box({}, {x, kDeck + 0.005, -kLength - 1.6}, {x + 0.46, kDeck + 0.06, -kLength + 0.3}, colour),
              Shading::flat);
   }
   for (const double x : {-2.9, 2.9})
     for (const double z : {-kLength - 1.5, -kLength + 0.2})
-      mesh.add("wood", post({x, -6.0, z}, {x, kDeck + 0.6, z}, 0.12, 7, kWood * 0.75), Shading::smooth);
+      mesh.add("wood", post({x, -6.0, z}, {x, kDeck + 0.6, z}, 0.12, 7, kDriedWood * 0.75), Shading::smooth);
   return mesh;
 }
 
@@ -95,14 +95,14 @@ Mesh boat() {
   for (const double side : {-1.0, 1.0}) {
     skin(0, 3, side, 0.0, "boat_white", Colour(0.95));
     skin(3, 4, side, 0.0, "boat_red", Colour(1.0));
-    skin(0, 4, side, 0.05, "wood", kWood * 1.3);
+    skin(0, 4, side, 0.05, "wood", kDriedWood * 1.3);
     // the rim
     Shape rim = grid(
         2, kStations, false,
         [&](int row, int column) {
           return hull(column / (kStations - 1.0), 1.0, side, row == 0 ? -0.04 : 0.06) + Vec3(0, 0.02, 0);
         },
-        [&](int, int) { return kWood; });
+        [&](int, int) { return kDriedWood; });
     if (side < 0.0) rim.flip();
     mesh.add("wood", rim, Shading::flat);
   }
@@ -115,10 +115,10 @@ Mesh boat() {
   mesh.add("boat_red", transom, Shading::flat);
   for (const double s : {0.2, 0.48, 0.74}) {
     const double half = hull(s, 0.75, 1.0, 0.05).x;
-    mesh.add("wood", box({{0, 0.3, 2.8 - 5.6 * s}}, {-half, 0.0, -0.14}, {half, 0.05, 0.14}, kWood * 1.1),
+    mesh.add("wood", box({{0, 0.3, 2.8 - 5.6 * s}}, {-half, 0.0, -0.14}, {half, 0.05, 0.14}, kDriedWood * 1.1),
              Shading::flat);
   }
-  mesh.add("wood", post({-0.3, 0.5, 1.9}, {-0.1, 0.55, -1.6}, 0.03, 5, kWood * 1.4), Shading::smooth);  // an oar
+  mesh.add("wood", post({-0.3, 0.5, 1.9}, {-0.1, 0.55, -1.6}, 0.03, 5, kDriedWood * 1.4), Shading::smooth);  // an oar
   return mesh;
 }
 

@@ -8,7 +8,7 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 71;
+constexpr uint32_t kHutSeed = 71;
 constexpr double kHalfWidth = 2.5;   // x
 constexpr double kHalfDepth = 3.0;   // z
 constexpr double kPorch = 1.9;       // before the front wall
@@ -102,13 +102,13 @@ void addRoof(Mesh& mesh, double floor) {
   constexpr int kAround = 72;
   constexpr int kTiers = 4;
   const auto thatchColour = [](int tier, int column, double light) {
-    const double straw = random(kSeed + 5, static_cast<uint32_t>(tier * 1000 + column), 0.72, 1.0);
+    const double straw = random(kHutSeed + 5, static_cast<uint32_t>(tier * 1000 + column), 0.72, 1.0);
     return Colour(0.50, 0.36, 0.17) * (straw * light);
   };
   for (int tier = 0; tier < kTiers; ++tier) {
     const auto point = [&](int row, int column) {
       const double u = static_cast<double>(column) / kAround;
-      const double fringe = random(kSeed + 3, static_cast<uint32_t>(tier * 1000 + column), 0.0, 0.045);
+      const double fringe = random(kHutSeed + 3, static_cast<uint32_t>(tier * 1000 + column), 0.0, 0.045);
       const double low = static_cast<double>(tier) / kTiers - (tier > 0 ? 0.06 : 0.0) - fringe;
       if (row == 0) return roofPoint(low + 0.03, u, -0.5 * kThatch, floor);
       if (row == 1) return roofPoint(low, u, 0.04, floor);
@@ -173,10 +173,10 @@ void addStones(Mesh& mesh, double floor) {
       }
     }
   };
-  course({-2.62, 0, 3.1}, {1, 0, 0}, 5.24, kSeed + 20);
-  course({2.62, 0, 3.1}, {0, 0, -1}, 7.95, kSeed + 30);
-  course({2.62, 0, -4.85}, {-1, 0, 0}, 5.24, kSeed + 40);
-  course({-2.62, 0, -4.85}, {0, 0, 1}, 7.95, kSeed + 50);
+  course({-2.62, 0, 3.1}, {1, 0, 0}, 5.24, kHutSeed + 20);
+  course({2.62, 0, 3.1}, {0, 0, -1}, 7.95, kHutSeed + 30);
+  course({2.62, 0, -4.85}, {-1, 0, 0}, 5.24, kHutSeed + 40);
+  course({-2.62, 0, -4.85}, {0, 0, 1}, 7.95, kHutSeed + 50);
   for (int i = 0; i < 3; ++i) {
     const double y = floor - 0.2 * (i + 1);
     mesh.add("stone",
@@ -188,7 +188,7 @@ void addStones(Mesh& mesh, double floor) {
 void addFloorAndPorch(Mesh& mesh, double floor) {
   for (int i = 0; i < 20; ++i) {
     const double z = -4.85 + 0.4 * i;
-    const Colour colour = kWood * random(kSeed + 8, static_cast<uint32_t>(i), 0.75, 1.2);
+    const Colour colour = kWood * random(kHutSeed + 8, static_cast<uint32_t>(i), 0.75, 1.2);
     mesh.add("wood", box({}, {-2.6, floor - 0.1, z}, {2.6, floor, z + 0.37}, colour), Shading::flat);
   }
   mesh.add("wood", box({}, {-2.58, floor - 0.13, -4.83}, {2.58, floor - 0.03, 3.08}, kWood * 0.5), Shading::flat);
@@ -229,10 +229,10 @@ Mesh hut(bool onStilts) {
   const double floor = onStilts ? 1.25 : 0.62;
   const Opening door = {4, 2, 0.0, 2.05};
   const Opening window = {5, 2, 0.95, 1.75};
-  Shape walls = wall({kHalfWidth, 0, -kHalfDepth}, {-1, 0, 0}, 10, door, floor, kSeed + 60);
-  walls.append(wall({-kHalfWidth, 0, -kHalfDepth}, {0, 0, 1}, 12, window, floor, kSeed + 62));
-  walls.append(wall({-kHalfWidth, 0, kHalfDepth}, {1, 0, 0}, 10, {}, floor, kSeed + 64));
-  walls.append(wall({kHalfWidth, 0, kHalfDepth}, {0, 0, -1}, 12, window, floor, kSeed + 66));
+  Shape walls = wall({kHalfWidth, 0, -kHalfDepth}, {-1, 0, 0}, 10, door, floor, kHutSeed + 60);
+  walls.append(wall({-kHalfWidth, 0, -kHalfDepth}, {0, 0, 1}, 12, window, floor, kHutSeed + 62));
+  walls.append(wall({-kHalfWidth, 0, kHalfDepth}, {1, 0, 0}, 10, {}, floor, kHutSeed + 64));
+  walls.append(wall({kHalfWidth, 0, kHalfDepth}, {0, 0, -1}, 12, window, floor, kHutSeed + 66));
   mesh.add("wall_red", walls, Shading::flat);
 
   const Frame front = {{kHalfWidth, floor, -kHalfDepth}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};

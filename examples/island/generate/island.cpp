@@ -17,7 +17,7 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 503;
+constexpr uint32_t kIslandSeed = 503;
 constexpr int kPalms = 72;
 constexpr int kBushes = 110;
 constexpr int kTufts = 240;
@@ -152,17 +152,17 @@ void addPalms(Scene& scene) {
     const auto id = static_cast<uint32_t>(number);
     scene.addNode(
         {.name = fmt::format("palm_{:02}", number),
-         .mesh = fmt::format("palm_{}", static_cast<char>('a' + static_cast<int>(hash(kSeed + id) % kPalmVariants))),
+         .mesh = fmt::format("palm_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + id) % kPalmVariants))),
          .translation = onGround(x, z),
          .azimuth_rad = azimuth_rad,
-         .scale = random(kSeed + 1, id, 0.85, 1.25),
+         .scale = random(kIslandSeed + 1, id, 0.85, 1.25),
          .role = "vegetation"});
   };
   int number = 0;
   for (const Place& p : kFramingPalms) plant(p.x, p.z, ++number, radians(p.azimuth_deg));
   const int byHand = number;
   scatter(
-      kPalms - byHand, 4.2, kSeed + 2,
+      kPalms - byHand, 4.2, kIslandSeed + 2,
       [](double x, double z, double chance) {
         const double d = inland_m(x, z);
         const double likely = max(smoothStep(8.0, 13.0, d) * smoothStep(26.0, 18.0, d),
@@ -172,50 +172,50 @@ void addPalms(Scene& scene) {
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(i);
-        plant(x, z, byHand + i, seaward(x, z) + random(kSeed + 3, id, -0.8, 0.8));
+        plant(x, z, byHand + i, seaward(x, z) + random(kIslandSeed + 3, id, -0.8, 0.8));
       });
 }
 
 void addBushesAndRocks(Scene& scene) {
   for (int v = 0; v < kBushVariants; ++v) scene.addMesh(fmt::format("bush_{}", static_cast<char>('a' + v)), bush(v));
   scatter(
-      kBushes, 1.5, kSeed + 10,
+      kBushes, 1.5, kIslandSeed + 10,
       [](double x, double z, double chance) {
         const double d = inland_m(x, z);
         return chance < 0.8 && d > 11.0 && clearance_m(x, z) > -0.4 && distanceToPath_m(x, z) > 1.4 &&
                height_m(x, z) > 1.3 && groundNormal(x, z).y > 0.8 && !(z > 60.0 && isInView(x, z)) &&
-               (height_m(x, z) > 7.0 || noise({x * 0.09, 0, z * 0.09}, kSeed + 11) > 0.5);
+               (height_m(x, z) > 7.0 || noise({x * 0.09, 0, z * 0.09}, kIslandSeed + 11) > 0.5);
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(i);
         scene.addNode(
             {.name = fmt::format("bush_{:03}", i),
-             .mesh = fmt::format("bush_{}", static_cast<char>('a' + static_cast<int>(hash(kSeed + 12 + id) % kTuft))),
+             .mesh = fmt::format("bush_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 12 + id) % kTuft))),
              .translation = onGround(x, z) - Vec3(0, 0.08, 0),
-             .azimuth_rad = kTau * random(kSeed + 13, id),
-             .scale = random(kSeed + 14, id, 0.8, 1.7),
+             .azimuth_rad = kTau * random(kIslandSeed + 13, id),
+             .scale = random(kIslandSeed + 14, id, 0.8, 1.7),
              .role = "vegetation"});
       });
   scatter(
-      kTufts, 0.7, kSeed + 30,
+      kTufts, 0.7, kIslandSeed + 30,
       [](double x, double z, double chance) {
         const double d = inland_m(x, z);
         return chance < (x < 20.0 && z > 0.0 && z < 80.0 ? 1.0 : 0.15) && d > 11.0 && d < 40.0 &&
                clearance_m(x, z) > -1.5 && distanceToPath_m(x, z) > 1.0 && height_m(x, z) > 1.1 &&
-               groundNormal(x, z).y > 0.8 && noise({x * 0.2, 0, z * 0.2}, kSeed + 31) > 0.42;
+               groundNormal(x, z).y > 0.8 && noise({x * 0.2, 0, z * 0.2}, kIslandSeed + 31) > 0.42;
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(kBushes + i);
         scene.addNode({.name = fmt::format("bush_{:03}", id),
                        .mesh = fmt::format("bush_{}", static_cast<char>('a' + kTuft)),
                        .translation = onGround(x, z) - Vec3(0, 0.04, 0),
-                       .azimuth_rad = kTau * random(kSeed + 32, id),
-                       .scale = random(kSeed + 33, id, 0.7, 1.6),
+                       .azimuth_rad = kTau * random(kIslandSeed + 32, id),
+                       .scale = random(kIslandSeed + 33, id, 0.7, 1.6),
                        .role = "vegetation"});
       });
   for (int v = 0; v < kRockVariants; ++v) scene.addMesh(fmt::format("rock_{}", static_cast<char>('a' + v)), rock(v));
   scatter(
-      kRocks, 3.0, kSeed + 20,
+      kRocks, 3.0, kIslandSeed + 20,
       [](double x, double z, double chance) {
         const double d = inland_m(x, z);
         const bool byTheHeadland = x < -25.0 && z < -36.0 && d > -9.0 && d < 9.0;
@@ -228,14 +228,14 @@ void addBushesAndRocks(Scene& scene) {
         const auto id = static_cast<uint32_t>(i);
         scene.addNode({.name = fmt::format("rock_{:02}", i),
                        .mesh = fmt::format(
-                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kSeed + 22 + id) % kRockVariants))),
+                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
                        .translation = onGround(x, z),
-                       .azimuth_rad = kTau * random(kSeed + 23, id),
-                       .scale = random(kSeed + 24, id, 0.6, 2.4),
+                       .azimuth_rad = kTau * random(kIslandSeed + 23, id),
+                       .scale = random(kIslandSeed + 24, id, 0.6, 2.4),
                        .role = "static"});
       });
   scatter(
-      kPebbles, 0.5, kSeed + 40,
+      kPebbles, 0.5, kIslandSeed + 40,
       [](double x, double z, double chance) {
         const double d = inland_m(x, z);
         return chance < (z > 10.0 && x < 10.0 ? 1.0 : 0.2) && d > -1.0 && d < 14.0 && distanceToPath_m(x, z) > 1.0 &&
@@ -245,11 +245,11 @@ void addBushesAndRocks(Scene& scene) {
         const auto id = static_cast<uint32_t>(kRocks + i);
         scene.addNode({.name = fmt::format("rock_{:02}", id),
                        .mesh = fmt::format(
-                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kSeed + 22 + id) % kRockVariants))),
+                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
                        .translation = onGround(x, z),
-                       .azimuth_rad = kTau * random(kSeed + 43, id),
-                       .scale = random(kSeed + 44, id, 0.05, 0.1) +
-                                0.3 * random(kSeed + 45, id) * random(kSeed + 46, id) * random(kSeed + 47, id),
+                       .azimuth_rad = kTau * random(kIslandSeed + 43, id),
+                       .scale = random(kIslandSeed + 44, id, 0.05, 0.1) +
+                                0.3 * random(kIslandSeed + 45, id) * random(kIslandSeed + 46, id) * random(kIslandSeed + 47, id),
                        .role = "static"});
       });
 }

@@ -6,7 +6,7 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 131;
+constexpr uint32_t kPlantsSeed = 131;
 
 /// Shape of a frond: angles in radians, lengths in metres.
 struct Frond {
@@ -64,7 +64,7 @@ Colour leafGreen(uint32_t seed, uint32_t id) {
 /// Broad pointed leaves all over a dome, and a dark core that hides the other side.
 Mesh roundBush(bool inFlower) {
   Mesh mesh;
-  const uint32_t seed = kSeed + (inFlower ? 40 : 60);
+  const uint32_t seed = kPlantsSeed + (inFlower ? 40 : 60);
   const auto core = [&](const Vec3& n) {
     return Vec3(n.x, 0.75 * n.y + 0.45, n.z) * (0.55 + 0.3 * noise(n * 2.5 + Vec3(3.0), seed));
   };
@@ -107,15 +107,15 @@ Mesh roundBush(bool inFlower) {
 Mesh tuft() {
   Mesh mesh;
   for (uint32_t i = 0; i < 22; ++i) {
-    const double turn = kTau * random(kSeed + 91, i);
-    const double out = random(kSeed + 92, i, 0.0, 0.22);
+    const double turn = kTau * random(kPlantsSeed + 91, i);
+    const double out = random(kPlantsSeed + 92, i, 0.0, 0.22);
     const Vec3 away(det::cos(turn), 0, det::sin(turn));
     const Vec3 side = cross(away, Vec3(0, 1, 0)) * 0.03;
     const Vec3 base = away * out;
-    const double high = random(kSeed + 93, i, 0.28, 0.55);
+    const double high = random(kPlantsSeed + 93, i, 0.28, 0.55);
     const Vec3 knee = base + away * (0.12 * high) + Vec3(0, 0.65 * high, 0);
-    const Vec3 tip = base + away * random(kSeed + 94, i, 0.15, 0.4) + Vec3(0, high, 0);
-    const Colour green = welkin::mix(Colour(0.13, 0.24, 0.035), Colour(0.34, 0.36, 0.09), random(kSeed + 95, i));
+    const Vec3 tip = base + away * random(kPlantsSeed + 94, i, 0.15, 0.4) + Vec3(0, high, 0);
+    const Colour green = welkin::mix(Colour(0.13, 0.24, 0.035), Colour(0.34, 0.36, 0.09), random(kPlantsSeed + 95, i));
     Shape blade;
     blade.point(base - side, green * 0.6);
     blade.point(base + side, green * 0.6);
@@ -134,7 +134,7 @@ Mesh tuft() {
 Mesh palm(int variant) {
   Mesh mesh;
   const auto v = static_cast<uint32_t>(variant);
-  const uint32_t seed = kSeed + 10 * v;
+  const uint32_t seed = kPlantsSeed + 10 * v;
   const double height = 7.2 + 1.3 * variant;
   const double lean = variant == 0 ? 3.0 : variant == 1 ? 1.5 : 2.2;
   std::vector<Vec3> line;
@@ -196,14 +196,14 @@ Mesh bush(int variant) {
   for (int i = 0; i < 13; ++i) {
     const auto id = static_cast<uint32_t>(i);
     Frond f;
-    f.azimuth = kTau * i / 13 + random(kSeed + 81, id, -0.2, 0.2);
-    f.elevation = (i % 3 == 0 ? 1.25 : i % 3 == 1 ? 0.9 : 0.6) + random(kSeed + 82, id, -0.1, 0.1);
-    f.bend = random(kSeed + 83, id, 1.2, 1.7);
-    f.reach = random(kSeed + 84, id, 1.2, 1.8);
+    f.azimuth = kTau * i / 13 + random(kPlantsSeed + 81, id, -0.2, 0.2);
+    f.elevation = (i % 3 == 0 ? 1.25 : i % 3 == 1 ? 0.9 : 0.6) + random(kPlantsSeed + 82, id, -0.1, 0.1);
+    f.bend = random(kPlantsSeed + 83, id, 1.2, 1.7);
+    f.reach = random(kPlantsSeed + 84, id, 1.2, 1.8);
     f.leaf = 0.3;
     f.stations = 8;
-    f.colour = leafGreen(kSeed + 85, id) * 0.85;
-    mesh.add("leaf", frond(f, kSeed + 86 + id), Shading::smooth);
+    f.colour = leafGreen(kPlantsSeed + 85, id) * 0.85;
+    mesh.add("leaf", frond(f, kPlantsSeed + 86 + id), Shading::smooth);
   }
   return mesh;
 }

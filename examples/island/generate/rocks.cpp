@@ -8,11 +8,11 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 211;
+constexpr uint32_t kRocksSeed = 211;
 
 Colour rockColour(const Vec3& p, double light) {
-  const double fine = fractalNoise(p * 1.7, 3, kSeed + 1);
-  const double band = noise({p.x * 0.2, p.y * 1.3, p.z * 0.2}, kSeed + 2);
+  const double fine = fractalNoise(p * 1.7, 3, kRocksSeed + 1);
+  const double band = noise({p.x * 0.2, p.y * 1.3, p.z * 0.2}, kRocksSeed + 2);
   return welkin::mix(Colour(0.20, 0.17, 0.145), Colour(0.38, 0.34, 0.29), 0.5 * fine + 0.5 * band) * light;
 }
 
@@ -46,15 +46,15 @@ Vec3 cavePoint(int row, int column) {
   Vec3 p(x + ring.shift, y, apron - ring.along);
   const double rough = s > 0.02 ? 1.0 : 0.12;
   const Vec3 seedPoint = p * 0.45 + Vec3(7.0);
-  const Vec3 offset(fractalNoise(seedPoint, 3, kSeed + 11) - 0.5, fractalNoise(seedPoint, 3, kSeed + 21) - 0.5,
-                    fractalNoise(seedPoint, 3, kSeed + 31) - 0.5);
+  const Vec3 offset(fractalNoise(seedPoint, 3, kRocksSeed + 11) - 0.5, fractalNoise(seedPoint, 3, kRocksSeed + 21) - 0.5,
+                    fractalNoise(seedPoint, 3, kRocksSeed + 31) - 0.5);
   return p + offset * Vec3(2.2, 2.0 * (p.y > 0.3 ? 1.0 : 0.5), 2.0) * rough;
 }
 
 }  // namespace
 
 Mesh rock(int variant) {
-  const uint32_t seed = kSeed + 50 + 7 * static_cast<uint32_t>(variant);
+  const uint32_t seed = kRocksSeed + 50 + 7 * static_cast<uint32_t>(variant);
   const auto place = [&](const Vec3& n) {
     double radius = 0.75 + 0.55 * fractalNoise(n * 1.4 + Vec3(5.0), 2, seed);
     for (uint32_t cut = 0; cut < 9; ++cut) {  // flat faces, like broken stone
@@ -78,7 +78,7 @@ Mesh cave() {
     const Vec3 p = cavePoint(row, column);
     const bool isFloor = kTau * column / kAround > kTau / 2 || column == 0;
     if (isFloor && row < kFirstOutside)
-      return welkin::mix(Colour(0.40, 0.32, 0.22), Colour(0.52, 0.42, 0.28), fractalNoise(p * 0.8, 3, kSeed + 5));
+      return welkin::mix(Colour(0.40, 0.32, 0.22), Colour(0.52, 0.42, 0.28), fractalNoise(p * 0.8, 3, kRocksSeed + 5));
     return rockColour(p, 1.0);
   });
   const int end = shape.point({kRings[0].shift, 0.3, -kRings[0].along - 0.2}, rockColour({}, 1.0));

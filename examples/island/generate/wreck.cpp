@@ -8,7 +8,7 @@
 namespace welkin::island {
 namespace {
 
-constexpr uint32_t kSeed = 401;
+constexpr uint32_t kWreckSeed = 401;
 constexpr double kLength = 28.0;
 constexpr double kHalfBeam = 3.6;
 constexpr double kDepth = 4.6;
@@ -35,10 +35,10 @@ Vec3 hull(double s, double v, double side) {
 
 /// Colour: paint above the old water line, red lead below, rust through both.
 Colour plating(const Vec3& p) {
-  const double worn = fractalNoise(p * Vec3(0.5, 0.35, 0.5), 4, kSeed);
-  const double streak = noise(p * Vec3(2.2, 0.15, 2.2), kSeed + 5);
+  const double worn = fractalNoise(p * Vec3(0.5, 0.35, 0.5), 4, kWreckSeed);
+  const double streak = noise(p * Vec3(2.2, 0.15, 2.2), kWreckSeed + 5);
   const Colour rust =
-      welkin::mix(Colour(0.17, 0.065, 0.028), Colour(0.40, 0.17, 0.06), fractalNoise(p * 1.3, 3, kSeed + 9));
+      welkin::mix(Colour(0.17, 0.065, 0.028), Colour(0.40, 0.17, 0.06), fractalNoise(p * 1.3, 3, kWreckSeed + 9));
   const Colour paint = p.y > 1.9 ? Colour(0.10, 0.22, 0.27) : Colour(0.28, 0.07, 0.045);
   const double bare = smoothStep(0.44, 0.56, worn + 0.28 * (streak - 0.5) + 0.05);
   return welkin::mix(paint, rust, bare);
@@ -46,7 +46,7 @@ Colour plating(const Vec3& p) {
 
 /// Whether plates are gone: two holes are in the starboard side, one is in the port side near the bow.
 bool isBroken(const Vec3& p) {
-  const double edge = 0.9 * (noise(p * 1.3, kSeed + 15) - 0.5);
+  const double edge = 0.9 * (noise(p * 1.3, kWreckSeed + 15) - 0.5);
   const auto hole = [&](double side, double y, double z, double radius_y, double radius_z) {
     const double dy = (p.y - y) / radius_y;
     const double dz = (p.z - z) / radius_z;
@@ -108,7 +108,7 @@ void addDeck(Mesh& mesh) {
       },
       [](int row, int column) {
         const Vec3 p(column * 1.1, 9.0, row * 0.6);
-        return welkin::mix(Colour(0.20, 0.085, 0.04), Colour(0.27, 0.20, 0.14), fractalNoise(p, 3, kSeed + 21));
+        return welkin::mix(Colour(0.20, 0.085, 0.04), Colour(0.27, 0.20, 0.14), fractalNoise(p, 3, kWreckSeed + 21));
       });
   std::erase_if(deck.faces, [&](const auto& face) {  // two hatches
     const Vec3 p = middle(deck, face);
@@ -130,7 +130,7 @@ void addStorey(Mesh& mesh, const Vec3& low, const Vec3& high, double sill, doubl
   const auto wornWhite = [](const Vec3& low_, const Vec3& high_) {
     Shape shape = box({}, low_, high_, {});
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
-      const double worn = fractalNoise(shape.points[i] * 0.9, 3, kSeed + 33);
+      const double worn = fractalNoise(shape.points[i] * 0.9, 3, kWreckSeed + 33);
       shape.colours[i] = welkin::mix(Colour(0.62, 0.60, 0.54), Colour(0.34, 0.17, 0.08), smoothStep(0.45, 0.62, worn));
     }
     return shape;
