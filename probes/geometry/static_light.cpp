@@ -7,15 +7,19 @@
 
 #include "sh/deterministic.h"
 
+namespace welkin::geometry {
+namespace {
+
+using det::clamp;
+using det::max;
+using det::Number;
 #define INLINE inline
 #define NUMBER(literal) Number(literal)
-namespace welkin::det {
 #include "punctual_light.glsl"  // NOLINT(bugprone-suspicious-include)
-}  // namespace welkin::det
 #undef NUMBER
 #undef INLINE
 
-namespace welkin::geometry {
+}  // namespace
 
 LightArriving arrivingAt(const StaticLight& light, const Number3& point, const Number3& normal) {
   LightArriving arriving;
@@ -30,8 +34,8 @@ LightArriving arrivingAt(const StaticLight& light, const Number3& point, const N
   const double squared = dot(away, away);
   const double distance = std::sqrt(squared);
   const Number3 direction = away / distance;
-  const double share = det::rangeShare(squared, light.inverse_range4) *
-                       det::coneShare(-dot(light.axis, direction), light.cone_scale, light.cone_offset);
+  const double share = rangeShare(squared, light.inverse_range4) *
+                       coneShare(-dot(light.axis, direction), light.cone_scale, light.cone_offset);
   if (share == 0.0) return arriving;
   return {light.intensity * (share * along / (squared * distance)), direction, distance};
 }

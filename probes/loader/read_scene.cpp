@@ -5,8 +5,8 @@
 #include <cctype>
 #include <map>
 
-#include "probes/loader/gltf_scene.h"
-#include "probes/loader/obj_scene.h"
+#include "probes/gltf/gltf_scene.h"
+#include "probes/obj/obj_scene.h"
 #include "sky/base/error.h"
 
 namespace welkin::loader {
@@ -16,8 +16,8 @@ std::unique_ptr<level::GeometrySource> readSource(const std::filesystem::path& p
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (suffix == ".gltf" || suffix == ".glb") return readGltfSource(path, builder);
-  if (suffix == ".obj") return readObjSource(path, builder);
+  if (suffix == ".gltf" || suffix == ".glb") return gltf::readGltfSource(path, builder);
+  if (suffix == ".obj") return obj::readObjSource(path, builder);
   throw base::Error(base::ExitStatus::content,
                     path.string() + ": levels are made of glTF 2.0 (.gltf, .glb) and OBJ (.obj)");
 }

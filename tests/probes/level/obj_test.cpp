@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "level_text.h"
-#include "probes/loader/polygon.h"
+#include "probes/obj/polygon.h"
 #include "sh/deterministic.h"
 #include "sky/image/image.h"
 
@@ -100,7 +100,7 @@ TEST_CASE("Obj, LargePolygonsAreCoveredOnce") {
     ring[i] = {2.0 * std::cos(angle), 0.0, -2.0 * std::sin(angle)};
     ring[kCorners - 1 - i] = {1.5 * std::cos(angle), 0.0, -1.5 * std::sin(angle)};
   }
-  const auto triangles = loader::trianglesOf(ring);
+  const auto triangles = obj::trianglesOf(ring);
   REQUIRE(triangles.size() == kCorners - 2);
   double sum = 0.0;
   for (const auto& t : triangles) {
