@@ -7,12 +7,6 @@
 
 namespace welkin::tests {
 
-inline std::vector<double> everyHours(double step_h) {
-  std::vector<double> hours;
-  for (int i = 0; i * step_h < 24.0; ++i) hours.push_back(i * step_h);
-  return hours;
-}
-
 /// Every sampled hour is a key.
 struct BakedDay {
   const SampledDay& day;

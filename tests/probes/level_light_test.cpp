@@ -14,7 +14,7 @@ using f64::Number3;
 namespace {
 
 constexpr double kEncoding = 1e-4;  // error of 16 bits and of the sky's projection
-const Number3 kUp(0, 1, 0);
+const Number3 kUpwards(0, 1, 0);
 
 /// Two probes under a sky of radiance 1, open to 0.25 and 0.75 of it, in the cells that `which` selects.
 sectors::SectorFile sectorOf(const geometry::SectorId& id,
@@ -41,9 +41,9 @@ sectors::SectorFile sectorOf(const geometry::SectorId& id,
 
 /// The light on a level surface, relative to an open surface by the same formula.
 double shareAt(const sectors::LevelLight& light, const Number3& position) {
-  const auto found = light.at(position, kUp);
+  const auto found = light.at(position, kUpwards);
   REQUIRE(found);
-  const auto weight = transfer::shadingWeights(kUp);
+  const auto weight = transfer::shadingWeights(kUpwards);
   double open = 0.0;
   for (std::size_t b = 0; b < 3; ++b) open += weight[b] * det::kPi * (1.0 + transfer::transferBasis()[b].y) / 2.0;
   return found->sky.y / open;
@@ -80,9 +80,9 @@ TEST_CASE("LevelLight, CellsWithoutAProbeLeaveTheirWeightToTheOthers") {
       sectorOf({0, 0}, [](int x, int, int) { return x < 8 ? std::uint8_t{1} : geometry::kNoProbe; })};
   const sectors::LevelLight light = lightOf(sectors);
   CHECK(shareAt(light, {33.0, 10.0, 20.0}) == Approx(0.75).margin(kEncoding));
-  CHECK_FALSE(light.at({34.5, 10.0, 20.0}, kUp));
-  CHECK_FALSE(light.at({100.0, 10.0, 20.0}, kUp));
-  CHECK_FALSE(light.at({20.0, 200.0, 20.0}, kUp));
+  CHECK_FALSE(light.at({34.5, 10.0, 20.0}, kUpwards));
+  CHECK_FALSE(light.at({100.0, 10.0, 20.0}, kUpwards));
+  CHECK_FALSE(light.at({20.0, 200.0, 20.0}, kUpwards));
 }
 
 TEST_CASE("LevelLight, SectorsMeetWithoutASeam") {
@@ -109,7 +109,7 @@ TEST_CASE("LevelLight, ARoomIsLitByItsOwnProbesAlone") {
   CHECK(shareAt(light, {57.0, 10.0, 20.0}) == Approx(0.25).margin(kEncoding));
   sectors[0].room[1].probe = geometry::kNoProbe;
   const sectors::LevelLight bare = lightOf(sectors);
-  CHECK_FALSE(bare.at({57.0, 10.0, 20.0}, kUp));
+  CHECK_FALSE(bare.at({57.0, 10.0, 20.0}, kUpwards));
 }
 
 TEST_CASE("LevelLight, ARoomReachesAcrossSectors") {

@@ -29,7 +29,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-constexpr double kFloat = 1e-6;  // relative: a few roundings of floats
+constexpr double kHeaderFloat = 1e-6;  // relative: a few roundings of floats
 
 /// A channel's value at (x, y) of the data window.
 using Channel = float (*)(int x, int y);
@@ -73,7 +73,8 @@ void requireTexel(const image::Image& image, int x, int y, const Number3& colour
   const auto i = 3 * static_cast<std::size_t>(y * image.width + x);
   for (int c = 0; c < 3; ++c) {
     CAPTURE(x, y, c);
-    REQUIRE(double{image.rgb[i + static_cast<std::size_t>(c)]} == Approx(colour[c]).epsilon(kFloat).margin(kFloat));
+    REQUIRE(double{image.rgb[i + static_cast<std::size_t>(c)]} ==
+            Approx(colour[c]).epsilon(kHeaderFloat).margin(kFloat));
   }
 }
 

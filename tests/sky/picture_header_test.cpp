@@ -26,8 +26,8 @@ namespace welkin::tests {
 namespace {
 
 using Chunks = std::vector<std::pair<std::string, std::string>>;
-constexpr double kFloat = 4e-7;    // relative: the rounding of a float, times the slope of the decoding
-constexpr double kProfile = 4e-4;  // the digits of sRGB's profile: its columns miss D50 by up to 2.6e-4
+constexpr double kPictureFloat = 4e-7;  // relative: the rounding of a float, times the slope of the decoding
+constexpr double kProfile = 4e-4;       // the digits of sRGB's profile: its columns miss D50 by up to 2.6e-4
 
 image::Image decode(const std::string& name, const std::string& bytes) {
   image::ImageLimits limits;
@@ -40,7 +40,7 @@ image::Image png(const Chunks& chunks) {
   return decode("a.png", pngOf(1, 1, 8, 2, chunks, {"\x33\x66\xcc"}));
 }
 
-void requireTexel(const image::Image& image, const std::array<double, 3>& colour, double tolerance = kFloat) {
+void requireTexel(const image::Image& image, const std::array<double, 3>& colour, double tolerance = kPictureFloat) {
   for (std::size_t c = 0; c < 3; ++c) {
     CAPTURE(c);
     REQUIRE(double{image.rgb[c]} == Approx(colour[c]).epsilon(tolerance).margin(tolerance));
@@ -269,14 +269,14 @@ TEST_CASE("PictureHeader, PngTurns") {
       const std::string row(kCornerCodes.begin(), kCornerCodes.begin() + 3);
       const std::string last(kCornerCodes.begin() + 3, kCornerCodes.end());
       requireUpright(decode("a.png", pngOf(3, 2, 8, 0, {{"eXIf", exif(orientation, little)}}, {row, last})),
-                     orientation, cornerLevel, kFloat);
+                     orientation, cornerLevel, kPictureFloat);
     }
 }
 
 TEST_CASE("PictureHeader, TiffTurns") {
   for (int orientation = 1; orientation <= 8; ++orientation)
     requireUpright(tiff([&](TIFF* file) { TIFFSetField(file, TIFFTAG_ORIENTATION, orientation); }), orientation,
-                   cornerLevel, kFloat);
+                   cornerLevel, kPictureFloat);
 }
 
 TEST_CASE("PictureHeader, TiffColours") {
@@ -314,7 +314,7 @@ TEST_CASE("PictureHeader, TiffGreysFromWhiteAndFurtherPictures") {
   }
   TIFFClose(file);
   const image::Image pages = decode(path, readBytes(path));
-  REQUIRE(double{pages.rgb[0]} == Approx(1.0 / 255.0 / 12.92).epsilon(kFloat));
+  REQUIRE(double{pages.rgb[0]} == Approx(1.0 / 255.0 / 12.92).epsilon(kPictureFloat));
   REQUIRE(pages.notes == std::vector<std::string>{"the first picture was read; those behind it were left out"});
 }
 
