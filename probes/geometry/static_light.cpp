@@ -10,8 +10,6 @@
 namespace welkin::geometry {
 namespace {
 
-using det::clamp;
-using det::max;
 using det::Number;
 #define INLINE inline
 #define NUMBER(literal) Number(literal)

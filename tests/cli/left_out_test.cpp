@@ -13,8 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-const std::string kSmall = "bands = 3\nkeys = 6\ncubemap_size = 0\nencoding = \"float32\"";
-constexpr double kQuadrature = 2e-5;  // Relative to the mean: two bakes whose moments are kept to 1e-5.
+const std::string kLeftSmall = "bands = 3\nkeys = 6\ncubemap_size = 0\nencoding = \"float32\"";
+constexpr double kLeftQuadrature = 2e-5;  // Relative to the mean: two bakes whose moments are kept to 1e-5.
 
 struct Baked {
   std::map<std::string, json> left_out;
@@ -47,44 +47,44 @@ Baked bake(const std::string& text, const std::vector<std::string>& more = {}) {
 }  // namespace
 
 TEST_CASE("LeftOut, TwoChannelsOfAGreySky") {
-  const Baked grey = bake(skyText(kDay, kDaySun, kSmall));
+  const Baked grey = bake(skyText(kDay, kDaySun, kLeftSmall));
   REQUIRE(grey.report["table"]["channels"] == 1);
   REQUIRE(grey.left_out.at("two of three channels")["bytes"] == 2 * 6 * 6 * 4);  // numbers of a key, keys, floats
   // One colour at every hour and height. Each channel is a multiple of the grey sky, and red, the brightest, has its
   // error.
   const Baked orange =
-      bake(skyText(kDay + "\ngradient_sun = [1.0, 0.5, 0.25]\ngradient_anti = [1.0, 0.5, 0.25]", kDaySun, kSmall));
+      bake(skyText(kDay + "\ngradient_sun = [1.0, 0.5, 0.25]\ngradient_anti = [1.0, 0.5, 0.25]", kDaySun, kLeftSmall));
   REQUIRE(orange.report["table"]["channels"] == 3);
   REQUIRE_FALSE(orange.leavesOut("two of three channels"));
-  REQUIRE(orange.error() == Approx(grey.error()).margin(kQuadrature));
+  REQUIRE(orange.error() == Approx(grey.error()).margin(kLeftQuadrature));
 }
 
 TEST_CASE("LeftOut, CoefficientsOfASymmetricSky") {
-  const Baked sky = bake(skyText(kDay, kDaySun, kSmall));
+  const Baked sky = bake(skyText(kDay, kDaySun, kLeftSmall));
   REQUIRE(sky.left_out.at("3 of 9 coefficients")["bytes"] == 3 * 6 * 4);
   REQUIRE(sky.report["table"]["numbers_of_key"] == 6);
 }
 
 TEST_CASE("LeftOut, HorizontalIrradianceOfABlackGround") {
-  const Baked black = bake(skyText(kDay, kDaySun, kSmall));
+  const Baked black = bake(skyText(kDay, kDaySun, kLeftSmall));
   REQUIRE(black.left_out.at("horizontal irradiance")["bytes"] == 6 * 4);
-  const Baked nearly = bake(skyText(kDay + "\nground_albedo = [1e-7, 1e-7, 1e-7]", kDaySun, kSmall));
+  const Baked nearly = bake(skyText(kDay + "\nground_albedo = [1e-7, 1e-7, 1e-7]", kDaySun, kLeftSmall));
   REQUIRE_FALSE(nearly.leavesOut("horizontal irradiance"));
   REQUIRE(nearly.report["table"]["bytes"] == black.report["table"]["bytes"].get<int>() + 6 * 4);
-  REQUIRE(nearly.error() == Approx(black.error()).margin(kQuadrature));
+  REQUIRE(nearly.error() == Approx(black.error()).margin(kLeftQuadrature));
 }
 
 TEST_CASE("LeftOut, MoonAndStars") {
-  const Baked dark = bake(skyText(kDay, kDaySun, kSmall));
+  const Baked dark = bake(skyText(kDay, kDaySun, kLeftSmall));
   REQUIRE(dark.leavesOut("moon"));
   REQUIRE(dark.leavesOut("stars"));
-  const Baked moonlit = bake(skyText(kDay, kDaySun, kSmall) + "[moon]\npath = [[0, 180, 50], [12, 0, -50]]\n");
+  const Baked moonlit = bake(skyText(kDay, kDaySun, kLeftSmall) + "[moon]\npath = [[0, 180, 50], [12, 0, -50]]\n");
   REQUIRE_FALSE(moonlit.leavesOut("moon"));
   REQUIRE(moonlit.error() == dark.error());
 }
 
 TEST_CASE("LeftOut, CubemapsOfASkyThatNothingReflects") {
-  const Baked none = bake(skyText(kDay, kDaySun, kSmall));
+  const Baked none = bake(skyText(kDay, kDaySun, kLeftSmall));
   REQUIRE(none.left_out.at("cubemaps")["bytes"] > 0);
   REQUIRE(none.left_out.at("cubemaps")["evaluations"] > 0.0);
   const Baked some = bake(skyText(kDay, kDaySun, "bands = 3\nkeys = 6\nencoding = \"float32\"\ncubemap_size = 4"));
@@ -134,7 +134,7 @@ TEST_CASE("LeftOut, KeysOfASkyThatStandsStill") {
   const Baked all = bake(skyText(kDay, kStillSun, fixed + "\nkeys = 288"), budget);
   REQUIRE(all.report["table"]["keys"] == 288);
   REQUIRE_FALSE(all.leavesOut("287 keys"));
-  REQUIRE(still.error() == Approx(all.error()).margin(kQuadrature));
+  REQUIRE(still.error() == Approx(all.error()).margin(kLeftQuadrature));
   const Baked moving = bake(skyText(kDay, kDaySun, fixed), budget);
   REQUIRE_FALSE(moving.leavesOut("287 keys"));
 }

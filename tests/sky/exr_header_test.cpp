@@ -74,7 +74,7 @@ void requireTexel(const image::Image& image, int x, int y, const Number3& colour
   for (int c = 0; c < 3; ++c) {
     CAPTURE(x, y, c);
     REQUIRE(double{image.rgb[i + static_cast<std::size_t>(c)]} ==
-            Approx(colour[c]).epsilon(kHeaderFloat).margin(kFloat));
+            Approx(colour[c]).epsilon(kHeaderFloat).margin(kHeaderFloat));
   }
 }
 

@@ -31,7 +31,7 @@ using transfer::kDirections;
 constexpr double kTolerance = 2e-5;
 constexpr double kInside = 0.98;  ///< share of the radius; pixels farther out are not compared
 
-constexpr uint32_t kSize = 96;
+constexpr uint32_t kProbeSize = 96;
 const Camera kNorth{0.0, 0.0, 0.5};
 const Number3 kEye(0.2, 2.0, 3.0);
 
@@ -55,7 +55,7 @@ struct ProbeStage {
           device, sky, scene, render::LevelOptions{.waves = false, .mist_per_m = 0.0, .shadow_size = 64});
     view->setTime(10.0);
     view->setProbes(probes);
-    return view->draw(kSize, kSize, camera, eye);
+    return view->draw(kProbeSize, kProbeSize, camera, eye);
   }
 
   std::vector<std::byte> bytes;
@@ -84,7 +84,7 @@ Number3 radianceOf(const ProbeSphere& probe, const Number3& normal) {
 
 Number3 rayAt(const Camera& camera, uint32_t x, uint32_t y) {
   const auto m = render::inverseViewProjection(camera, 1.0);
-  const double ndc[2] = {2.0 * (x + 0.5) / kSize - 1.0, 2.0 * (y + 0.5) / kSize - 1.0};
+  const double ndc[2] = {2.0 * (x + 0.5) / kProbeSize - 1.0, 2.0 * (y + 0.5) / kProbeSize - 1.0};
   Number3 ray;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -125,8 +125,8 @@ TEST_CASE("LevelProbes, SphereHasTheIrradianceOfItsProbeAtEveryNormal", "[vulkan
     const FloatImage image = stage.draw({probe}, v.camera, v.eye);
     Worst worst;
     std::size_t beside = 0;
-    for (uint32_t y = 0; y < kSize; ++y)
-      for (uint32_t x = 0; x < kSize; ++x) {
+    for (uint32_t y = 0; y < kProbeSize; ++y)
+      for (uint32_t x = 0; x < kProbeSize; ++x) {
         const Meeting at = meet(probe, v.eye, rayAt(v.camera, x, y));
         if (at.normal && at.nearness < kInside) {
           const Number3 expected = radianceOf(probe, *at.normal);
@@ -155,8 +155,8 @@ TEST_CASE("LevelProbes, NothingIsBelowZero", "[vulkan]") {
   for (auto& channel : probe.irradiance[2]) channel = -0.5F;  // Bounced light from four coefficients may be negative.
   const FloatImage image = stage.draw({probe});
   std::size_t black = 0;
-  for (uint32_t i = 0; i < kSize * kSize; ++i) {
-    const float* p = image.pixel(i % kSize, i / kSize);
+  for (uint32_t i = 0; i < kProbeSize * kProbeSize; ++i) {
+    const float* p = image.pixel(i % kProbeSize, i / kProbeSize);
     REQUIRE((p[0] >= 0.0F && p[1] >= 0.0F && p[2] >= 0.0F));
     black += p[0] == 0.0F ? 1U : 0U;
   }
@@ -183,8 +183,8 @@ TEST_CASE("LevelProbes, WallsAndNearerSpheresHideThem", "[vulkan]") {
   const FloatImage shown = stage.draw({sunk});
   std::size_t seen = 0;
   std::size_t hidden = 0;
-  for (uint32_t y = 0; y < kSize; ++y)
-    for (uint32_t x = 0; x < kSize; ++x) {
+  for (uint32_t y = 0; y < kProbeSize; ++y)
+    for (uint32_t x = 0; x < kProbeSize; ++x) {
       const auto normal = meet(sunk, kEye, rayAt(kNorth, x, y)).normal;
       const double out_m = normal ? double{sunk.position[2]} + WELKIN_PROBE_RADIUS * normal->z + 2.9 : -1.0;
       if (std::abs(out_m) < 0.005) continue;
