@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
-constexpr const char* kName = "KHR_draco_mesh_compression";
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 template <typename T>
 std::optional<Bytes> valuesOf(const draco::Mesh& mesh, const draco::PointAttribute& attribute, int components) {
@@ -68,7 +68,7 @@ class Unpacking {
   Unpacking(Json& gltf, GltfBuffers& buffers, const std::string& file) : gltf_(gltf), buffers_(buffers), file_(file) {}
 
   void primitive(Json& primitive_of, const std::string& what) {
-    const Json packed = primitive_of["extensions"][kName];
+    const Json packed = primitive_of["extensions"][kDraco];
     const draco::Mesh& mesh = meshOf(packed["bufferView"].get<std::size_t>(), what);
     for (const auto& [name, id] : packed["attributes"].items()) {
       if (!isRead(name)) continue;
@@ -79,12 +79,13 @@ class Unpacking {
     }
     primitive_of["indices"] = indices(mesh, packed["bufferView"].get<std::size_t>());
     primitive_of["mode"] = 4;
-    primitive_of["extensions"].erase(kName);
+    primitive_of["extensions"].erase(kDraco);
   }
 
  private:
   [[noreturn]] void refuse(const std::string& what, const std::string& why) const {
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: {}: {}: {}", file_, what, kName, base::oneLine(why)));
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: {}: {}: {}", file_, what, kDraco, base::oneLine(why)));
   }
 
   /// The mesh in a bufferView, decoded once.
@@ -166,7 +167,7 @@ void unpackDraco(Json& gltf, GltfBuffers& buffers, const std::string& file) {
   for (std::size_t m = 0; m < gltf["meshes"].size(); ++m)
     for (std::size_t p = 0; p < gltf["meshes"][m]["primitives"].size(); ++p) {
       Json& primitive = gltf["meshes"][m]["primitives"][p];
-      if (primitive.contains("extensions") && primitive["extensions"].contains(kName))
+      if (primitive.contains("extensions") && primitive["extensions"].contains(kDraco))
         unpacking.primitive(primitive, fmt::format("meshes[{}].primitives[{}]", m, p));
     }
 }

@@ -30,11 +30,11 @@ Number3 vectorAt(const level::FloatRows& rows, std::size_t i, double otherwise) 
 }  // namespace
 
 std::vector<geometry::Affine> instancesOf(int index, const tinygltf::Node& node, const AccessorReader& reader) {
-  constexpr const char* kName = "EXT_mesh_gpu_instancing";
-  if (node.extensions.count(kName) == 0) return {geometry::Affine{}};
-  const tinygltf::Value extension = extensionOf(node.extensions, kName);
+  constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+  if (node.extensions.count(kInstancing) == 0) return {geometry::Affine{}};
+  const tinygltf::Value extension = extensionOf(node.extensions, kInstancing);
   const tinygltf::Value& attributes = extension.Get("attributes");
-  const std::string what = fmt::format("{} {}", nodeName(index, node), kName);
+  const std::string what = fmt::format("{} {}", nodeName(index, node), kInstancing);
   const level::FloatRows moves = rowsOf(attributes, "TRANSLATION", 3, Integers::none, reader, what);
   const level::FloatRows turns = rowsOf(attributes, "ROTATION", 4, Integers::any_fractions, reader, what);
   const level::FloatRows scales = rowsOf(attributes, "SCALE", 3, Integers::none, reader, what);

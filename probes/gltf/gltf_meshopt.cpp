@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
-constexpr const char* kName = "EXT_meshopt_compression";
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 /// The extension's object of one bufferView.
 class Packed {
@@ -44,7 +44,7 @@ class Packed {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: {}: {}", what_, kName, why));
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: {}: {}", what_, kMeshopt, why));
   }
 
   std::size_t number(const char* key) const { return extension_.value(key, std::size_t{0}); }
@@ -100,8 +100,8 @@ void unpackMeshopt(Json& gltf, GltfBuffers& buffers, const std::string& file) {
   if (views == gltf.end()) return;
   for (std::size_t i = 0; i < views->size(); ++i) {
     Json& view = (*views)[i];
-    if (!view.contains("extensions") || !view["extensions"].contains(kName)) continue;
-    const Packed packed(view["extensions"][kName], fmt::format("{}: bufferViews[{}]", file, i));
+    if (!view.contains("extensions") || !view["extensions"].contains(kMeshopt)) continue;
+    const Packed packed(view["extensions"][kMeshopt], fmt::format("{}: bufferViews[{}]", file, i));
     Bytes bytes = packed.unpacked(buffers);
     const std::size_t length = bytes.size();
     Json plain = {{"buffer", buffers.size()}, {"byteLength", length}};

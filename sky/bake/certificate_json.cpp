@@ -2,8 +2,11 @@
 #include "sky/bake/certificate_json.h"
 
 namespace welkin::bake {
+namespace {
 
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json certificateJson(const table::Certificate& c, const std::optional<cubemap::CubemapError>& cubemaps) {
   const char* channels[] = {"red", "green", "blue"};

@@ -175,9 +175,10 @@ std::vector<std::size_t> DomeDay::placeFrom(std::size_t start, std::span<const d
 
 std::vector<std::size_t> DomeDay::starts() const {
   std::vector<std::size_t> list;
-  constexpr std::size_t kEven = 6;
-  for (std::size_t i = 0; i < kEven; ++i) list.push_back(i * time_h_.size() / kEven);
-  for (std::size_t i = 0; i < bend_.size(); i += 1 + bend_.size() / kEven) list.push_back(bend_[i] % time_h_.size());
+  constexpr std::size_t kEvenStarts = 6;
+  for (std::size_t i = 0; i < kEvenStarts; ++i) list.push_back(i * time_h_.size() / kEvenStarts);
+  for (std::size_t i = 0; i < bend_.size(); i += 1 + bend_.size() / kEvenStarts)
+    list.push_back(bend_[i] % time_h_.size());
   return list;
 }
 
