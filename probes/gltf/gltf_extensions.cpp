@@ -24,10 +24,11 @@ constexpr std::string_view kRead[] = {
     "KHR_materials_transmission",
     "KHR_materials_unlit",  // the albedo is that of the base colour
     "KHR_mesh_quantization",      "KHR_node_visibility",     "KHR_texture_transform",
+    "MSFT_texture_dds",
 };
 
 /// Formats of textures: who reads a texture warns of them.
-constexpr std::string_view kTextures[] = {"EXT_texture_avif", "KHR_texture_basisu", "MSFT_texture_dds"};
+constexpr std::string_view kTextures[] = {"EXT_texture_avif", "KHR_texture_basisu"};
 
 /// Extensions that change no diffuse light: gloss, behaviour, descriptions, and variants other than the default.
 constexpr std::string_view kHarmless[] = {

@@ -11,6 +11,7 @@
 #include "sh/deterministic.h"
 #include "sky/base/error.h"
 #include "sky/image/coded_image.h"
+#include "sky/image/dds_header.h"
 
 namespace welkin::gltf {
 namespace {
@@ -32,10 +33,12 @@ UvRows readTransform(const tinygltf::Value& t, const AccessorReader& reader, con
 /// Whether an image is of a format that is read, or says so, and is then damaged.
 bool isTexture(const tinygltf::Image& image, const level::TextureSource& source) {
   if (image::isTexture(source.name, source.bytes)) return true;
+  if (image::isDds(source.bytes)) return false;  // whole, but of pixels that are not read
   std::string says = image.mimeType + " " + image.uri;
   std::transform(says.begin(), says.end(), says.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr const char* kKinds[] = {"image/png", "image/jpeg", "image/webp", ".png", ".jpg", ".jpeg", ".webp", ".bmp"};
+  constexpr const char* kKinds[] = {
+      "image/png", "image/jpeg", "image/webp", "image/vnd-ms.dds", ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".dds"};
   return std::any_of(std::begin(kKinds), std::end(kKinds),
                      [&](const char* kind) { return says.find(kind) != std::string::npos; });
 }
@@ -171,17 +174,27 @@ int GltfMaterials::readTexture(int index, const std::string& what) {
     builder_.scene().warnings.push_back(fmt::format("{}: {} {}", reader_.file(), who, why));
     return -1;
   };
-  const int webp = indexIn(extensionOf(texture.extensions, "EXT_texture_webp"), "source", model_.images.size(), reader_,
-                           who + " EXT_texture_webp");
-  if (webp < 0 && texture.source < 0) {
+  std::vector<int> images;
+  const auto add = [&](const char* extension) {
+    const int image = indexIn(extensionOf(texture.extensions, extension), "source", model_.images.size(), reader_,
+                              who + " " + extension);
+    if (image >= 0) images.push_back(image);
+  };
+  add("EXT_texture_webp");
+  add("MSFT_texture_dds");
+  if (texture.source >= 0) images.push_back(texture.source);
+  if (images.empty()) {
     std::string names;
     for (const auto& [name, value] : texture.extensions) names += (names.empty() ? "" : ", ") + name;
     return warn(names.empty() ? "has no image" : fmt::format("has an image of {} alone, which is not read", names));
   }
-  const int image = webp >= 0 ? webp : texture.source;
-  level::TextureSource source = readImage(image, who);
-  if (!isTexture(model_.images[static_cast<std::size_t>(image)], source))
-    return warn(fmt::format("is in a format that is not read: image {} \"{}\"", image, source.name));
+  level::TextureSource source;
+  const auto isRead = [&](int image) {
+    source = readImage(image, who);
+    return isTexture(model_.images[static_cast<std::size_t>(image)], source);
+  };
+  if (std::none_of(images.begin(), images.end(), isRead))
+    return warn(fmt::format("is in a format that is not read: image {} \"{}\"", images.back(), source.name));
   if (texture.sampler >= 0) {
     if (static_cast<std::size_t>(texture.sampler) >= model_.samplers.size())
       reader_.refuse(who, fmt::format("sampler {} is none of the {}", texture.sampler, model_.samplers.size()));

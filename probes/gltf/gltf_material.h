@@ -42,7 +42,8 @@ class GltfMaterials {
   void readTransmission(const tinygltf::Material& material, const std::string& name, level::SceneMaterial& into);
   void readEmission(const tinygltf::Material& material, const std::string& name, int& uv_set,
                     level::SceneMaterial& into);
-  /// Index of a texture in the scene; -1, with a warning, if its image is in a format that is not read.
+  /// Index of a texture in the scene, of the first of its images whose format is read: WebP, DDS, its plain source. -1,
+  /// with a warning, if there is none.
   int readTexture(int index, const std::string& what);
   level::TextureSource readImage(int index, const std::string& what);
 

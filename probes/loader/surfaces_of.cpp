@@ -150,6 +150,10 @@ void useMeanColours(level::Scene& scene) {
     if (surface.texture >= 0) surface.alpha *= meanOf(surface.texture).alpha;
     if (material.mean_transmission_texture >= 0) surface.transmission *= meanOf(material.mean_transmission_texture).red;
     if (surface.alpha == 1.0) surface.blended = false;
+    for (int* const texture : {&surface.emission_texture, &material.mean_emission_texture}) {
+      if (*texture >= 0) surface.emission = surface.emission * meanOf(*texture).colour;
+      *texture = -1;
+    }
   }
   for (const level::Draw& draw : scene.draws) {
     const int texture = scene.materials[draw.material].surface.texture;

@@ -14,8 +14,9 @@ namespace welkin::loader {
 /// also for a vertex more than 1e6 m from the origin.
 geometry::Surfaces surfacesOf(const level::Scene& scene, double luminance_unit);
 
-/// Colours every instance with the mean of its material's texture, for pictures that draw no textures. Blended
-/// materials get the mean alpha, and glass the mean transmission. Throws Error if an image cannot be decoded.
+/// Colours every instance with the mean of its material's texture, for pictures that draw no textures. Emission gets
+/// the mean colour of its texture, blended materials the mean alpha, and glass the mean transmission. Throws Error if
+/// an image cannot be decoded.
 void useMeanColours(level::Scene& scene);
 
 }  // namespace welkin::loader

@@ -22,10 +22,10 @@ struct CodedImage {
 /// Whether the first bytes, or for Targa the end of the name, are of a format that decodeImage() reads.
 bool isTexture(const std::string& name, std::span<const std::byte> bytes);
 
-/// Decodes the bytes of a PNG, JPEG, WebP, BMP or Targa file. One channel is grey, two are grey and alpha. Missing
-/// alpha becomes 255; 16 bits are rounded to 8. Colour spaces named in the file are ignored (glTF 2.0, 3.8.3). The
-/// first bytes give the format; Targa is recognised by the end of the name. Throws Error(content), naming `name`, for a
-/// damaged or foreign image, an animation, or a size out of the limits.
+/// Decodes the bytes of a PNG, JPEG, WebP, BMP, Targa or DDS file (of DDS what isReadableDds() tells). One channel is
+/// grey, two are grey and alpha. Missing alpha becomes 255; 16 bits are rounded to 8. Colour spaces named in the file
+/// are ignored (glTF 2.0, 3.8.3). The first bytes give the format; Targa is recognised by the end of the name. Throws
+/// Error(content), naming `name`, for a damaged or foreign image, an animation, or a size out of the limits.
 CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits = {});
 
 }  // namespace welkin::image

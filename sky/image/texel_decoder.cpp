@@ -11,6 +11,7 @@
 
 #include "sky/base/error.h"
 #include "sky/base/message.h"
+#include "sky/image/dds_header.h"
 #include "sky/image/image_header.h"
 #include "sky/image/jpeg_read.h"
 #include "sky/image/png_read.h"
@@ -81,14 +82,8 @@ CodedImage decodePngTexels(const std::string& name, std::span<const std::byte> b
   return image;
 }
 
-}  // namespace
-
-CodedImage decodeTexels(const std::string& name, const char* format, std::span<const std::byte> bytes,
+CodedImage decodeByOiio(const std::string& name, const char* format, std::span<const std::byte> bytes,
                         const ImageLimits& limits) {
-  const std::string_view f = format;
-  if (f == "webp") return decodeWebp(name, bytes, limits);
-  if (f == "jpeg") return decodeJpegTexels(name, bytes, limits);
-  if (f == "png") return decodePngTexels(name, bytes, limits);
   OIIO::geterror();
   OIIO::attribute("limits:imagesize_MB", 4096);
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
@@ -108,6 +103,22 @@ CodedImage decodeTexels(const std::string& name, const char* format, std::span<c
     refuse(name, "damaged or cut: " + base::oneLine(input->geterror()));
   spreadChannels(spec.nchannels, image);
   return image;
+}
+
+}  // namespace
+
+CodedImage decodeTexels(const std::string& name, const char* format, std::span<const std::byte> bytes,
+                        const ImageLimits& limits) {
+  const std::string_view f = format;
+  if (f == "webp") return decodeWebp(name, bytes, limits);
+  if (f == "jpeg") return decodeJpegTexels(name, bytes, limits);
+  if (f == "png") return decodePngTexels(name, bytes, limits);
+  if (f == "dds") {
+    const DdsLevel level = ddsLevel(bytes, limits.largest_side);
+    if (!level.why_unusable.empty()) refuse(name, "damaged or cut: " + level.why_unusable);
+    return decodeByOiio(name, format, level.file, limits);
+  }
+  return decodeByOiio(name, format, bytes, limits);
 }
 
 }  // namespace welkin::image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes the texels of an image in memory. OpenImageIO does so for BMP and Targa. PNG, JPEG and WebP go to their own
-// libraries: OpenImageIO takes cut JPEGs, lets libpng write to the terminal and multiplies WebP's colours by alpha.
+// Decodes the texels of an image in memory. OpenImageIO does so for BMP, Targa and DDS. PNG, JPEG and WebP go to their
+// own libraries: OpenImageIO takes cut JPEGs, lets libpng write to the terminal and multiplies WebP's colours by alpha.
 #pragma once
 
 #include <cstddef>

@@ -22,16 +22,35 @@ void fill(const Buffer& buffer, const std::vector<T>& list) {
   if (!list.empty()) std::memcpy(buffer.as<T>(), list.data(), list.size() * sizeof(T));
 }
 
+/// An instance as level_instances.glsl reads it.
+struct PlacedInstance {
+  level::Instance placed;
+  float emission[4];
+};
+
+std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double luminance_unit) {
+  std::vector<PlacedInstance> instances;
+  for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}});
+  for (const level::Draw& draw : scene.draws) {
+    const geometry::Material& surface = scene.materials[draw.material].surface;
+    const f64::Number3 emission = surface.emission * ((surface.blended ? surface.alpha : 1.0) / luminance_unit);
+    for (uint32_t i = 0; i < draw.instance_count; ++i)
+      for (int c = 0; c < 3; ++c) instances[draw.first_instance + i].emission[c] = static_cast<float>(emission[c]);
+  }
+  return instances;
+}
+
 }  // namespace
 
-LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene)
+LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit)
     : scene_(scene),
       vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
       indices_(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
-      instances_(device, bytesOf(scene.instances), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
+      instances_(device, std::max<std::size_t>(scene.instances.size(), 1) * sizeof(PlacedInstance),
+                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
   fill(vertices_, scene.vertices);
   fill(indices_, scene.indices);
-  fill(instances_, scene.instances);
+  fill(instances_, instancesOf(scene, luminance_unit));
 }
 
 std::span<const VkVertexInputAttributeDescription> LevelMesh::attributes() {

@@ -12,8 +12,8 @@ namespace welkin::render {
 
 class LevelMesh {
  public:
-  /// `scene` must outlive the object.
-  LevelMesh(const VulkanDevice& device, const level::Scene& scene);
+  /// `scene` must outlive the object. Its emission, cd/m2, over `luminance_unit`, cd/m2, is in scene units.
+  LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit);
 
   VkBuffer instances() const { return instances_.handle(); }
 

@@ -50,7 +50,8 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
   VkDescriptorSetLayoutBinding bindings[WELKIN_LEVEL_BINDINGS] = {};
   for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
     bindings[i].binding = i;
-    const bool storage = i == WELKIN_LEVEL_INSTANCES || i == WELKIN_LEVEL_LAMPS;
+    const bool storage = i == WELKIN_LEVEL_INSTANCES || i == WELKIN_LEVEL_LAMPS || i == WELKIN_LEVEL_BOXES ||
+                         i == WELKIN_LEVEL_TRIANGLES;
     bindings[i].descriptorType = i == WELKIN_LEVEL_CONSTANTS ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
                                  : storage                   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
                                                              : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -106,7 +107,7 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                              .fragment = kLevelSurfaceFrag,
                                              .attributes = attributes,
                                              .vertex_bytes = sizeof(level::Vertex),
-                                             .colours = {kSurfaceFormat, kSurfaceFormat},
+                                             .colours = {kSurfaceFormat, kSurfaceFormat, Offscreen::kFormat},
                                              .depth = kDepthFormat,
                                              .depth_compare = VK_COMPARE_OP_GREATER,
                                              .depth_write = true,

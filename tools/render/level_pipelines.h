@@ -25,7 +25,7 @@ class LevelPipelines {
   VkSampler sampler() const { return sampler_; }
 
   VkPipeline shadow = VK_NULL_HANDLE;   ///< depth alone
-  VkPipeline surface = VK_NULL_HANDLE;  ///< albedo and normal
+  VkPipeline surface = VK_NULL_HANDLE;  ///< albedo, normal and emission
   VkPipeline light = VK_NULL_HANDLE;    ///< radiance where there is a surface
   VkPipeline probes = VK_NULL_HANDLE;   ///< radiance and depth of the spheres of probes
   VkPipeline glass = VK_NULL_HANDLE;    ///< radiance of surfaces that light passes, over what is there

@@ -13,6 +13,7 @@ struct LevelView::Target {
          const render::shaders::LevelConstants& c)
       : albedo(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
         normal(device, LevelPipelines::kSurfaceFormat, extent, kSurfaceUsage),
+        emission(device, Offscreen::kFormat, extent, kSurfaceUsage),
         depth(device, LevelPipelines::kDepthFormat, extent,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
         constants(device, sizeof(render::shaders::LevelConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
@@ -23,6 +24,7 @@ struct LevelView::Target {
   static constexpr VkImageUsageFlags kSurfaceUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   Image albedo;
   Image normal;
+  Image emission;
   Image depth;
   Buffer constants;
   VkDescriptorSet set;
@@ -67,8 +69,8 @@ class SetWriter {
 
 VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
   const VkDescriptorPoolSize sizes[3] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * 2},
-                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 3)}};
+                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * 4},
+                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 5)}};
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   info.maxSets = 2;
@@ -106,8 +108,9 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
       scene_(scene),
       options_(options),
       sky_(device, sky, LevelPipelines::kDepthFormat, VK_COMPARE_OP_EQUAL),
-      mesh_(device, scene),
+      mesh_(device, scene, double{sky.info().luminance_unit}),
       lamps_(device, scene, double{sky.info().luminance_unit}),
+      blockers_(device, levelTree(scene.lights.empty() ? level::Scene{} : scene)),
       pipelines_(device, sky_.layout(), sky.info().mode_count > 0),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
@@ -152,20 +155,23 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
                             const WelkinVulkanView* dome) {
   target.albedo.use(commands, kDrawnColour, true);
   target.normal.use(commands, kDrawnColour, true);
+  target.emission.use(commands, kDrawnColour, true);
   target.depth.use(commands, kDrawnDepth, true);
   constexpr auto kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-  const VkRenderingAttachmentInfo surface[2] = {
+  const VkRenderingAttachmentInfo surface[3] = {
       attachmentOf(target.albedo, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR),
-      attachmentOf(target.normal, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR)};
+      attachmentOf(target.normal, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR),
+      attachmentOf(target.emission, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR)};
   const VkRenderingAttachmentInfo depth =
       attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
-  beginRendering(commands, radiance.extent(), 2, surface, &depth);
+  beginRendering(commands, radiance.extent(), 3, surface, &depth);
   bind(commands, pipelines_.surface, target);
   mesh_.record(commands, true, mirrored);
   vkCmdEndRendering(commands);
 
   target.albedo.use(commands, kSampled);
   target.normal.use(commands, kSampled);
+  target.emission.use(commands, kSampled);
   beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
   vkCmdDraw(commands, 3, 1, 0, 0);
   if (dome != nullptr) sky_.recordDome(commands, *dome);
@@ -226,9 +232,12 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
     writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, t->constants.handle());
     writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
     writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
+    writer.buffer(WELKIN_LEVEL_BOXES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.boxes());
+    writer.buffer(WELKIN_LEVEL_TRIANGLES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.triangles());
     writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
     writer.image(WELKIN_LEVEL_ALBEDO, pipelines_.sampler(), t->albedo, kSampled.layout);
     writer.image(WELKIN_LEVEL_NORMAL, pipelines_.sampler(), t->normal, kSampled.layout);
+    writer.image(WELKIN_LEVEL_EMISSION, pipelines_.sampler(), t->emission, kSampled.layout);
     writer.image(WELKIN_LEVEL_DEPTH, pipelines_.sampler(), t->depth, kTestedDepth.layout);
     writer.image(WELKIN_LEVEL_SCENE, pipelines_.sampler(), copy, kSampled.layout);
     writer.image(WELKIN_LEVEL_REFLECTION, pipelines_.sampler(), reflection, kSampled.layout);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/camera.h"
+#include "render/level_blockers.h"
 #include "render/level_frame.h"
 #include "render/level_lamps.h"
 #include "render/level_mesh.h"
@@ -58,6 +59,7 @@ class LevelView {
   RuntimeSky sky_;
   LevelMesh mesh_;
   LevelLamps lamps_;
+  LevelBlockers blockers_;
   LevelPipelines pipelines_;
   std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;

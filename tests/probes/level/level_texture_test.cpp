@@ -5,6 +5,7 @@
 #include "level_text.h"
 #include "sh/deterministic.h"
 #include "sky/image/image.h"
+#include "tests/dds_bytes.h"
 
 namespace welkin::tests {
 namespace {
@@ -23,6 +24,15 @@ Number3 texel(int column, int row) {
 
 std::string png() {
   return textOf(image::encodePng(4, 2, std::span<const std::uint8_t>(&kTexels[0][0][0], sizeof(kTexels))));
+}
+
+/// The same texels with an alpha of 200.
+std::string dds() {
+  std::string bytes = ddsOf(ddsBgra(4, 2), {});
+  for (const auto& row : kTexels)
+    for (const auto& t : row)
+      for (const int code : {int{t[2]}, int{t[1]}, int{t[0]}, 200}) bytes.push_back(static_cast<char>(code));
+  return bytes;
 }
 
 /// A textured square; `change` edits its JSON.
@@ -142,6 +152,38 @@ TEST_CASE("LevelTexture, WebpIsPreferredAndKeepsItsColoursUnderAlpha") {
   CHECK(s.texture[0].rgba == rgba);
   checkTexels(s);
   checkSurfacesRefused({{"a.gltf", gltf.text()}, {"a.webp", image.substr(0, size - 8)}}, {"a.webp", "damaged or cut"});
+}
+
+TEST_CASE("LevelTexture, DdsIsPreferredToThePlainSource") {
+  GltfText gltf = squareWith([](json& j) {
+    j["images"].push_back({{"uri", "a.dds"}});
+    j["textures"][0]["extensions"]["MSFT_texture_dds"] = {{"source", 1}};
+    j["extensionsRequired"] = {"MSFT_texture_dds"};
+  });
+  const std::string white = textOf(image::encodePng(1, 1, std::vector<std::uint8_t>{255, 255, 255}));
+  const auto read = [&](const std::string& dds_bytes) {
+    return surfacesOf({{"a.gltf", gltf.text()}, {"a.png", white}, {"a.dds", dds_bytes}});
+  };
+  const geometry::Surfaces s = read(dds());
+  CHECK(s.warning.empty());
+  checkTexels(s);
+  REQUIRE(s.texture.size() == 1);
+  CHECK(s.texture[0].rgba[3] == 200);
+  // Pixels that are not read leave the next image, and without one the factor, with a warning.
+  const std::string normals = ddsOf(ddsBlocks(4, 4, "ATI2"), {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(read(normals).texture.at(0).width == 1);
+  checkSurfacesRefused({{"a.gltf", gltf.text()}, {"a.png", white}, {"a.dds", dds().substr(0, 150)}},
+                       {"a.dds: damaged or cut: its texels take 32 bytes; the file ends 22 bytes on"});
+  checkSurfacesRefused({{"a.gltf", gltf.text()}, {"a.png", white}, {"a.dds", "a text"}}, {"a.dds", "not a texture"});
+  gltf.json["textures"][0].erase("source");
+  checkTexels(read(dds()));
+  const geometry::Surfaces factor = read(normals);
+  CHECK(factor.texture.empty());
+  REQUIRE(factor.warning.size() == 1);
+  CHECK_THAT(factor.warning[0], Catch::Contains("texture 0 is in a format that is not read") &&
+                                    Catch::Contains("a.dds") && Catch::Contains("the factor"));
+  gltf.json["textures"][0] = {{"source", 1}};  // as exporters without the extension name it
+  checkTexels(read(dds()));
 }
 
 TEST_CASE("LevelTexture, MasksLetRaysThrough") {

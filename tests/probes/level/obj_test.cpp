@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // OBJ and MTL: polygons, objects, colours and images; missing parts, and errors with their place.
+#include <array>
 #include <cmath>
 
 #include "level_text.h"
 #include "probes/obj/polygon.h"
 #include "sh/deterministic.h"
 #include "sky/image/image.h"
+#include "tests/dds_bytes.h"
 
 namespace welkin::tests {
 namespace {
@@ -252,6 +254,30 @@ TEST_CASE("Obj, TransparencyIsAMaskAtOneHalfForPlacesAndPartialForLight") {
   checkNear(tracer.passing(*hit), Number3(0.7), 1e-12);
 }
 
+// DDS has its top row first, and v counts from the bottom.
+TEST_CASE("Obj, DdsTextures") {
+  const auto read = [](const std::string& dds) {
+    const geometry::Surfaces s = surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                                             {"a.mtl", "newmtl paint\nmap_Kd t.DDS\n"},
+                                             {"t.DDS", dds}});
+    CHECK(s.warning.empty());
+    const geometry::Tracer tracer(s);
+    return std::array{tracer.albedo(*below(tracer, -0.5, -0.5)), tracer.albedo(*below(tracer, 0.5, 0.5))};
+  };
+  // 2 x 2 texels of blue, green, red, alpha: the top left one is red, the bottom right one is sRGB 188, about half.
+  const auto plain = read(ddsOf(ddsBgra(2, 2), {0, 0, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255, 188, 188, 188, 255}));
+  checkNear(plain[0], {1, 0, 0}, 1e-5);
+  checkNear(plain[1], Number3(det::srgbDecode(188.0 / 255.0)), 1e-5);
+  // A block of BC1: its first two rows take the first colour, red, the others two thirds of it and one of blue.
+  const auto block = read(ddsOf(ddsBlocks(4, 4, "DXT1"), {0x00, 0xf8, 0x1f, 0x00, 0x00, 0x00, 0xaa, 0xaa}));
+  checkNear(block[0], {1, 0, 0}, 1e-5);
+  checkNear(block[1], {det::srgbDecode(170.0 / 255.0), 0, det::srgbDecode(85.0 / 255.0)}, 1e-5);
+  checkSurfacesRefused({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                        {"a.mtl", "newmtl paint\nmap_Kd t.dds\n"},
+                        {"t.dds", ddsOf(ddsBgra(2, 2), {0, 0, 255})}},
+                       {"t.dds: damaged or cut: its texels take 16 bytes; the file ends 3 bytes on"});
+}
+
 TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
   const auto read = [](const Files& files, const std::string& warning) {
     const Folder folder;
@@ -272,8 +298,8 @@ TEST_CASE("Obj, WhatIsMissingGetsTheLevelsAlbedoAndAWarning") {
   read({{"a.obj", numbered}, {"a.mtl", "newmtl paint #2\nKd 1 1 1\n"}}, "the first paint #3");
   read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nmap_Kd x/none.png\n"}},
        "a.obj: 1 images of its materials are not there, the first x/none.png");
-  read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.dds\n"}, {"t.dds", "DDS |"}},
-       "a.obj: 1 images of its materials are in a format that is not read, the first t.dds");
+  read({{"a.obj", obj}, {"a.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.ktx2\n"}, {"t.ktx2", "\xabKTX 20\xbb"}},
+       "a.obj: 1 images of its materials are in a format that is not read, the first t.ktx2");
 }
 
 TEST_CASE("Obj, VertexColoursAndNumbersThatAreNotFinite") {

@@ -16,7 +16,10 @@
 #define WELKIN_LEVEL_SCENE 6       // sampler2D, RGBA32F, fetched: the picture without the water
 #define WELKIN_LEVEL_REFLECTION 7  // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
 #define WELKIN_LEVEL_LAMPS 8       // storage buffer, a LevelLamp each
-#define WELKIN_LEVEL_BINDINGS 9
+#define WELKIN_LEVEL_BOXES 9       // storage buffer, a LevelBox each: a tree in depth-first order
+#define WELKIN_LEVEL_TRIANGLES 10  // storage buffer, a LevelTriangle each
+#define WELKIN_LEVEL_EMISSION 11   // sampler2D, RGBA32F, fetched: emitted radiance
+#define WELKIN_LEVEL_BINDINGS 12
 
 #ifdef __cplusplus
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface that is glass or blended, over the scene drawn so far: the share that passes times what is behind, and the
-// light that the surface reflects.
+// light that the surface reflects and emits.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"
@@ -9,6 +9,7 @@
 layout(location = 0) in vec3 placed_normal;
 layout(location = 1) in vec3 albedo;
 layout(location = 2) in float height;
+layout(location = 3) flat in vec3 emission;
 layout(location = 0, index = 0) out vec4 radiance;
 layout(location = 0, index = 1) out vec4 passing;
 
@@ -23,7 +24,7 @@ void main() {
   vec3 direction = ray / distance_m;
   // The scene behind has its own mist. That before the surface counts for what the surface adds.
   vec3 mist = throughMist(vec3(0.0), direction, distance_m);
-  vec3 own = throughMist(reflected / kPi * surfaceIrradiance(level.camera.xyz + ray, n), direction, distance_m);
+  vec3 own = throughMist(reflected / kPi * surfaceIrradiance(level.camera.xyz + ray, n) + emission, direction, distance_m);
   float mean = (share.r + share.g + share.b) / 3.0;
   radiance = vec4(own - mist * share, 1.0 - mean);
   passing = vec4(share, mean);

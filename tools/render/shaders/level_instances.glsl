@@ -8,6 +8,7 @@
 struct LevelInstance {
   vec4 row[3];  // of the transform, translation last
   vec4 albedo;
+  vec4 emission;
 };
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_INSTANCES, std430) readonly buffer LevelInstances {

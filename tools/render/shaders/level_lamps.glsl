@@ -3,7 +3,7 @@
 #ifndef WELKIN_LEVEL_LAMPS_GLSL
 #define WELKIN_LEVEL_LAMPS_GLSL
 
-#include "level.glsl"
+#include "level_blockers.glsl"
 #include "shared/punctual_light.glsl"
 
 struct LevelLamp {
@@ -15,8 +15,9 @@ struct LevelLamp {
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_LAMPS, std430) readonly buffer LevelLamps { LevelLamp lamps[]; };
 
-// Irradiance of a surface by one lamp, as if nothing were between.
-vec3 lampIrradiance(LevelLamp lamp, vec3 p, vec3 normal) {
+// Irradiance of a surface by one lamp. Opaque surfaces stop its light, from either side. The point is moved off its
+// surface by `off_m`, the rounding of its place.
+vec3 lampIrradiance(LevelLamp lamp, vec3 p, vec3 normal, float off_m) {
   bool directional = lamp.axis.w > 0.0;
   vec3 away = directional ? -lamp.axis.xyz : lamp.position.xyz - p;
   float squared = max(dot(away, away), 1e-12);
@@ -24,12 +25,17 @@ vec3 lampIrradiance(LevelLamp lamp, vec3 p, vec3 normal) {
   float share = directional ? 1.0
                             : rangeShare(squared, lamp.position.w) *
                                   coneShare(-dot(lamp.axis.xyz, direction), lamp.cone.x, lamp.cone.y) / squared;
-  return lamp.intensity.rgb * (share * max(dot(normal, direction), 0.0));
+  vec3 irradiance = lamp.intensity.rgb * (share * max(dot(normal, direction), 0.0));
+  if (irradiance == vec3(0.0)) return irradiance;
+  vec3 from = p + normal * off_m;
+  bool blocked = directional ? isBlocked(from, direction, 3e38) : isBlocked(from, lamp.position.xyz - from, 0.99999);
+  return blocked ? vec3(0.0) : irradiance;
 }
 
 vec3 lampsIrradiance(vec3 p, vec3 normal) {
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < int(level.water.w); ++i) sum += lampIrradiance(lamps[i], p, normal);
+  float off_m = 1e-4 + 1e-5 * (length(p - level.camera.xyz) + length(p));
+  for (int i = 0; i < int(level.water.w); ++i) sum += lampIrradiance(lamps[i], p, normal, off_m);
   return sum;
 }
 

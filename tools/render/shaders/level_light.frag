@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of diffuse surfaces under the sky and the sun or the moon; alpha 1.
+// Radiance of diffuse surfaces under the sky, the sun or the moon and lamps, and of what they emit; alpha 1.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_ALBEDO) uniform sampler2D levelAlbedo;
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_EMISSION) uniform sampler2D levelEmission;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_NORMAL) uniform sampler2D levelNormal;
 
 layout(location = 0) in vec2 ndc;
@@ -15,6 +16,7 @@ void main() {
   vec3 ray = rayThrough(ndc) * (level.camera.w / texelFetch(levelDepth, pixel, 0).r);
   vec3 albedo = texelFetch(levelAlbedo, pixel, 0).rgb;
   vec3 irradiance = surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz);
+  vec3 leaving = albedo / kPi * irradiance + texelFetch(levelEmission, pixel, 0).rgb;
   float distance_m = length(ray);
-  radiance = vec4(throughMist(albedo / kPi * irradiance, ray / distance_m, distance_m), 1.0);
+  radiance = vec4(throughMist(leaving, ray / distance_m, distance_m), 1.0);
 }

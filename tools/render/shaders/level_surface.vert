@@ -10,6 +10,7 @@ layout(location = 2) in vec3 colour;
 layout(location = 0) out vec3 placed_normal;
 layout(location = 1) out vec3 albedo;
 layout(location = 2) out float height;
+layout(location = 3) flat out vec3 emission;
 
 void main() {
   LevelInstance i = instances[gl_InstanceIndex];
@@ -17,5 +18,6 @@ void main() {
   placed_normal = normalize(placedNormal(i, normal));
   albedo = colour * i.albedo.rgb;
   height = p.y;
+  emission = i.emission.rgb;
   gl_Position = level.view_projection * vec4(p, 1.0);
 }

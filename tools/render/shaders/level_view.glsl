@@ -31,7 +31,7 @@ float lightReaching(vec3 p, vec3 normal) {
 
 vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal); }
 
-// Irradiance of a surface from the sky, the light and the level's own lamps. Nothing stops the lamps' light.
+// Irradiance of a surface from the sky, the light and the level's own lamps.
 vec3 surfaceIrradiance(vec3 p, vec3 normal) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
