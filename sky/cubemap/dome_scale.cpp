@@ -12,12 +12,12 @@ namespace welkin::cubemap {
 namespace {
 
 constexpr double kDarkest = 1e-4;  // as a share of the day's brightest instant
-constexpr int kDirections = 192;
+constexpr int kScaleDirections = 192;
 
 }  // namespace
 
 DomeScale::DomeScale(const model::Sky& sky) : floor_(0.0) {
-  const DomeDirections even({kDirections, 0, 0});
+  const DomeDirections even({kScaleDirections, 0, 0});
   std::vector<model::DomeRay> rays;
   for (const Number3& d : even.staying()) rays.emplace_back(sky.luminance, d);
   std::vector<double> time_h = bendsOf(sky);
@@ -26,7 +26,7 @@ DomeScale::DomeScale(const model::Sky& sky) : floor_(0.0) {
   std::vector<double> mean(time_h.size());
   tbb::parallel_for(std::size_t{0}, time_h.size(), [&](std::size_t i) {
     const model::SkyInstant instant(sky, time_h[i]);
-    for (const model::DomeRay& ray : rays) mean[i] += det::luminanceOf(instant.dome(ray, nullptr)) / kDirections;
+    for (const model::DomeRay& ray : rays) mean[i] += det::luminanceOf(instant.dome(ray, nullptr)) / kScaleDirections;
   });
   floor_ = kDarkest * *std::max_element(mean.begin(), mean.end());
 }

@@ -11,6 +11,7 @@
 #include "sky/image/dds_header.h"
 #include "sky/image/image_header.h"
 #include "sky/image/image_module.h"
+#include "sky/image/texel_decoder.h"
 
 namespace welkin::image {
 namespace {
@@ -45,6 +46,7 @@ CodedImage decodeImage(const std::string& name, std::span<const std::byte> bytes
         fmt::format("{}: not a texture that can be read: PNG, JPEG, WebP, BMP, Targa and some DDS are", name));
   if (const auto why = whyHeaderUnusable(bytes, format, limits.largest_side))
     throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
+  if (format == "png" || format == "jpeg" || format == "webp") return decodeTexels(name, format, bytes, limits);
   return imageModule().decode(name, format.data(), bytes, limits);
 }
 

@@ -15,6 +15,7 @@
 
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/image/coded_picture.h"
 #include "sky/image/exr_read.h"
 #include "sky/image/image_header.h"
 #include "sky/image/image_module.h"
@@ -126,7 +127,8 @@ Image readImage(const std::string& name, std::span<const std::byte> bytes, const
     if (format == kOpenExr) return readExr(name, bytes, limits, layer);
     if (format == "hdr") return readRadiance(name, bytes, limits);
     if (format == "pnm") return readPnm(name, bytes, limits);
-    return decoded(name, imageModule().read(name, format.data(), bytes, limits));
+    if (format == "tiff") return decoded(name, imageModule().read_tiff(name, bytes, limits));
+    return decoded(name, readCodedPicture(name, format, bytes, limits));
   };
   Image image = read();
   if (image.converted && !limits.negative) settleRounding(image);

@@ -29,12 +29,12 @@ TEST_CASE("LocalEffort, IntervalsAreThoseOfTheSpread") {
   const geometry::Surfaces room = furnishedRoom();
   const geometry::Tracer tracer(room);
   const transfer::LocalTransferTracer local(tracer, {128, 2, 2}, kLights);
-  constexpr std::size_t kCount = 4000;
+  constexpr std::size_t kTraced = 4000;
   std::vector<transfer::LocalProbe> probes;
-  for (std::size_t i = 0; i < kCount; ++i) probes.push_back(local.trace(kProbe, {0, 0}, i));
+  for (std::size_t i = 0; i < kTraced; ++i) probes.push_back(local.trace(kProbe, {0, 0}, i));
   for (std::uint32_t l = 0; l < kLights.size(); ++l) {
     double mean = 0.0;
-    for (const transfer::LocalProbe& p : probes) mean += of(p, l).radiance[0].y / double{kCount};
+    for (const transfer::LocalProbe& p : probes) mean += of(p, l).radiance[0].y / double{kTraced};
     double spread = 0.0;
     double stated = 0.0;
     double held = 0.0;
@@ -42,9 +42,9 @@ TEST_CASE("LocalEffort, IntervalsAreThoseOfTheSpread") {
       REQUIRE(p.transfer.size() == kLights.size());
       const double off = p.transfer[l].radiance[0].y - mean;
       const double error = p.standard_error[l].y;
-      spread += off * off / double{kCount};
-      stated += error * error / double{kCount};
-      if (std::abs(off) <= transfer::kStudent * error) held += 1.0 / double{kCount};
+      spread += off * off / double{kTraced};
+      stated += error * error / double{kTraced};
+      if (std::abs(off) <= transfer::kStudent * error) held += 1.0 / double{kTraced};
     }
     // The variance of 4000 probes is known to 2.2 %. Each probe's own, from 8 replicates, is known to 53 %, and their
     // mean to 0.8 %. The tolerance is three standard errors. Dividing by eight replicates instead of seven degrees of
