@@ -32,7 +32,7 @@ Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, co
                        {"probes", plan.probes},
                        {"local", plan.has_local},
                        {"bytes", plan.bytes},
-                       {"most_rays", fresh || plan.rays > 0 ? Json(plan.rays) : Json()}});
+                       {"most_rays", plan.rays ? Json(*plan.rays) : Json()}});
   }
   return sectors;
 }

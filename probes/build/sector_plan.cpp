@@ -40,9 +40,10 @@ std::size_t localBytes(std::size_t count) {
 
 /// Rays of all probes, at most: a path tests its way and some lights at every surface. Local transfer also traces the
 /// paths that choose its lights.
-std::uint64_t mostRays(const SectorPlan& plan, const SectorSettings& settings) {
+std::optional<std::uint64_t> mostRays(const SectorPlan& plan, const SectorSettings& settings) {
   const TransferSection& t = settings.section.transfer;
-  if (!t.rays) return 0;
+  if (plan.probes == 0) return 0;
+  if (!t.rays) return std::nullopt;
   const auto paths = static_cast<std::uint64_t>(*t.rays);
   const auto bounces = static_cast<std::uint64_t>(t.bounces);
   const std::size_t lights = settings.sun.direction.size() + settings.moon.direction.size();

@@ -2,6 +2,8 @@
 // The plan of one sector: its probes are placed, and nothing is traced.
 #pragma once
 
+#include <optional>
+
 #include "probes/build/sector_bake.h"
 
 namespace welkin::build {
@@ -13,8 +15,9 @@ struct SectorPlan {
   /// kSunModes modes of the sun. The bake makes fewer where a sun stands still, and as many as a budget takes. Emitted
   /// light counts where an emissive surface is within reach, local transfer with its upper limit.
   std::size_t bytes = 0;
-  /// The rays that the bake traces after placement, at most; 0 where rays = "auto" takes as many as the budget needs.
-  std::uint64_t rays = 0;
+  /// The rays that the bake traces after placement, at most; nothing where rays = "auto" takes as many as the budget
+  /// needs.
+  std::optional<std::uint64_t> rays;
 };
 
 /// Throws what placeSector throws. Arguments as for bakeSector; `level` decides on local transfer.

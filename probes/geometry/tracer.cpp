@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "probes/geometry/directions.h"
@@ -140,7 +141,7 @@ struct Tracer::Scene {
     device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
     if (device == nullptr) refuse("no Embree device");
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     part.fill({&s, {}});
     for (std::uint32_t i = 0; i < s.triangle.size(); ++i) {
@@ -189,6 +190,13 @@ struct Tracer::Scene {
   }
 };
 
+/// A triangle on a ray, as Embree tells it.
+struct Tracer::Met {
+  float distance;
+  std::uint32_t triangle;
+  float u, v;
+};
+
 Tracer::Tracer(const Surfaces& surfaces, const std::optional<Number3>& about)
     : scene_(std::make_shared<Scene>(surfaces, about ? *about : nearestToZero(surfaces))) {}
 Tracer::Tracer(std::shared_ptr<const Scene> scene, const Square& square) : scene_(std::move(scene)), square_(square) {}
@@ -227,11 +235,46 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return hitOf({ray.ray.tfar, scene_->part[ray.hit.geomID].triangle[ray.hit.primID], ray.hit.u, ray.hit.v}, direction);
+}
+
+std::vector<Hit> Tracer::all(const Number3& origin, const Number3& direction, double far, Meets meets) const {
+  struct Question {
+    RTCIntersectContext context;  // first, so that Embree's pointer to it is one to the question
+    const Scene* scene;
+    std::vector<Met> met;
+  } question{{}, scene_.get(), {}};
+  rtcInitIntersectContext(&question.context);
+  question.context.filter = [](const RTCFilterFunctionNArguments* arguments) {
+    auto& q = *reinterpret_cast<Question*>(arguments->context);
+    for (unsigned i = 0; i < arguments->N; ++i) {
+      if (arguments->valid[i] == 0) continue;
+      const auto& triangle = q.scene->part[RTCHitN_geomID(arguments->hit, arguments->N, i)].triangle;
+      q.met.push_back({RTCRayN_tfar(arguments->ray, arguments->N, i),
+                       triangle[RTCHitN_primID(arguments->hit, arguments->N, i)],
+                       RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i)});
+      arguments->valid[i] = 0;  // on to the next surface
+    }
+  };
+  RTCRayHit ray;
+  setRay(ray.ray, origin - scene_->origin, direction, std::min(far, leavesAfter(origin, direction)), meets);
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_->scene, &question.context, &ray);
+  const auto key = [](const Met& met) { return std::pair(met.distance, met.triangle); };
+  std::sort(question.met.begin(), question.met.end(), [&](const Met& a, const Met& b) { return key(a) < key(b); });
+  std::vector<Hit> result;
+  for (std::size_t i = 0; i < question.met.size(); ++i)
+    if (i == 0 || key(question.met[i]) != key(question.met[i - 1])) result.push_back(hitOf(question.met[i], direction));
+  return result;
+}
+
+Hit Tracer::hitOf(const Met& met, const Number3& direction) const {
   Hit hit;
-  hit.distance = double{ray.ray.tfar};
-  hit.triangle = scene_->part[ray.hit.geomID].triangle[ray.hit.primID];
-  hit.u = double{ray.hit.u};
-  hit.v = double{ray.hit.v};
+  hit.distance = double{met.distance};
+  hit.triangle = met.triangle;
+  hit.u = double{met.u};
+  hit.v = double{met.v};
   // The position is computed from the vertices, not from the ray. So it lies on the triangle's plane up to the rounding
   // of doubles.
   const Triangle& triangle = surfaces().triangle[hit.triangle];

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "probes/geometry/surfaces.h"
 
@@ -53,6 +54,9 @@ class Tracer {
   /// The nearest surface in a unit direction, or nothing within `far`. Rays pass through masked texels.
   std::optional<Hit> closest(const Number3& origin, const Number3& direction, double far,
                              Meets meets = Meets::all) const;
+  /// All surfaces in a unit direction within `far`, nearest first, each triangle once. This takes the time of about one
+  /// ray, however many surfaces there are.
+  std::vector<Hit> all(const Number3& origin, const Number3& direction, double far, Meets meets = Meets::all) const;
   /// Whether closest() would find a surface.
   bool occluded(const Number3& origin, const Number3& direction, double far, Meets meets = Meets::all) const;
 
@@ -84,11 +88,13 @@ class Tracer {
 
  private:
   struct Scene;
+  struct Met;
   struct Square {
     double low_x = -std::numeric_limits<double>::infinity(), high_x = std::numeric_limits<double>::infinity();
     double low_z = low_x, high_z = high_x;
   };
   Tracer(std::shared_ptr<const Scene> scene, const Square& square);
+  Hit hitOf(const Met& met, const Number3& direction) const;
 
   std::shared_ptr<const Scene> scene_;
   Square square_;

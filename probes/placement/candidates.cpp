@@ -22,12 +22,6 @@ bool isRemoved(const PlacementSettings& settings, const Number3& p) {
                      [&](const geometry::Box& box) { return geometry::contains(box, p); });
 }
 
-/// Whether further searches of a sector for free places are hopeless, after some in vain and some that found one. A
-/// search takes up to some thousand rays, and in a soup of triangles nearly all are in vain.
-bool isHopeless(std::size_t vain, std::size_t found) {
-  return vain >= 64 + 4 * found;
-}
-
 /// A wanted place and the result of settling it.
 struct Wanted {
   Number3 position;
@@ -49,23 +43,25 @@ Wanted ask(const geometry::Tracer& tracer, const PlacementSettings& settings, co
   return result;
 }
 
-/// Searches for a free place near one where none may stand.
-void search(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-            Wanted& wanted) {
+/// Searches for a free place near one where none may stand. Returns the rays that it took.
+std::size_t search(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
+                   Wanted& wanted) {
   const std::size_t room = roomOf(settings, wanted.position);
-  wanted.settled = freePlaceNear(tracer, wanted.position, settings.clearance_m, [&](const Number3& to) {
+  const Search result = freePlaceNear(tracer, wanted.position, settings.clearance_m, [&](const Number3& to) {
     return geometry::sectorAt(to) == id && roomOf(settings, to) == room &&
            (wanted.by_hand || !isRemoved(settings, to)) && (!wanted.foot || sees(tracer, *wanted.foot, to));
   });
+  wanted.settled = result.found;
+  return result.rays;
 }
 
-/// Finds a free place, as long as searches are not in vain. Probes by hand are always searched for.
+/// Finds a free place, as long as there are rays left. Probes by hand are always searched for.
 Wanted settle(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-              const Number3& position, bool by_hand, const PlacementReport& report,
+              const Number3& position, bool by_hand, std::size_t& search_rays,
               const std::optional<Number3>& foot = {}) {
   Wanted wanted = ask(tracer, settings, position, by_hand, foot);
-  if (wanted.mustMove() && (by_hand || !isHopeless(report.dropped.size(), report.moved.size())))
-    search(tracer, id, settings, wanted);
+  if (wanted.mustMove() && (by_hand || search_rays > 0))
+    search_rays -= std::min(search_rays, search(tracer, id, settings, wanted));
   return wanted;
 }
 
@@ -93,6 +89,7 @@ struct Ground {
 /// The ground that a line of the lattice meets.
 struct LatticeColumn {
   int preference = 0;
+  std::size_t spans = 0;  ///< of air
   std::size_t buried = 0;
   std::size_t low = 0;
   std::size_t under_water = 0;
@@ -114,7 +111,9 @@ bool isUnderWater(const geometry::Tracer& tracer, Number3 point) {
 LatticeColumn groundAt(const geometry::Tracer& tracer, const PlacementSettings& settings, const LatticeLine& line,
                        double top_y) {
   LatticeColumn result;
-  for (const Span& span : spansAt(tracer, line.x, line.z, top_y, settings.headroom_m)) {
+  const std::vector<Span> air = spansAt(tracer, line.x, line.z, top_y, settings.headroom_m);
+  result.spans = air.size();
+  for (const Span& span : air) {
     if (!span.hasFloor()) continue;
     const double height = span.high_y - span.low_y;
     if (span.inside) {
@@ -144,23 +143,31 @@ LatticeColumn columnAt(const geometry::Tracer& tracer, const PlacementSettings& 
   return result;
 }
 
-/// Searches for free places for all columns, side by side in blocks, until it is hopeless.
+/// The rays that the searches of a sector may take, by the spans on its lines.
+std::size_t searchRaysFor(const std::vector<LatticeColumn>& columns) {
+  constexpr std::size_t kOrdinary = 32;
+  std::size_t spans = 0;
+  for (const LatticeColumn& column : columns) spans += column.spans;
+  if (spans <= kOrdinary * columns.size()) return kMostSearchRays;
+  return kMostSearchRays * kOrdinary * columns.size() / spans;
+}
+
+/// Searches for free places for all columns, side by side in blocks, until there are no rays left.
 void searchAll(const geometry::Tracer& tracer, const geometry::SectorId& id, const PlacementSettings& settings,
-               std::vector<LatticeColumn>& columns, const base::Progress& progress) {
-  constexpr std::size_t kBlock = 64;
+               std::vector<LatticeColumn>& columns, std::size_t& search_rays, const base::Progress& progress) {
+  constexpr std::size_t kBlock = 16;
   std::vector<Wanted*> all;
   for (LatticeColumn& column : columns)
     for (Wanted& wanted : column.wanted)
       if (wanted.mustMove()) all.push_back(&wanted);
-  std::size_t vain = 0;
-  std::size_t found = 0;
-  for (std::size_t from = 0; from < all.size() && !isHopeless(vain, found); from += kBlock) {
+  for (std::size_t from = 0; from < all.size() && search_rays > 0; from += kBlock) {
     const std::size_t to = std::min(from + kBlock, all.size());
+    std::array<std::size_t, kBlock> rays{};
     tbb::parallel_for(from, to, [&](std::size_t i) {
       progress.check();
-      search(tracer, id, settings, *all[i]);
+      rays[i - from] = search(tracer, id, settings, *all[i]);
     });
-    for (std::size_t i = from; i < to; ++i) ++(all[i]->settled ? found : vain);
+    for (const std::size_t r : rays) search_rays -= std::min(search_rays, r);
   }
   for (LatticeColumn& column : columns)
     for (std::size_t i = 0; i < column.ground.size(); ++i)  // behind one-sided surfaces
@@ -193,12 +200,14 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
     progress.check();
     if (const auto candidate = take(wanted, report)) result.candidate.push_back(*candidate);
   };
+  std::size_t& rays = result.search_rays;
   for (const Number3& p : settings.add)
-    if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true, report));
+    if (geometry::sectorAt(p) == id) add(settle(tracer, id, settings, p, true, rays));
   const auto candidatesOn = [&](const std::vector<LatticeLine>& lines) {
     std::vector<LatticeColumn> found =
         columnsOf(lines, progress, [&](const LatticeLine& line) { return columnAt(tracer, settings, line, top_y); });
-    searchAll(tracer, id, settings, found, progress);
+    rays = searchRaysFor(found);
+    searchAll(tracer, id, settings, found, rays, progress);
     return found;
   };
   const auto hasGround = [](const LatticeColumn& column) { return !column.ground.empty(); };
@@ -226,7 +235,7 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
       if (column.preference == preference)
         for (const Wanted& wanted : column.wanted) add(wanted);
   for (const Number3& p : aboveVegetation(vegetationBoxes(tracer.surfaces()), settings, id))
-    add(settle(tracer, id, settings, p, false, report));
+    add(settle(tracer, id, settings, p, false, rays));
   for (const LatticeColumn& column : between)
     for (const Ground& ground : column.ground) {
       result.ground_y.push_back(ground.y);
@@ -237,8 +246,8 @@ Candidates candidatesOf(const geometry::Tracer& tracer, const geometry::SectorId
 
 std::optional<Candidate> candidateFor(const geometry::Tracer& tracer, const geometry::SectorId& id,
                                       const PlacementSettings& settings, const WalkablePoint& point,
-                                      PlacementReport& report) {
-  return take(settle(tracer, id, settings, point.above, false, report, point.foot), report);
+                                      PlacementReport& report, std::size_t& search_rays) {
+  return take(settle(tracer, id, settings, point.above, false, search_rays, point.foot), report);
 }
 
 }  // namespace welkin::placement

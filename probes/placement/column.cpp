@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "probes/placement/validity.h"
@@ -11,59 +12,105 @@ namespace welkin::placement {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr std::size_t kFew = 64;          // surfaces on an ordinary line
+constexpr std::size_t kMostAsked = 2048;  // doubtful spans of other lines, times the surfaces on the line
 
 /// A surface on the line.
 struct Crossing {
+  std::uint32_t triangle;
   double y;
   double normal_y;
   bool front_above;
   bool front_below;
 };
 
-/// All crossings from the highest to the lowest.
-std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
-  constexpr double kSheet_m = 1e-3;
-  constexpr double kFloats = 4.0 * 0x1p-23;  // rounding of the ray's start
-  std::vector<Crossing> result;
-  const geometry::Surfaces& s = tracer.surfaces();
-  double y = top_y;
-  std::optional<std::uint32_t> last;
-  while (const auto hit = tracer.closest({x, y, z}, {0, -1, 0}, kNowhere, geometry::Meets::fixed)) {
-    if (!last || *last != hit->triangle) {
-      const bool two_sides = s.material[s.triangle[hit->triangle].material].double_sided;
-      result.push_back({hit->position.y, hit->normal.y, !hit->back, two_sides || hit->back});
+/// The space between two crossings that follow each other.
+struct Gap {
+  Span span;
+  bool open_above = false;  ///< the surface above shows its front
+  bool open_below = false;
+  double height_m() const { return span.high_y - span.low_y; }
+  bool isDoubtful() const { return open_above != open_below; }
+};
+
+/// Collects the crossings of a line from the highest to the lowest.
+class Line {
+ public:
+  Line(const geometry::Tracer& tracer, double top_y) : tracer_(tracer), y_(top_y) {}
+
+  /// The height where the rest of the line begins: just below the last surface.
+  double y() const { return y_; }
+
+  /// Takes the next surface, which a ray from `from_y` has met.
+  void add(const geometry::Hit& hit, double from_y) {
+    constexpr double kSheet_m = 1e-3;
+    constexpr double kFloats = 4.0 * 0x1p-23;  // rounding of the ray's start
+    if (from_y - hit.distance > y_) return;
+    if (crossing_.empty() || crossing_.back().triangle != hit.triangle) {
+      const geometry::Surfaces& s = tracer_.surfaces();
+      const bool two_sides = s.material[s.triangle[hit.triangle].material].double_sided;
+      crossing_.push_back({hit.triangle, hit.position.y, hit.normal.y, !hit.back, two_sides || hit.back});
     }
-    last = hit->triangle;
-    y -= hit->distance + kSheet_m + kFloats * std::abs(y - tracer.origin().y);
+    y_ = from_y - (hit.distance + kSheet_m + kFloats * std::abs(from_y - tracer_.origin().y));
   }
-  return result;
+
+  const std::vector<Crossing>& crossings() const { return crossing_; }
+
+ private:
+  const geometry::Tracer& tracer_;
+  double y_;
+  std::vector<Crossing> crossing_;
+};
+
+/// All crossings from the highest to the lowest. A ray for each serves ordinary lines; where they are many, one ray
+/// meets the rest, since the time of each grows with them.
+std::vector<Crossing> crossingsAt(const geometry::Tracer& tracer, double x, double z, double top_y) {
+  const Number3 kDown{0, -1, 0};
+  Line line(tracer, top_y);
+  while (line.crossings().size() < kFew) {
+    const auto hit = tracer.closest({x, line.y(), z}, kDown, kNowhere, geometry::Meets::fixed);
+    if (!hit) return line.crossings();
+    line.add(*hit, line.y());
+  }
+  const double from_y = line.y();
+  for (const geometry::Hit& hit : tracer.all({x, from_y, z}, kDown, kNowhere, geometry::Meets::fixed))
+    line.add(hit, from_y);
+  return line.crossings();
+}
+
+/// The height from which doubtful spans are asked whether they are inside: at most kMostAsked / crossings of them, the
+/// highest, where the line crosses more than kFew surfaces.
+double leastAsked(std::vector<double> doubtful_m, std::size_t crossings) {
+  const std::size_t most = crossings <= kFew ? doubtful_m.size() : kMostAsked / crossings;
+  if (doubtful_m.size() <= most) return 0.0;
+  std::sort(doubtful_m.begin(), doubtful_m.end(), std::greater<>());
+  return std::nextafter(doubtful_m[most], kNowhere);
 }
 
 }  // namespace
 
 std::vector<Span> spansAt(const geometry::Tracer& tracer, double x, double z, double top_y, double least_m) {
   const std::vector<Crossing> crossing = crossingsAt(tracer, x, z, top_y);
-  std::vector<Span> result;
+  std::vector<Gap> gaps;
+  std::vector<double> doubtful_m;
   for (std::size_t i = crossing.size() + 1; i-- > 0;) {
     const Crossing* above = i > 0 ? &crossing[i - 1] : nullptr;
     const Crossing* below = i < crossing.size() ? &crossing[i] : nullptr;
-    const bool open_above = above == nullptr || above->front_below;
-    const bool open_below = below == nullptr || below->front_above;
-    if (!open_above && !open_below) continue;
-    Span span{below != nullptr ? below->y : -kNowhere, above != nullptr ? above->y : kNowhere};
-    if (span.high_y <= span.low_y) continue;
-    if (below != nullptr) span.floor_normal_y = below->normal_y;
-    if (!open_above || !open_below) {
-      if (above == nullptr || below == nullptr) continue;
-      if (span.high_y - span.low_y < least_m) {
-        if (open_below) result.push_back(span);
-        continue;
-      }
-      const double rise = std::min(1.0, 0.5 * (span.high_y - span.low_y));
-      span.inside = insideGeometry(tracer, {x, span.low_y + rise, z});
-      if (span.inside && !open_below) continue;
-    }
-    result.push_back(span);
+    Gap gap{{below != nullptr ? below->y : -kNowhere, above != nullptr ? above->y : kNowhere}};
+    gap.open_above = above == nullptr || above->front_below;
+    gap.open_below = below == nullptr || below->front_above;
+    if (gap.height_m() <= 0.0 || (!gap.open_above && !gap.open_below)) continue;
+    if (gap.isDoubtful() && (above == nullptr || below == nullptr)) continue;
+    if (below != nullptr) gap.span.floor_normal_y = below->normal_y;
+    if (gap.isDoubtful() && gap.height_m() >= least_m) doubtful_m.push_back(gap.height_m());
+    gaps.push_back(gap);
+  }
+  const double asked_m = std::max(least_m, leastAsked(std::move(doubtful_m), crossing.size()));
+  std::vector<Span> result;
+  for (Gap& gap : gaps) {
+    if (gap.isDoubtful() && gap.height_m() >= asked_m)
+      gap.span.inside = insideGeometry(tracer, {x, gap.span.low_y + std::min(1.0, 0.5 * gap.height_m()), z});
+    if (gap.open_below || (gap.height_m() >= asked_m && !gap.span.inside)) result.push_back(gap.span);
   }
   return result;
 }

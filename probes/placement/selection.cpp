@@ -24,6 +24,7 @@ class Selection {
         progress_(progress),
         candidate_(candidates.candidate),
         walkable_(candidates.walkable),
+        search_rays_(candidates.search_rays),
         kept_(candidate_.size(), false),
         near_candidate_(id),
         near_probe_(id) {
@@ -132,7 +133,7 @@ class Selection {
     if (nearest) {
       keep(*nearest);
     } else if (!point.on_lattice) {
-      const auto own = candidateFor(tracer_, id_, settings_, point, report);
+      const auto own = candidateFor(tracer_, id_, settings_, point, report, search_rays_);
       if (!own) return report.dropped.back().reason != DroppedProbe::Reason::inside;
       candidate_.push_back(*own);
       kept_.push_back(false);
@@ -147,6 +148,7 @@ class Selection {
   const base::Progress& progress_;
   std::vector<Candidate> candidate_;
   std::vector<WalkablePoint> walkable_;
+  std::size_t search_rays_;
   std::vector<bool> kept_;          // for each candidate
   std::vector<std::size_t> probe_;  // indices of candidates, in the order of choice
   Nearby near_candidate_;           // the sector's candidates, by index

@@ -27,6 +27,17 @@ const std::array<Number3, kRays>& fixedDirections() {
   return direction;
 }
 
+/// insideGeometry, and adds the rays that it took.
+bool isInside(const geometry::Tracer& tracer, const Number3& position, std::size_t& rays) {
+  std::size_t backs = 0;
+  for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
+    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kFar_m);
+    ++rays;
+    if (hit && hit->back) ++backs;
+  }
+  return backs > kMostBackRays;
+}
+
 /// A file holds places to a millimetre (transfer/encoding.h), so probes keep this much more.
 constexpr double kStored_m = 1e-3;
 
@@ -38,24 +49,24 @@ Place placeAt(const geometry::Tracer& tracer, const Number3& position, double cl
 }
 
 bool insideGeometry(const geometry::Tracer& tracer, const Number3& position) {
-  std::size_t backs = 0;
-  for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
-    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kFar_m);
-    if (hit && hit->back) ++backs;
-  }
-  return backs > kMostBackRays;
+  std::size_t rays = 0;
+  return isInside(tracer, position, rays);
 }
 
-std::optional<Number3> freePlaceNear(const geometry::Tracer& tracer, const Number3& position, double clearance_m,
-                                     const std::function<bool(const Number3&)>& allowed) {
-  const bool inside = placeAt(tracer, position, clearance_m) == Place::inside;
+Search freePlaceNear(const geometry::Tracer& tracer, const Number3& position, double clearance_m,
+                     const std::function<bool(const Number3&)>& allowed) {
+  Search search;
+  const bool inside = isInside(tracer, position, search.rays);
   for (const double distance_m : {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0})
     for (const Number3& direction : fixedDirections()) {
       const Number3 to = position + direction * distance_m;
       if (!allowed(to) || (!inside && !sees(tracer, position, to))) continue;
-      if (!tracer.isNearer(to, clearance_m + kStored_m) && !insideGeometry(tracer, to)) return to;
+      ++search.rays;
+      if (tracer.isNearer(to, clearance_m + kStored_m) || isInside(tracer, to, search.rays)) continue;
+      search.found = to;
+      return search;
     }
-  return std::nullopt;
+  return search;
 }
 
 bool sees(const geometry::Tracer& tracer, const Number3& from, const Number3& to) {

@@ -24,10 +24,16 @@ bool insideGeometry(const geometry::Tracer& tracer, const Number3& position);
 /// The same test, and whether static geometry is within clearance_m and a millimetre in any direction.
 Place placeAt(const geometry::Tracer& tracer, const Number3& position, double clearance_m);
 
+/// A search for a free place.
+struct Search {
+  std::optional<Number3> found;
+  std::size_t rays = 0;  ///< that it took; a look for the nearest surface counts as one
+};
+
 /// The nearest free place within 2 m, from a fixed set around the position, that `allowed` accepts. If the position is
 /// only too close, the way from it crosses no surface.
-std::optional<Number3> freePlaceNear(const geometry::Tracer& tracer, const Number3& position, double clearance_m,
-                                     const std::function<bool(const Number3&)>& allowed);
+Search freePlaceNear(const geometry::Tracer& tracer, const Number3& position, double clearance_m,
+                     const std::function<bool(const Number3&)>& allowed);
 
 /// Whether no static geometry lies between the two points.
 bool sees(const geometry::Tracer& tracer, const Number3& from, const Number3& to);

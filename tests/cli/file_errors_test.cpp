@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files and folders that the system refuses: status 2, and a message that names the right one.
+#include <poll.h>
+#include <sys/inotify.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <thread>
 
 #include "run_tool.h"
 #include "sky_text.h"
@@ -116,4 +119,32 @@ TEST_CASE("Files, OutputsThatCannotBeMadeAreNamed") {
   requireRefused({"bake", sky, "-o", folder / "b"}, folder / "b/sky.welkin");
   REQUIRE(readBytes(wall) == "in the way");
   for (const auto& name : filesUnder(folder.path())) REQUIRE_FALSE(name.ends_with(".tmp"));
+}
+
+TEST_CASE("FileErrors, GeometryThatChangesWhileItIsReadIsToBeReadAgain") {
+  const Folder folder;
+  folder.write("sky.toml", skyText(kUniform, kStillSun));
+  const std::string level = folder.write("level.toml", "[level]\nsky = \"sky.toml\"\n[[geometry]]\nfile = \"a.obj\"\n");
+  std::string text = "v 0 0 0\nv 0 0 9\nv 9 0 0\n";
+  for (int i = 0; i < 400'000; ++i) text += "f 1 2 3\n";  // some tenths of a second to read
+  const std::string file = folder.write("a.obj", text);
+  const std::string other = folder.write("b.obj", "v 0 0 0\nv 0 0 9\nv 9 0 0\nf 1 2 3\n");
+  const int watch = inotify_init1(IN_CLOEXEC);
+  REQUIRE(watch >= 0);
+  REQUIRE(inotify_add_watch(watch, file.c_str(), IN_CLOSE_NOWRITE) >= 0);
+  bool swapped = false;
+  std::thread swap([&] {
+    pollfd closed{watch, POLLIN, 0};
+    if (::poll(&closed, 1, 20'000) != 1) return;  // ms; the first reading has ended
+    fs::rename(other, file);
+    swapped = true;
+  });
+  const Run run = runTool({"plan", level, "--progress", "none"}, {{}, "", "", 0, 30.0});
+  swap.join();
+  ::close(watch);
+  INFO(run.err);
+  REQUIRE(swapped);
+  REQUIRE(run.status == 2);
+  REQUIRE(run.said("a.obj: changed while it was read; bake again"));
+  REQUIRE(runTool({"plan", level, "--progress", "none"}).status == 0);
 }

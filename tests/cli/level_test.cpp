@@ -81,7 +81,18 @@ TEST_CASE("Level, PlanSaysWhatIsOutOfDateAndWhy") {
   REQUIRE(edited[3]["bake"] == true);
   level.writeSky(50.0);
   REQUIRE(plan()[0]["why"] == "changed: light paths");
-  REQUIRE(runTool({"plan", level / "level.toml"}).status == 0);
+  const auto total = [](const json& sectors, const char* key) {
+    std::uint64_t sum = 0;
+    for (const json& sector : sectors) sum += sector[key].get<std::uint64_t>();
+    return sum;
+  };
+  const auto traced = json::parse(readBytes(level / "out/timing.json"))["rays"].get<std::uint64_t>();
+  REQUIRE(traced > 0);
+  REQUIRE(traced <= total(before, "most_rays"));
+  REQUIRE(total(after, "most_rays") == 0);
+  const Run text = runTool({"plan", level / "level.toml"});
+  REQUIRE(text.status == 0);
+  REQUIRE_THAT(text.out, Catch::Contains("; at most " + std::to_string(total(plan(), "most_rays")) + " rays\n"));
 }
 
 TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/geometry/tracer.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "probes/geometry/directions.h"
 #include "probes/geometry/random.h"
@@ -197,6 +200,59 @@ TEST_CASE("Tracer, OnlyStaticGeometryIsNear") {
   const geometry::Tracer tracer(s);
   CHECK_FALSE(tracer.isNearer({0, 1.9, 0}, 0.5));
   CHECK(tracer.isNearer({0, 1.9, 0}, 2.0));
+}
+
+TEST_CASE("Tracer, AllSurfacesOfARayAreThoseOfASearchThroughAllTriangles") {
+  geometry::Random random(11);
+  geometry::Surfaces s;
+  addMaterial(s, Number3(0.5));
+  s.object.push_back({"walls", geometry::Role::fixed});
+  s.object.push_back({"leaves", geometry::Role::vegetation});
+  constexpr std::uint32_t kTriangles = 400;
+  for (std::uint32_t i = 0; i < kTriangles; ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const double x = 64.0 * random.unit();
+      const double y = 64.0 * random.unit();
+      s.position.push_back({x, y, 64.0 * random.unit()});
+    }
+    s.triangle.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0, i % 2});
+  }
+  const geometry::Tracer tracer(s);
+  for (const double x : {20.03, 31.71, 40.4}) {
+    const Number3 from(x, 60.0, 31.3);
+    std::vector<std::pair<double, std::uint32_t>> expected;  // distance, triangle
+    for (std::uint32_t i = 0; i < kTriangles; ++i) {
+      const auto corner = [&](std::size_t n) {
+        const auto& p = s.position[s.triangle[i].vertex[n]];
+        return Number3(p[0], p[1], p[2]);
+      };
+      const Number3 a = corner(0) - from, ab = corner(1) - corner(0), ac = corner(2) - corner(0);
+      const double area = ab.x * ac.z - ab.z * ac.x;
+      const double u = (a.z * ac.x - a.x * ac.z) / area;
+      const double v = (a.x * ab.z - a.z * ab.x) / area;
+      const double distance = -(a.y + u * ab.y + v * ac.y);
+      if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance >= 0.0) expected.emplace_back(distance, i);
+    }
+    std::sort(expected.begin(), expected.end());
+    REQUIRE(expected.size() > 20);
+    const auto check = [&](const std::vector<geometry::Hit>& hits, double far, bool fixed_only) {
+      std::size_t n = 0;
+      for (const auto& [distance, triangle] : expected) {
+        if (distance > far || (fixed_only && triangle % 2 == 1)) continue;
+        REQUIRE(n < hits.size());
+        CHECK(hits[n].triangle == triangle);
+        CHECK(hits[n].distance == Approx(distance).margin(1e-3));  // floats; steep triangles
+        ++n;
+      }
+      CHECK(n == hits.size());
+    };
+    check(tracer.all(from, {0, -1, 0}, kFar), kFar, false);
+    check(tracer.all(from, {0, -1, 0}, 30.0), 30.0, false);
+    check(tracer.all(from, {0, -1, 0}, kFar, geometry::Meets::fixed), kFar, true);
+    const auto near = tracer.within(from, 5.0).all(from, {1, 0, 0}, kFar);
+    CHECK(near.size() < tracer.all(from, {1, 0, 0}, kFar).size());
+    for (const geometry::Hit& hit : near) CHECK(hit.distance <= 5.0);
+  }
 }
 
 }  // namespace welkin::tests

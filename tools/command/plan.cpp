@@ -25,6 +25,16 @@ std::string highestText(const model::LightPath& path) {
                      top.time_h, top.elevation_rad / det::kDegree);
 }
 
+/// The rays that a bake traces at most, or why they are not known before.
+std::string raysText(const nlohmann::ordered_json& sectors) {
+  std::uint64_t rays = 0;
+  for (const auto& s : sectors) {
+    if (s["most_rays"].is_null()) return "as many rays as the budget needs";
+    rays += s["most_rays"].get<std::uint64_t>();
+  }
+  return fmt::format("at most {} rays", rays);
+}
+
 void printSectors(const nlohmann::ordered_json& sectors) {
   std::size_t stale = 0;
   std::size_t probes = 0;
@@ -36,7 +46,8 @@ void printSectors(const nlohmann::ordered_json& sectors) {
     fmt::print("sector     {:>9} {:4} probes {:7} bytes  {}\n", s["sector"].get<std::string>(),
                s["probes"].get<std::size_t>(), s["bytes"].get<std::size_t>(), s["why"].get<std::string>());
   }
-  fmt::print("sectors    {}, {} to bake; {} probes, about {} bytes\n", sectors.size(), stale, probes, bytes);
+  fmt::print("sectors    {}, {} to bake; {} probes, about {} bytes; {}\n", sectors.size(), stale, probes, bytes,
+             raysText(sectors));
 }
 
 /// Draws placement and grid from above, and in a section through the middle of the sector with the most probes.

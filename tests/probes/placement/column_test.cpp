@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/placement/column.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "probes/placement/lattice.h"
@@ -115,6 +117,51 @@ TEST_CASE("Lattice, EverySectorHasTheSameLines") {
     }
   }
   CHECK(placement::latticeOf({0, 0}, 4.0).size() == 256);
+}
+
+TEST_CASE("Column, OfManySurfacesEachIsFound") {
+  geometry::Surfaces s;
+  const auto sheet = addMaterial(s, {0.5, 0.5, 0.5}, true);
+  constexpr int kSheets = 300;
+  for (int i = 0; i < kSheets; ++i)
+    for (const double beside_m : {0.0, 4e-4})  // two within a millimetre count as one
+      addQuad(s, {-5, 0.125 * i - beside_m, -5}, {0, 0, 10}, {10, 0, 0}, sheet);
+  const geometry::Tracer tracer(s);
+  const auto span = placement::spansAt(tracer, 0.037, 0.021, 100);
+  REQUIRE(span.size() == kSheets + 1);
+  for (int i = 0; i < kSheets; ++i) {
+    const placement::Span& above = span[static_cast<std::size_t>(i) + 1];
+    CHECK(above.low_y == Approx(0.125 * i).margin(1e-5));  // floats at 40 m
+    CHECK(above.high_y == (i + 1 < kSheets ? Approx(0.125 * (i + 1)).margin(1e-5) : Approx(kInfinity)));
+    CHECK_FALSE(above.inside);
+  }
+}
+
+TEST_CASE("Column, OfManyDoubtfulSpansTheHighestAreAsked") {
+  for (const int floors : {64, 100, 3000}) {
+    geometry::Surfaces s;
+    const auto floor = addMaterial(s, {0.5, 0.5, 0.5});
+    std::vector<double> height_m;
+    double y = 0.0;
+    for (int i = 0; i < floors; ++i) {
+      addQuad(s, {-500, y, -500}, {0, 0, 1000}, {1000, 0, 0}, floor);  // its back hides the space below from above
+      height_m.push_back(0.01 * (10 + i * 37 % floors));
+      y += height_m.back();
+    }
+    const geometry::Tracer tracer(s);
+    const auto span = placement::spansAt(tracer, 0.037, 0.021, y + 10.0);
+    REQUIRE(span.size() == static_cast<std::size_t>(floors));
+    height_m.pop_back();  // the highest floor has open air above
+    std::sort(height_m.begin(), height_m.end(), std::greater<>());
+    const std::size_t most = floors <= 64 ? height_m.size() : 2048 / static_cast<std::size_t>(floors);
+    std::size_t asked = 0;
+    for (const placement::Span& x : span) {
+      if (!x.inside) continue;
+      ++asked;
+      CHECK(x.high_y - x.low_y > height_m[most - 1] - 0.005);  // half of the step of heights
+    }
+    CHECK(asked == most);
+  }
 }
 
 }  // namespace welkin::tests

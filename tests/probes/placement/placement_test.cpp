@@ -8,6 +8,8 @@
 
 #include "placed.h"
 #include "probes/geometry/random.h"
+#include "probes/placement/candidates.h"
+#include "probes/placement/column.h"
 #include "probes/placement/validity.h"
 
 namespace welkin::tests {
@@ -21,6 +23,23 @@ double leastSeparation(const geometry::PlacedSector& sector) {
     for (std::size_t j = 0; j < i; ++j)
       least = std::min(least, placement::distanceOf(sector.probe[i].position, sector.probe[j].position));
   return least;
+}
+
+/// Random triangles across a sector.
+geometry::Surfaces soupOf(std::uint32_t triangles) {
+  geometry::Random random(7);
+  geometry::Surfaces s;
+  addMaterial(s, Number3(0.5));
+  s.object.push_back({"soup", geometry::Role::fixed});
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const double x = 64.0 * random.unit();
+      const double y = 64.0 * random.unit();
+      s.position.push_back({x, y, 64.0 * random.unit()});
+    }
+    s.triangle.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0, 0});
+  }
+  return s;
 }
 
 }  // namespace
@@ -175,18 +194,7 @@ TEST_CASE("Placement, AClosetBetweenTheLinesGetsAProbe") {
 }
 
 TEST_CASE("Placement, InASoupItGivesUpTheSameForAnyThreads") {
-  geometry::Random random(7);
-  geometry::Surfaces s;
-  addMaterial(s, Number3(0.5));
-  s.object.push_back({"soup", geometry::Role::fixed});
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const double x = 64.0 * random.unit();
-      const double y = 64.0 * random.unit();
-      s.position.push_back({x, y, 64.0 * random.unit()});
-    }
-    s.triangle.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0, 0});
-  }
+  const geometry::Surfaces s = soupOf(150);
   const auto placed = [&](int threads, placement::PlacementReport& report) {
     tbb::task_arena arena(threads);
     return arena.execute([&] { return place(s, {0, 0}, {}, &report); });
@@ -200,6 +208,20 @@ TEST_CASE("Placement, InASoupItGivesUpTheSameForAnyThreads") {
   CHECK(!first.probe.empty());
   for (std::size_t i = 0; i < first.probe.size(); ++i) CHECK(first.probe[i].position == second.probe[i].position);
   CHECK((first.grid == second.grid));
+}
+
+TEST_CASE("Placement, SearchesTakeABoundedNumberOfRays") {
+  const auto raysLeft = [](const geometry::Surfaces& s) {
+    const geometry::Tracer tracer(s);
+    placement::PlacementReport report;
+    return placement::candidatesOf(tracer, {0, 0}, {}, placement::topOver(s, {0, 0}).value(), report).search_rays;
+  };
+  CHECK(raysLeft(groundOf({0.5, 0.5, 0.5})) == placement::kMostSearchRays);
+  CHECK(raysLeft(soupOf(150)) == 0);
+  geometry::Surfaces sheets = groundOf({0.5, 0.5, 0.5});  // 64 spans on every line: half of the rays
+  const auto two_sides = addMaterial(sheets, Number3(0.5), true);
+  for (int i = 1; i < 64; ++i) addQuad(sheets, {-10, 0.05 * i, -10}, {0, 0, 100}, {100, 0, 0}, two_sides);
+  CHECK(raysLeft(sheets) == placement::kMostSearchRays / 2);
 }
 
 }  // namespace welkin::tests

@@ -72,12 +72,17 @@ TEST_CASE("Validity, MovesOutOfABodyToTheNearestFreePlace") {
   geometry::Surfaces s;
   addBoxOutside(s, {0, 0, 0}, {10, 10, 10}, addMaterial(s, {0.5, 0.5, 0.5}));
   const geometry::Tracer tracer(s);
-  const auto out = placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, anywhere);
+  const placement::Search search = placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, anywhere);
+  const auto& out = search.found;
   REQUIRE(out);
   CHECK(out->x > 10.25 - 0.01);
   CHECK(placement::distanceOf(*out, {9.6, 5, 5}) <= 1.0);  // the shortest way is 0.65
-  CHECK_FALSE(placement::freePlaceNear(tracer, {5, 5, 5}, 0.25, anywhere));
-  CHECK_FALSE(placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, [](const Number3& p) { return p.x < 10; }));
+  const placement::Search vain = placement::freePlaceNear(tracer, {5, 5, 5}, 0.25, anywhere);
+  CHECK_FALSE(vain.found);
+  // 17 of 64 rays that meet backs tell that a place is inside; the start and 7 spheres of 64 places are asked.
+  CHECK(vain.rays == 17 + 7 * 64 * (17 + 1));
+  CHECK(search.rays < vain.rays);
+  CHECK_FALSE(placement::freePlaceNear(tracer, {9.6, 5, 5}, 0.25, [](const Number3& p) { return p.x < 10; }).found);
 }
 
 TEST_CASE("Validity, AWayFromAWallDoesNotCrossIt") {
@@ -86,7 +91,7 @@ TEST_CASE("Validity, AWayFromAWallDoesNotCrossIt") {
   addQuad(s, {0, 0, 0}, {0, 10, 0}, {0, 0, 10}, both);
   const geometry::Tracer tracer(s);
   for (const double x : {-0.05, 0.05}) {
-    const auto out = placement::freePlaceNear(tracer, {x, 5, 5}, 0.25, anywhere);
+    const auto out = placement::freePlaceNear(tracer, {x, 5, 5}, 0.25, anywhere).found;
     REQUIRE(out);
     CHECK(out->x * x > 0.0);
   }
