@@ -49,6 +49,25 @@ TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
   CHECK_FALSE(tracer.occluded({0.25, 2, 0.5}, {1, 0, 0}, kFar));
 }
 
+TEST_CASE("Tracer, CornersAreRoundedAsEmbreeHasThem") {
+  // GCC 12 can take double{static_cast<float>(x)} for x in a vector of two. 29.9 and 31.7 are no floats.
+  for (const double far : {29.9, 31.7})
+    for (int axis = 0; axis < 3; ++axis) {
+      Number3 corner(-1.0), towards(0.0);
+      corner[axis] = far;
+      towards[axis] = 1.0;
+      geometry::Surfaces s;
+      Number3 one(0.0), other(0.0);
+      one[(axis + 1) % 3] = 2.0;
+      other[(axis + 2) % 3] = 2.0;
+      addQuad(s, corner, one, other, addMaterial(s, Number3(0.5), true));
+      const auto hit = geometry::Tracer(s, Number3(0.0)).closest(towards, towards, kFar);
+      REQUIRE(hit);
+      CHECK(hit->coarsest_m == double{static_cast<float>(far)});
+      CHECK(hit->position[axis] == double{static_cast<float>(far)});
+    }
+}
+
 TEST_CASE("Tracer, SeesNoFartherThanItsSquare") {
   geometry::Surfaces s;
   const auto material = addMaterial(s, {0.5, 0.5, 0.5}, true);
