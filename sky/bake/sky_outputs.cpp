@@ -12,7 +12,11 @@
 
 namespace welkin::bake {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 std::string cubemapName(double time_h) {
   const long ms = cubemap::millisecondOf(time_h);
