@@ -99,8 +99,8 @@ TEST_CASE("Limits, LittleMemoryForPicturesIsStatus2") {
   for (int mb = 120; mb <= 600; mb += 20) {
     const Run run = runUnder("-v " + std::to_string(mb * 1000), {"project", picture, "--bands", "1"});
     INFO(mb << " MB: " << run.status << " " << run.err);
-    REQUIRE((run.status == 0 || (run.status == 2 && run.said("out of memory: reading images takes"))));
-    refused += run.status == 2;
+    REQUIRE((run.status == 0 || (run.status == 2 && run.said("out of memory"))));
+    refused += run.said("out of memory: reading images takes");  // else the libraries fitted, and their threads did not
   }
   REQUIRE(refused >= 10);
   REQUIRE(runUnder("-v 2000000", {"project", picture, "--bands", "1"}).status == 0);
