@@ -1,113 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/geometry/tracer.h"
 
-#include <embree3/rtcore.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "probes/geometry/directions.h"
 #include "probes/geometry/nearest_point.h"
-#include "probes/geometry/sector.h"
-#include "probes/geometry/texture.h"
-#include "sky/base/error.h"
+#include "probes/geometry/surface_at.h"
+#include "probes/geometry/tracer_scene.h"
 
 namespace welkin::geometry {
-/// The triangles of one Embree geometry.
-struct TracedPart {
-  const Surfaces* surfaces;
-  std::vector<std::uint32_t> triangle;  ///< index into Surfaces::triangle for each primitive
-};
-
 namespace {
-
-Number3 load(const std::array<float, 3>& v) {
-  return {double{v[0]}, double{v[1]}, double{v[2]}};
-}
-
-/// A vertex as Embree has it, from the tracer's origin.
-std::array<float, 3> floatsOf(const std::array<double, 3>& position, const Number3& origin) {
-  return {static_cast<float>(position[0] - origin.x), static_cast<float>(position[1] - origin.y),
-          static_cast<float>(position[2] - origin.z)};
-}
-
-/// The coordinate nearest to 0 within the surfaces' bounds on each axis.
-Number3 nearestToZero(const Surfaces& s) {
-  Number3 nearest(0.0);
-  for (std::size_t axis = 0; axis < 3 && !s.position.empty(); ++axis) {
-    const auto [low, high] = std::minmax_element(s.position.begin(), s.position.end(),
-                                                 [=](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-    nearest[static_cast<int>(axis)] = std::clamp(0.0, (*low)[axis], (*high)[axis]);
-  }
-  return nearest;
-}
-
-Number3 originBelow(const Number3& p) {
-  const auto below = [](double v) { return kSector_m * std::floor(v / kSector_m); };
-  return {below(p.x), below(p.y), below(p.z)};
-}
-
-/// Weights of a triangle's three vertices.
-struct Barycentric {
-  double w[3];
-  Barycentric(double u, double v) : w{1.0 - u - v, u, v} {}
-};
-
-/// The texture's texel at a point of a triangle.
-Texel texelOf(const Surfaces& s, const Triangle& triangle, const Barycentric& at, int texture, const UvRows& row) {
-  double x = 0.0;
-  double y = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    x += double{s.uv[triangle.vertex[i]][0]} * at.w[i];
-    y += double{s.uv[triangle.vertex[i]][1]} * at.w[i];
-  }
-  return texelAt(s.texture[static_cast<std::size_t>(texture)], row[0][0] * x + row[0][1] * y + row[0][2],
-                 row[1][0] * x + row[1][1] * y + row[1][2]);
-}
-
-/// Base colour and alpha of a triangle at a point.
-Texel surfaceAt(const Surfaces& s, const Triangle& triangle, double u, double v) {
-  const Barycentric at(u, v);
-  const Material& m = s.material[triangle.material];
-  Texel result{m.albedo, m.alpha};
-  if (!s.colour.empty()) {
-    Number3 colour(0.0);
-    for (std::size_t i = 0; i < 3; ++i) colour += load(s.colour[triangle.vertex[i]]) * at.w[i];
-    result.colour = result.colour * colour;
-  }
-  if (m.texture < 0 || s.uv.empty()) return result;
-  const Texel texel = texelOf(s, triangle, at, m.texture, m.uv_row);
-  return {result.colour * texel.colour, result.alpha * texel.alpha};
-}
-
-constexpr unsigned kForLight = 1;  ///< RTCRay::flags of Meets::light
-
-void passMaskedTexels(const RTCFilterFunctionNArguments* arguments) {
-  const auto& part = *static_cast<const TracedPart*>(arguments->geometryUserPtr);
-  for (unsigned i = 0; i < arguments->N; ++i) {
-    if (arguments->valid[i] == 0) continue;
-    const Triangle& triangle = part.surfaces->triangle[part.triangle[RTCHitN_primID(arguments->hit, arguments->N, i)]];
-    const double u = double{RTCHitN_u(arguments->hit, arguments->N, i)};
-    const double v = double{RTCHitN_v(arguments->hit, arguments->N, i)};
-    const Material& material = part.surfaces->material[triangle.material];
-    // Where nothing of a blended surface is there, light need not ask for it.
-    const bool any = material.blended && RTCRayN_flags(arguments->ray, arguments->N, i) == kForLight;
-    const double cutoff = any ? std::numeric_limits<double>::min() : material.alpha_cutoff;
-    if (surfaceAt(*part.surfaces, triangle, u, v).alpha < cutoff) arguments->valid[i] = 0;
-  }
-}
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw base::Error(base::ExitStatus::file, fmt::format("tracing rays: {}", what));
-}
-
-constexpr unsigned kFixedMask = 1;
-constexpr unsigned kOtherMask = 2;
 
 void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double far, Meets meets) {
   ray.org_x = static_cast<float>(origin.x);
@@ -125,70 +31,6 @@ void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double
 }
 
 }  // namespace
-
-struct Tracer::Scene {
-  const Surfaces* surfaces;
-  Number3 origin;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  bool any_see_through = false;
-  /// Embree's geometries: opaque and masked of static geometry, then opaque and masked of the rest.
-  std::array<TracedPart, 4> part;
-
-  Scene(const Surfaces& s, const Number3& about) : surfaces(&s), origin(originBelow(about)) {
-    static_assert(std::string_view(kIsa) == "avx2", "what the processor is asked for below");
-    if (!__builtin_cpu_supports("avx2")) refuse(fmt::format("this processor has no {}", kIsa));
-    device = rtcNewDevice(fmt::format("isa={},hugepages=0", kIsa).c_str());
-    if (device == nullptr) refuse("no Embree device");
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-    part.fill({&s, {}});
-    for (std::uint32_t i = 0; i < s.triangle.size(); ++i) {
-      const bool masked = s.material[s.triangle[i].material].alpha_cutoff > 0.0;
-      any_see_through = any_see_through || s.material[s.triangle[i].material].letsLightThrough();
-      const bool fixed = s.object[s.triangle[i].object].role == Role::fixed;
-      part[(fixed ? 0 : 2) + (masked ? 1 : 0)].triangle.push_back(i);
-    }
-    for (unsigned id = 0; id < part.size(); ++id)
-      if (!part[id].triangle.empty()) attach(id);
-    rtcCommitScene(scene);
-    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
-      refuse(error == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : fmt::format("Embree's error {}", int{error}));
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-
-  void attach(unsigned id) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), surfaces->position.size()));
-    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), part[id].triangle.size()));
-    if (vertex == nullptr || index == nullptr) refuse("out of memory");
-    for (const auto& position : surfaces->position) {
-      const auto from_origin = floatsOf(position, origin);
-      vertex = std::copy(from_origin.begin(), from_origin.end(), vertex);
-    }
-    for (const std::uint32_t i : part[id].triangle) {
-      const auto& corner = surfaces->triangle[i].vertex;
-      index = std::copy(corner.begin(), corner.end(), index);
-    }
-    rtcSetGeometryUserData(geometry, &part[id]);
-    rtcSetGeometryMask(geometry, id < 2 ? kFixedMask : kOtherMask);
-    if (id % 2 == 1) {
-      rtcSetGeometryIntersectFilterFunction(geometry, passMaskedTexels);
-      rtcSetGeometryOccludedFilterFunction(geometry, passMaskedTexels);
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-    rtcReleaseGeometry(geometry);
-  }
-};
 
 /// A triangle on a ray, as Embree tells it.
 struct Tracer::Met {
@@ -235,7 +77,7 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return hitOf({ray.ray.tfar, scene_->part[ray.hit.geomID].triangle[ray.hit.primID], ray.hit.u, ray.hit.v}, direction);
+  return hitOf({ray.ray.tfar, scene_->triangleOf(ray.hit.geomID, ray.hit.primID), ray.hit.u, ray.hit.v}, direction);
 }
 
 std::vector<Hit> Tracer::all(const Number3& origin, const Number3& direction, double far, Meets meets) const {
@@ -249,9 +91,9 @@ std::vector<Hit> Tracer::all(const Number3& origin, const Number3& direction, do
     auto& q = *reinterpret_cast<Question*>(arguments->context);
     for (unsigned i = 0; i < arguments->N; ++i) {
       if (arguments->valid[i] == 0) continue;
-      const auto& triangle = q.scene->part[RTCHitN_geomID(arguments->hit, arguments->N, i)].triangle;
       q.met.push_back({RTCRayN_tfar(arguments->ray, arguments->N, i),
-                       triangle[RTCHitN_primID(arguments->hit, arguments->N, i)],
+                       q.scene->triangleOf(RTCHitN_geomID(arguments->hit, arguments->N, i),
+                                           RTCHitN_primID(arguments->hit, arguments->N, i)),
                        RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i)});
       arguments->valid[i] = 0;  // on to the next surface
     }
@@ -278,12 +120,9 @@ Hit Tracer::hitOf(const Met& met, const Number3& direction) const {
   // The position is computed from the vertices, not from the ray. So it lies on the triangle's plane up to the rounding
   // of doubles.
   const Triangle& triangle = surfaces().triangle[hit.triangle];
-  const auto corner = [&](std::size_t i) {
-    return load(floatsOf(surfaces().position[triangle.vertex[i]], scene_->origin));
-  };
-  const Number3 a = corner(0);
-  const Number3 b = corner(1);
-  const Number3 c = corner(2);
+  const Number3 a = scene_->corner(triangle.vertex[0]);
+  const Number3 b = scene_->corner(triangle.vertex[1]);
+  const Number3 c = scene_->corner(triangle.vertex[2]);
   const Number3 ab = b - a;
   const Number3 ac = c - a;
   hit.position = scene_->origin + (a + ab * hit.u + ac * hit.v);
@@ -317,9 +156,8 @@ bool Tracer::isNearer(const Number3& position, double distance_m) const {
   const auto ask = [](RTCPointQueryFunctionArguments* arguments) {
     auto& q = *static_cast<Question*>(arguments->userPtr);
     if (q.is_nearer || arguments->geomID >= 2) return false;  // only static geometry counts
-    const Surfaces& s = *q.scene->surfaces;
-    const auto& vertex = s.triangle[q.scene->part[arguments->geomID].triangle[arguments->primID]].vertex;
-    const auto corner = [&](std::size_t i) { return load(floatsOf(s.position[vertex[i]], q.scene->origin)); };
+    const auto& vertex = q.scene->surfaces->triangle[q.scene->triangleOf(arguments->geomID, arguments->primID)].vertex;
+    const auto corner = [&](std::size_t i) { return q.scene->corner(vertex[i]); };
     const Number3 way = nearestPoint(q.position, corner(0), corner(1), corner(2)) - q.position;
     q.is_nearer = dot(way, way) < q.distance_m * q.distance_m;
     return false;
@@ -362,7 +200,7 @@ Number3 Tracer::passing(const Hit& hit) const {
   const Triangle& triangle = surfaces().triangle[hit.triangle];
   const Material& material = surfaces().material[triangle.material];
   if (!material.letsLightThrough()) return Number3(0.0);
-  const Texel surface = surfaceAt(surfaces(), triangle, hit.u, hit.v);
+  const Texel surface = surfaceAt(surfaces(), triangle, {hit.u, hit.v});
   const double there = material.blended ? surface.alpha : 1.0;
   return surface.colour * (there * material.transmission) + Number3(1.0 - there);
 }
@@ -371,7 +209,7 @@ Number3 Tracer::albedo(const Hit& hit) const {
   if (hit.back) return Number3(0.0);
   const Triangle& triangle = surfaces().triangle[hit.triangle];
   const Material& material = surfaces().material[triangle.material];
-  const Texel surface = surfaceAt(surfaces(), triangle, hit.u, hit.v);
+  const Texel surface = surfaceAt(surfaces(), triangle, {hit.u, hit.v});
   if (!material.letsLightThrough()) return surface.colour;
   return surface.colour * ((material.blended ? surface.alpha : 1.0) * (1.0 - material.transmission));
 }
@@ -386,7 +224,7 @@ Number3 Tracer::emission(const Hit& hit) const {
     emission = emission * texelOf(surfaces(), triangle, Barycentric(hit.u, hit.v), material.emission_texture,
                                   material.emission_uv_row)
                               .colour;
-  if (material.blended) emission *= surfaceAt(surfaces(), triangle, hit.u, hit.v).alpha;
+  if (material.blended) emission *= surfaceAt(surfaces(), triangle, {hit.u, hit.v}).alpha;
   return emission;
 }
 

@@ -14,8 +14,6 @@ using base::Range;
 using base::TomlTable;
 using f64::Number3;
 
-constexpr double kRadians = f64::kPi / 180.0;
-
 const Range& rangeOf(std::string_view key) {
   return base::parameterOf(levelDomain(), "[geometry]", key).range;
 }
@@ -50,7 +48,7 @@ GeometryEntry readGeometry(TomlTable table, const std::filesystem::path& folder)
   entry.path = folder / requiredName(table, "file");
   const Number3 translation = table.colour("translation", rangeOf("translation"), Number3(0.0));
   const Number3 rotation_deg = table.colour("rotation_deg", rangeOf("rotation_deg"), Number3(0.0));
-  entry.transform = geometry::fromEuler(translation, rotation_deg * kRadians, readScale(table));
+  entry.transform = geometry::fromEuler(translation, rotation_deg * f64::kDegree, readScale(table));
   entry.role = *roleOf(table.string("role", {"static", "vegetation", "ignore"}, "static"));
   entry.vegetation_nodes = readPatterns(table, "vegetation_nodes");
   entry.ignore_nodes = readPatterns(table, "ignore_nodes");

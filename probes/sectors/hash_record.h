@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "welkin_generated.h"
 #include "sky/base/hash.h"
+#include "welkin_generated.h"
 
 namespace welkin::sectors {
 

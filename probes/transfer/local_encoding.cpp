@@ -39,8 +39,8 @@ void check(const LocalTransfer& t, std::size_t probe, std::size_t lights) {
   const auto number = numbersOf(t);
   for (std::size_t i = 0; i < kNumbers; ++i)
     if (!(number[i] >= (i < 3 ? 0.0 : -kLargestLocal) && number[i] <= kLargestLocal))
-      refuseNumber(fmt::format("probe {}: light {}: coefficient {}: {}; allowed: {} to {}", probe, t.light, i / 3, number[i],
-                         i < 3 ? 0.0 : -kLargestLocal, kLargestLocal));
+      refuseNumber(fmt::format("probe {}: light {}: coefficient {}: {}; allowed: {} to {}", probe, t.light, i / 3,
+                               number[i], i < 3 ? 0.0 : -kLargestLocal, kLargestLocal));
 }
 
 static_assert(kLocalTransferBytes == 2 * sizeof(std::uint16_t) + kNumbers * sizeof(std::int8_t));

@@ -19,7 +19,8 @@ namespace {
 
 void check(const TransferSettings& s) {
   if (s.rays < kLeastRays || s.rays > kMostRays || s.rays % kReplicates != 0)
-    refuseTransfer(fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
+    refuseTransfer(
+        fmt::format("rays: {}; allowed: multiples of {} from {} to {}", s.rays, kReplicates, kLeastRays, kMostRays));
   if (s.bounces < 0 || s.bounces > kMostBounces)
     refuseTransfer(fmt::format("bounces: {}; allowed: 0 to {}", s.bounces, kMostBounces));
   if (!(s.max_error >= 0.0 && s.max_error < 1.0))

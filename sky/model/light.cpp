@@ -5,8 +5,6 @@
 
 namespace welkin::model {
 namespace {
-constexpr double kRadian = det::kPi / 180.0;
-
 /// Days from J2000.0 (1 January 2000, 12 h UT) to 12 h UT of a day in the proleptic Gregorian calendar.
 double daysSinceJ2000(int year, int day_of_year) {
   const auto daysBefore = [](long y) {
@@ -30,14 +28,14 @@ Number3 LightPath::directionAt(double time_h) const {
 LightPath sunPathFromPlace(double latitude_deg, double longitude_deg, double utc_offset_h, int year, int day_of_year) {
   // 12 h of clock time is 12 h UT minus the offset. Delta T (about a minute) moves the sun by less than 0.001 degrees.
   const double t = (daysSinceJ2000(year, day_of_year) - utc_offset_h / 24.0) / 36525.0;
-  const double mean_longitude = (280.46646 + 36000.76983 * t + 0.0003032 * t * t) * kRadian;
-  const double anomaly = (357.52911 + 35999.05029 * t - 0.0001537 * t * t) * kRadian;
+  const double mean_longitude = (280.46646 + 36000.76983 * t + 0.0003032 * t * t) * det::kDegree;
+  const double anomaly = (357.52911 + 35999.05029 * t - 0.0001537 * t * t) * det::kDegree;
   const double eccentricity = 0.016708634 - 0.000042037 * t;
   const double centre = ((1.914602 - 0.004817 * t) * det::sin(anomaly) +
                          (0.019993 - 0.000101 * t) * det::sin(2 * anomaly) + 0.000289 * det::sin(3 * anomaly)) *
-                        kRadian;
+                        det::kDegree;
   const double longitude = mean_longitude + centre;
-  const double obliquity = (23.439291 - 0.0130042 * t) * kRadian;
+  const double obliquity = (23.439291 - 0.0130042 * t) * det::kDegree;
   const double sine = det::sin(obliquity) * det::sin(longitude);
 
   // Smart's series for the equation of time (Meeus 28.3), in radians of hour angle.
@@ -48,7 +46,7 @@ LightPath sunPathFromPlace(double latitude_deg, double longitude_deg, double utc
                                   0.5 * y * y * det::sin(4 * mean_longitude) -
                                   1.25 * eccentricity * eccentricity * det::sin(2 * anomaly);
   LightPath path;
-  path.latitude_rad = latitude_deg * kRadian;
+  path.latitude_rad = latitude_deg * det::kDegree;
   path.declination_rad = det::atan(sine, std::sqrt(1.0 - sine * sine));
   path.transit_h = 12.0 + utc_offset_h - longitude_deg / 15.0 - equation_of_time * 24.0 / det::kTwoPi;
   return path;

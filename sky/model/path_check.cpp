@@ -30,7 +30,9 @@ Culmination culminationOf(const LightPath& path) {
 
 std::vector<HorizonStretch> horizonStretchesOf(const LightPath& path) {
   const std::size_t count = path.key_time_h.size();
-  const auto isOnHorizon = [](double elevation_rad) { return std::abs(elevation_rad) <= kHorizonBand_deg * det::kDegree; };
+  const auto isOnHorizon = [](double elevation_rad) {
+    return std::abs(elevation_rad) <= kHorizonBand_deg * det::kDegree;
+  };
   if (std::all_of(path.key_elevation_rad.begin(), path.key_elevation_rad.end(), isOnHorizon)) return {};
   const auto lengthAfter = [&](std::size_t i) {  // From key i to the next, over midnight after the last one.
     return i + 1 < count ? path.key_time_h[i + 1] - path.key_time_h[i] : path.key_time_h[0] + 24.0 - path.key_time_h[i];

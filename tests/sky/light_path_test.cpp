@@ -19,7 +19,7 @@ namespace welkin::tests {
 using det::Number3;
 namespace {
 
-constexpr double kPathRounding = 1e-12;                       // of a few products in double; hours, radians
+constexpr double kPathRounding = 1e-12;                   // of a few products in double; hours, radians
 constexpr double kEquationOfTime_h_day = 30.3 / 3600.0;   // its fastest change, at a winter solstice
 constexpr double kDeclination_rad_day = 0.403 * kDegree;  // its fastest change is below the sun's own
 constexpr double kStep_h = 1.0 / 60.0;

@@ -29,14 +29,13 @@ double brightestLuminance(const Sky& sky) {
 
 /// The pictures of one instant, in the order of the sheet's rows.
 std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOptions& options, View view, bool sheet) {
-  constexpr double kRadians = f64::kPi / 180.0;
   render::Camera camera = render::towardsLight(views.sample());
-  if (options.yaw_deg) camera.yaw_rad = *options.yaw_deg * kRadians;
-  camera.pitch_rad = options.pitch_deg.value_or(18.0) * kRadians;
-  camera.fov_rad = options.fov_deg * kRadians;
+  if (options.yaw_deg) camera.yaw_rad = *options.yaw_deg * f64::kDegree;
+  camera.pitch_rad = options.pitch_deg.value_or(18.0) * f64::kDegree;
+  camera.fov_rad = options.fov_deg * f64::kDegree;
   render::Camera from_the_side =
       camera;  // the light comes from behind and the left, so that the spheres show their round
-  if (!options.yaw_deg) from_the_side.yaw_rad += 120.0 * kRadians;
+  if (!options.yaw_deg) from_the_side.yaw_rad += 120.0 * f64::kDegree;
   const Size wide = parseSize(options, sheet ? Size{320, 180} : Size{768, 432});
   const Size dome = sheet ? Size{wide.width, wide.width} : parseSize(options, {512, 512});
   std::vector<render::FloatImage> images;
@@ -80,17 +79,16 @@ render::Picture drawSky(render::VulkanDevice& device, const Sky& sky, const Rend
 
 render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene,
                           const render::LevelProbes* probes, const RenderOptions& options) {
-  constexpr double kRadians = f64::kPi / 180.0;
   constexpr uint32_t kSamples = 2;  // along each side of a pixel
   const bool sheet = options.times.size() > 1;
   const Size size = parseSize(options, sheet ? Size{480, 270} : Size{960, 540});
-  render::PlacedCamera from = render::overview(scene, options.fov_deg * kRadians);
+  render::PlacedCamera from = render::overview(scene, options.fov_deg * f64::kDegree);
   if (const auto position = parseCamera(options)) {
     from.position = *position;
     render::lookAtMiddle(scene, from.position, from.camera);
   }
-  if (options.yaw_deg) from.camera.yaw_rad = *options.yaw_deg * kRadians;
-  if (options.pitch_deg) from.camera.pitch_rad = *options.pitch_deg * kRadians;
+  if (options.yaw_deg) from.camera.yaw_rad = *options.yaw_deg * f64::kDegree;
+  if (options.pitch_deg) from.camera.pitch_rad = *options.pitch_deg * f64::kDegree;
   render::LevelView view(device, sky, scene,
                          {.flat_light = parseSkyLight(options) == render::SkyLight::flat,
                           .tint = !options.no_tint,

@@ -150,13 +150,13 @@ void addPalms(Scene& scene) {
   for (int v = 0; v < kPalmVariants; ++v) scene.addMesh(fmt::format("palm_{}", static_cast<char>('a' + v)), palm(v));
   const auto plant = [&](double x, double z, int number, double azimuth_rad) {
     const auto id = static_cast<uint32_t>(number);
-    scene.addNode(
-        {.name = fmt::format("palm_{:02}", number),
-         .mesh = fmt::format("palm_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + id) % kPalmVariants))),
-         .translation = onGround(x, z),
-         .azimuth_rad = azimuth_rad,
-         .scale = random(kIslandSeed + 1, id, 0.85, 1.25),
-         .role = "vegetation"});
+    scene.addNode({.name = fmt::format("palm_{:02}", number),
+                   .mesh = fmt::format(
+                       "palm_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + id) % kPalmVariants))),
+                   .translation = onGround(x, z),
+                   .azimuth_rad = azimuth_rad,
+                   .scale = random(kIslandSeed + 1, id, 0.85, 1.25),
+                   .role = "vegetation"});
   };
   int number = 0;
   for (const Place& p : kFramingPalms) plant(p.x, p.z, ++number, radians(p.azimuth_deg));
@@ -188,13 +188,13 @@ void addBushesAndRocks(Scene& scene) {
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(i);
-        scene.addNode(
-            {.name = fmt::format("bush_{:03}", i),
-             .mesh = fmt::format("bush_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 12 + id) % kTuft))),
-             .translation = onGround(x, z) - Vec3(0, 0.08, 0),
-             .azimuth_rad = kTau * random(kIslandSeed + 13, id),
-             .scale = random(kIslandSeed + 14, id, 0.8, 1.7),
-             .role = "vegetation"});
+        scene.addNode({.name = fmt::format("bush_{:03}", i),
+                       .mesh = fmt::format(
+                           "bush_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 12 + id) % kTuft))),
+                       .translation = onGround(x, z) - Vec3(0, 0.08, 0),
+                       .azimuth_rad = kTau * random(kIslandSeed + 13, id),
+                       .scale = random(kIslandSeed + 14, id, 0.8, 1.7),
+                       .role = "vegetation"});
       });
   scatter(
       kTufts, 0.7, kIslandSeed + 30,
@@ -226,13 +226,14 @@ void addBushesAndRocks(Scene& scene) {
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(i);
-        scene.addNode({.name = fmt::format("rock_{:02}", i),
-                       .mesh = fmt::format(
-                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
-                       .translation = onGround(x, z),
-                       .azimuth_rad = kTau * random(kIslandSeed + 23, id),
-                       .scale = random(kIslandSeed + 24, id, 0.6, 2.4),
-                       .role = "static"});
+        scene.addNode(
+            {.name = fmt::format("rock_{:02}", i),
+             .mesh = fmt::format(
+                 "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
+             .translation = onGround(x, z),
+             .azimuth_rad = kTau * random(kIslandSeed + 23, id),
+             .scale = random(kIslandSeed + 24, id, 0.6, 2.4),
+             .role = "static"});
       });
   scatter(
       kPebbles, 0.5, kIslandSeed + 40,
@@ -243,14 +244,15 @@ void addBushesAndRocks(Scene& scene) {
       },
       [&](double x, double z, int i) {
         const auto id = static_cast<uint32_t>(kRocks + i);
-        scene.addNode({.name = fmt::format("rock_{:02}", id),
-                       .mesh = fmt::format(
-                           "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
-                       .translation = onGround(x, z),
-                       .azimuth_rad = kTau * random(kIslandSeed + 43, id),
-                       .scale = random(kIslandSeed + 44, id, 0.05, 0.1) +
-                                0.3 * random(kIslandSeed + 45, id) * random(kIslandSeed + 46, id) * random(kIslandSeed + 47, id),
-                       .role = "static"});
+        scene.addNode(
+            {.name = fmt::format("rock_{:02}", id),
+             .mesh = fmt::format(
+                 "rock_{}", static_cast<char>('a' + static_cast<int>(hash(kIslandSeed + 22 + id) % kRockVariants))),
+             .translation = onGround(x, z),
+             .azimuth_rad = kTau * random(kIslandSeed + 43, id),
+             .scale = random(kIslandSeed + 44, id, 0.05, 0.1) +
+                      0.3 * random(kIslandSeed + 45, id) * random(kIslandSeed + 46, id) * random(kIslandSeed + 47, id),
+             .role = "static"});
       });
 }
 

@@ -46,7 +46,8 @@ Vec3 cavePoint(int row, int column) {
   Vec3 p(x + ring.shift, y, apron - ring.along);
   const double rough = s > 0.02 ? 1.0 : 0.12;
   const Vec3 seedPoint = p * 0.45 + Vec3(7.0);
-  const Vec3 offset(fractalNoise(seedPoint, 3, kRocksSeed + 11) - 0.5, fractalNoise(seedPoint, 3, kRocksSeed + 21) - 0.5,
+  const Vec3 offset(fractalNoise(seedPoint, 3, kRocksSeed + 11) - 0.5,
+                    fractalNoise(seedPoint, 3, kRocksSeed + 21) - 0.5,
                     fractalNoise(seedPoint, 3, kRocksSeed + 31) - 0.5);
   return p + offset * Vec3(2.2, 2.0 * (p.y > 0.3 ? 1.0 : 0.5), 2.0) * rough;
 }
