@@ -127,7 +127,7 @@ sectors::BakedFrom bakedFrom(const base::Hash128& surfaces, const SectorSettings
   from.light_paths = lights.digest();
   base::Hasher all;
   all.add(kBakeVersion);
-  all.add(format::kVersion);
+  all.add(format::kLevelVersion);
   all.add(std::string_view(geometry::Tracer::kIsa));
   for (const base::Hash128& part : {from.surfaces, from.settings, from.light_paths}) all.add(part);
   from.all = all.digest();

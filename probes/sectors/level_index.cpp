@@ -52,11 +52,11 @@ std::vector<std::byte> encodeLevel(const LevelIndex& index) {
                                          index.scale.sun_bounce, index.scale.sky);
   const auto settings = b.CreateString(index.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, 0, level));
-  return format::seal({b.GetBufferPointer(), b.GetSize()});
+  return format::seal({b.GetBufferPointer(), b.GetSize()}, format::Kind::level);
 }
 
 LevelIndex decodeLevel(std::span<const std::byte> bytes, const std::string& name) {
-  const format::File& file = bake::openChecked(bytes, name, format::levelFaultOf);
+  const format::File& file = bake::openChecked(bytes, name, format::Kind::level, format::levelFaultOf);
   const format::Level& level = *file.level();
   LevelIndex index;
   if (level.sectors() != nullptr)

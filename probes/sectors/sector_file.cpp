@@ -181,11 +181,11 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
       placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit));
   const auto settings = b.CreateString(s.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
-  return format::seal({b.GetBufferPointer(), b.GetSize()});
+  return format::seal({b.GetBufferPointer(), b.GetSize()}, format::Kind::sector);
 }
 
 SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& name) {
-  const format::File& file = bake::openChecked(bytes, name, format::sectorFaultOf);
+  const format::File& file = bake::openChecked(bytes, name, format::Kind::sector, format::sectorFaultOf);
   const format::Sector& sector = *file.sector();
   SectorFile s;
   s.id = {sector.x(), sector.z()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arguments.h"
 #include "core/floats.h"
 #include "core/sky.h"
 
@@ -55,7 +56,9 @@ WelkinResult welkin_dome_radiance(const WelkinSky* sky, const WelkinSkySample* s
                                   float radiance[3]) {
   using namespace welkin;
   using namespace welkin::core;
-  if (sky == nullptr || sample == nullptr || direction == nullptr || radiance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = nonNull(__func__, {{"sky", sky}, {"radiance", radiance}})) return r;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = unit(__func__, "direction", direction)) return r;
   const Number3 d = load(direction);
   if (!(d.y >= 0.0)) {
     std::copy_n(sample->ground_radiance, 3, radiance);
@@ -79,8 +82,11 @@ WelkinResult welkin_disc_radiance(const WelkinSkySample* sample, const float dir
                                   float radiance[3]) {
   using namespace welkin;
   using namespace welkin::core;
-  if (sample == nullptr || direction == nullptr || radiance == nullptr || !(pixel_rad >= 0.0F))
-    return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = unit(__func__, "direction", direction)) return r;
+  if (const auto r = nonNull(__func__, {{"radiance", radiance}})) return r;
+  if (!(pixel_rad >= 0.0F && std::isfinite(pixel_rad)))
+    return refuse(__func__, "pixel_rad is %g, must be finite and at least 0", double{pixel_rad});
   const Number3 d = load(direction);
   const Number3 sun = load(sample->sun.direction);
   Number3 sum(0.0);
@@ -101,6 +107,7 @@ WelkinResult welkin_star_radiance(const WelkinSky* sky, const WelkinSkySample* s
                                   float radiance[3]) {
   using namespace welkin;
   using namespace welkin::core;
+  if (const auto r = nonNull(__func__, {{"radiance", radiance}})) return r;
   float dome[3];
   if (const auto r = welkin_dome_radiance(sky, sample, direction, dome)) return r;
   WelkinStars map;

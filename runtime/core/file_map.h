@@ -19,9 +19,12 @@ class FileMap {
   }
   ~FileMap();
 
-  /// Maps the file at `path`. Returns 0, or the errno if the file cannot be mapped. An empty file maps to no bytes.
+  /// Maps the file at `path`, UTF-8 on Windows. Returns 0, or the system's error. An empty file maps to no bytes.
   int open(const char* path);
   std::span<const std::byte> bytes() const { return bytes_; }
+
+  /// Writes the reason for such an error, in the system's words.
+  static void describe(int error, char* text, std::size_t size);
 
  private:
   std::span<const std::byte> bytes_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arguments.h"
 #include "core/floats.h"
 #include "core/sky.h"
 
@@ -52,8 +53,9 @@ double scaled(const WelkinSkySample& sample, std::uint32_t i, int channel) {
 WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, const float normal[3], float irradiance[3]) {
   using namespace welkin;
   using namespace welkin::core;
-  if (sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
-  if (sample->coefficient_count > WELKIN_MAX_COEFFICIENTS) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = unit(__func__, "normal", normal)) return r;
+  if (const auto r = nonNull(__func__, {{"irradiance", irradiance}})) return r;
   const f64::ShBasis basis = f64::shBasis(load(normal));
   Number3 sum(0.0);
   for (std::uint32_t i = 0; i < sample->coefficient_count; ++i)
@@ -66,9 +68,12 @@ WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* 
                                    float irradiance[3]) {
   using namespace welkin;
   using namespace welkin::core;
-  if (sky == nullptr || sample == nullptr || normal == nullptr || irradiance == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = nonNull(__func__, {{"sky", sky}, {"irradiance", irradiance}})) return r;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
   if (sample->mode_count == 0) return welkin_sample_irradiance(sample, normal, irradiance);
-  if (sample->mode_count != sky->day.modes().count()) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = unit(__func__, "normal", normal)) return r;
+  if (sample->mode_count != sky->day.modes().count())
+    return refuse(__func__, "sample->mode_count is %u, the sky has %zu", sample->mode_count, sky->day.modes().count());
   const Number3 n = load(normal);
   const Number3 up = n.y < 0.0 ? -n : n;
   const double horizontal = f64::horizontalLength(up);
@@ -87,10 +92,14 @@ WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* 
 WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
                                  WelkinSkySample* blended) {
   using namespace welkin::core;
-  if (first == nullptr || second == nullptr || blended == nullptr || !(weight >= 0.0F && weight <= 1.0F) ||
-      first->coefficient_count != second->coefficient_count || first->coefficient_count > WELKIN_MAX_COEFFICIENTS)
-    return WELKIN_ERROR_ARGUMENT;
-  WelkinSkySample out = *first;
+  if (const auto r = checkSample(__func__, "first", first)) return r;
+  if (const auto r = checkSample(__func__, "second", second)) return r;
+  if (const auto r = sized(__func__, "blended", blended)) return r;
+  if (!(weight >= 0.0F && weight <= 1.0F)) return refuse(__func__, "weight is %g, must be 0 to 1", double{weight});
+  if (first->coefficient_count != second->coefficient_count)
+    return refuse(__func__, "first has %u coefficients and second has %u", first->coefficient_count,
+                  second->coefficient_count);
+  WelkinSkySample out = take(*first);
   out.sun = blendLights(first->sun, second->sun, weight);
   out.moon = blendLights(first->moon, second->moon, weight);
   out.ambient_saturation = lerp(first->ambient_saturation, second->ambient_saturation, weight);
@@ -104,13 +113,14 @@ WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySa
   out.mode_count = 0;  // two skies have two sets of modes
   std::fill_n(&out.mode_weight[0][0], 3 * WELKIN_MAX_MODES, 0.0F);
   out.unchanged = 0;
-  *blended = out;
+  give(out, blended);
   return WELKIN_OK;
 }
 
 WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight* light) {
   using namespace welkin::core;
-  if (sample == nullptr || light == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = nonNull(__func__, {{"light", light}})) return r;
   const double sun = facing(sample->sun);
   const double moon = facing(sample->moon);
   const bool is_sun = sun >= moon;
@@ -125,15 +135,18 @@ WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight*
 }
 
 WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed) {
-  if (sample == nullptr || packed == nullptr) return WELKIN_ERROR_ARGUMENT;
+  using namespace welkin::core;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = nonNull(__func__, {{"packed", packed}})) return r;
   for (std::uint32_t i = 0; i < 9; ++i)
-    for (int c = 0; c < 3; ++c) packed->sh[i][c] = welkin::core::toFloat(welkin::core::scaled(*sample, i, c));
+    for (int c = 0; c < 3; ++c) packed->sh[i][c] = toFloat(scaled(*sample, i, c));
   return WELKIN_OK;
 }
 
 WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed) {
   using namespace welkin::core;
-  if (sample == nullptr || packed == nullptr) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = nonNull(__func__, {{"packed", packed}})) return r;
   float* const linear[3] = {packed->shar, packed->shag, packed->shab};
   float* const quadratic[3] = {packed->shbr, packed->shbg, packed->shbb};
   for (int c = 0; c < 3; ++c) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/arguments.h"
 #include "core/floats.h"
 #include "core/sky.h"
 #include "format/key_segment.h"
@@ -73,9 +74,10 @@ void chooseCubemaps(const WelkinSky& opened, double time_h, WelkinSkySample& out
   out.cubemap_weight = std::min(toFloat(s.weight), std::nextafter(1.0F, 0.0F));
 }
 
-/// Sets every byte of `out`; `unchanged` becomes 0.
+/// Sets every byte of `out`, which has the size of this library's struct; `unchanged` becomes 0.
 void sampleAt(const WelkinSky& sky, double time_h, WelkinSkySample& out) {
-  std::memset(&out, 0, sizeof out);
+  std::memset(static_cast<void*>(&out), 0, sizeof out);
+  out.struct_size = sizeof out;
   out.time_h = time_h;
   const double intensity = sky.intensity.at(time_h);
   out.intensity = toFloat(intensity);
@@ -97,18 +99,22 @@ void sampleAt(const WelkinSky& sky, double time_h, WelkinSkySample& out) {
 WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, WelkinSkySample* sample) {
   using namespace welkin;
   using namespace welkin::core;
-  if (sky == nullptr || sample == nullptr || !std::isfinite(time_h)) return WELKIN_ERROR_ARGUMENT;
+  if (const auto r = nonNull(__func__, {{"sky", sky}})) return r;
+  if (const auto r = sized(__func__, "sample", sample)) return r;
+  if (!std::isfinite(time_h)) return refuse(__func__, "time_h is %g, must be finite", time_h);
   const double wrapped_h = format::wrapTime(time_h);
+  const std::size_t size = sample->struct_size;
   // A sample of another hour differs anyway: compare only if the hour is the same.
-  if (std::memcmp(&wrapped_h, &sample->time_h, sizeof wrapped_h) != 0) {
+  if (size == sizeof *sample && std::memcmp(&wrapped_h, &sample->time_h, sizeof wrapped_h) != 0) {
     sampleAt(*sky, wrapped_h, *sample);
     return WELKIN_OK;
   }
   WelkinSkySample out;
   sampleAt(*sky, wrapped_h, out);
+  out.struct_size = sample->struct_size;
   out.unchanged = sample->unchanged;
-  const bool unchanged = std::memcmp(&out, sample, sizeof out) == 0;
-  if (!unchanged) std::memcpy(sample, &out, sizeof out);
+  const bool unchanged = std::memcmp(&out, sample, size) == 0;
+  if (!unchanged) std::memcpy(static_cast<void*>(sample), &out, size);
   sample->unchanged = unchanged ? 1 : 0;
   return WELKIN_OK;
 }

@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened sky: the mapping of its file and the table inside it.
+// An opened sky: the memory of its file and the table inside it.
 #pragma once
 
 #include <welkin/welkin.h>
 
-#include <cstdarg>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 
+#include "core/arguments.h"
 #include "core/day.h"
 #include "core/file_map.h"
+#include "core/host_memory.h"
 #include "core/light.h"
 #include "format/container.h"
 #include "format/domain_check.h"
 #include "shared.h"
 
 namespace welkin::core {
-
-/// Writes a formatted message when there is somewhere to write it, and returns `code`.
-[[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
 
 /// WELKIN_OK if everything that sampling reads is there and in its domain. Otherwise WELKIN_ERROR_CONTENT, and
 /// `message` names the value. `bytes`: the size of the whole file.
@@ -43,7 +40,9 @@ inline constexpr double kLeastDivisor = 1e-30;
 }  // namespace welkin::core
 
 struct WelkinSky {
+  welkin::core::HostMemory memory;
   welkin::core::FileMap map;
+  welkin::core::HostArray<std::byte> copy;
   const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
   welkin::core::Curve intensity, ambient_saturation, polarising_tint;
   welkin::core::Light sun;
@@ -54,8 +53,8 @@ struct WelkinSky {
   welkin::core::Day day;
   welkin::core::PolarFrame frame;
   std::size_t cubemap_count = 0;
-  std::unique_ptr<double[]> cubemap_time_h;
-  std::unique_ptr<float[]> gradient_sun, gradient_anti;  ///< decoded; null if the file holds floats
-  double constant_norm = 1.0;                            ///< f64::constantNorm of the luminance
-  double ground_sh[25] = {};                             ///< coefficients of a radiance of 1 below the horizon
+  welkin::core::HostArray<double> cubemap_time_h;
+  welkin::core::HostArray<float> gradient_sun, gradient_anti;  ///< decoded; null if the file holds floats
+  double constant_norm = 1.0;                                  ///< f64::constantNorm of the luminance
+  double ground_sh[25] = {};                                   ///< coefficients of a radiance of 1 below the horizon
 };

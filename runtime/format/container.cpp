@@ -21,6 +21,25 @@ std::uint64_t checksumOf(const Header& header, std::span<const std::byte> payloa
 
 }  // namespace
 
+const char* nameOf(Kind kind) {
+  switch (kind) {
+    case Kind::sky:
+      return "a sky";
+    case Kind::sector:
+      return "a sector of a level";
+    case Kind::level:
+      return "the index of a level";
+  }
+  return "of an unknown kind";
+}
+
+std::optional<Kind> kindOf(std::span<const std::byte> bytes) {
+  if (bytes.size() < sizeof(Header) || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return std::nullopt;
+  Header header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  return header.kind <= Kind::level ? std::optional(header.kind) : std::nullopt;
+}
+
 Opened openContainer(std::span<const std::byte> bytes) {
   Opened result;
   const auto refuse = [&](Refusal why) {
@@ -35,23 +54,33 @@ Opened openContainer(std::span<const std::byte> bytes) {
   Header header;
   std::memcpy(&header, bytes.data(), sizeof header);
   result.found_version = header.version;
-  if (header.version != kVersion || header.header_size != sizeof(Header)) return refuse(Refusal::version);
+  result.found_header_size = header.header_size;
+  result.kind = header.kind;
+  if (header.kind > Kind::level) return refuse(Refusal::kind);
+  if (header.version != versionOf(header.kind)) return refuse(Refusal::version);
+  if (header.header_size != sizeof(Header)) return refuse(Refusal::header);
   result.expected_size = header.file_size;
   if (header.file_size != bytes.size()) return refuse(Refusal::truncated);
   const auto payload = bytes.subspan(sizeof header);
   if (checksumOf(header, payload) != header.checksum) return refuse(Refusal::checksum);
   flatbuffers::Verifier verifier(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
   if (!VerifyFileBuffer(verifier)) return refuse(Refusal::structure);
-  result.file = GetFile(payload.data());
+  const File* file = GetFile(payload.data());
+  if (header.kind == Kind::sky && file->sky() == nullptr && (file->sector() != nullptr || file->level() != nullptr)) {
+    result.kind = file->sector() != nullptr ? Kind::sector : Kind::level;  // of version 2, which named no kind
+    return refuse(Refusal::version);
+  }
+  result.file = file;
   return result;
 }
 
-std::vector<std::byte> seal(std::span<const std::uint8_t> flatbuffer) {
+std::vector<std::byte> seal(std::span<const std::uint8_t> flatbuffer, Kind kind) {
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
-  header.version = kVersion;
+  header.version = versionOf(kind);
   header.header_size = sizeof(Header);
   header.file_size = sizeof(Header) + flatbuffer.size();
+  header.kind = kind;
   header.checksum = checksumOf(header, std::as_bytes(flatbuffer));
   std::vector<std::byte> bytes(sizeof(Header) + flatbuffer.size());
   std::memcpy(bytes.data(), &header, sizeof header);

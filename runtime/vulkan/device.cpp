@@ -2,20 +2,7 @@
 // Loads Vulkan functions through the caller's vkGetInstanceProcAddr and checks the device's features.
 #include "vulkan/device.h"
 
-#include <cstdarg>
-#include <cstdio>
-
 namespace welkin::vulkan {
-
-WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...) {
-  if (message != nullptr) {
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(message->text, sizeof(message->text), format, arguments);
-    va_end(arguments);
-  }
-  return code;
-}
 
 WelkinResult check(VkResult result, const char* what, WelkinMessage* message) {
   if (result == VK_SUCCESS) return WELKIN_OK;
@@ -76,9 +63,11 @@ WelkinResult openDevice(const WelkinVulkanCreateInfo& info, Device& device, Welk
   device.handle = info.device;
   device.allocator = info.allocator;
   if (info.memory != nullptr) {
+    if (const auto result = core::sized("welkin_vulkan_create", "info->memory", info.memory))
+      return fail(message, result, "%s", welkin_argument_error());
     if (info.memory->allocate == nullptr || info.memory->free == nullptr)
       return fail(message, WELKIN_ERROR_ARGUMENT, "memory must give both allocate and free");
-    device.callbacks = *info.memory;
+    device.callbacks = core::take(*info.memory);
   }
   if (const auto result = loadFunctions(info, device.fn, message)) return result;
   device.fn.GetPhysicalDeviceProperties(device.physical, &device.properties);

@@ -4,6 +4,21 @@
 
 #include <welkin/welkin_vulkan.h>
 
+#include "core/arguments.h"
+
+namespace welkin::core {
+
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVulkanMemoryCallbacks> = 32;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVulkanCreateInfo> = 104;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVulkanView> = 92;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVulkanMemory> = 32;
+
+}  // namespace welkin::core
+
 namespace welkin::vulkan {
 
 #define WELKIN_VULKAN_INSTANCE_FUNCTIONS(X) \
@@ -77,8 +92,7 @@ struct Device {
   void nameObject(VkObjectType type, uint64_t object, const char* text) const;
 };
 
-/// Writes a formatted message when there is somewhere to write it, and returns `code`.
-[[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
+using core::fail;
 
 /// WELKIN_OK if `result` is a success. Else WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE, and the message
 /// "`what`: `result`".

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky at an instant as a uniform block: one struct, compiled as C++ and as GLSL. It has four-component vectors
-// only, so that std140, std430 and C++ give it the same layout.
+// The sky at an instant as a uniform block: one struct, compiled as C, C++ and GLSL. It has four-component vectors
+// only, so that std140, std430 and C give it the same layout. welkin_sky_constants fills it.
 #ifndef WELKIN_SKY_CONSTANTS_H
 #define WELKIN_SKY_CONSTANTS_H
 
-#ifdef __cplusplus
-#include <cstddef>
-struct WelkinFloat4 {
+#if defined(__cplusplus) || defined(__STDC__)
+#include <stddef.h>
+typedef struct WelkinFloat4 {
   float x, y, z, w;
-};
+} WelkinFloat4;
 #define WELKIN_FLOAT4 WelkinFloat4
 #else
 #define WELKIN_FLOAT4 vec4
@@ -38,14 +38,17 @@ struct WelkinSkyConstants {
   WELKIN_FLOAT4 mode_texels;      // from column and row in [0, 1] to the modes' map: xy scale, zw offset
 };
 
+#if defined(__cplusplus) || defined(__STDC__)
+typedef struct WelkinSkyConstants WelkinSkyConstants;
+#endif
 #ifdef __cplusplus
-static_assert(sizeof(WelkinSkyConstants) == 52 * 16);
-static_assert(offsetof(WelkinSkyConstants, luminance_ek) == 2 * 16);
-static_assert(offsetof(WelkinSkyConstants, gradient_column) == 6 * 16);
-static_assert(offsetof(WelkinSkyConstants, moon_disc) == 9 * 16);
-static_assert(offsetof(WelkinSkyConstants, ambient_sh) == 13 * 16);
-static_assert(offsetof(WelkinSkyConstants, mode_weight) == 38 * 16);
-static_assert(offsetof(WelkinSkyConstants, mode_texels) == 51 * 16);
+static_assert(sizeof(WelkinSkyConstants) == 52 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, luminance_ek) == 2 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, gradient_column) == 6 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, moon_disc) == 9 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, ambient_sh) == 13 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, mode_weight) == 38 * 16, "");
+static_assert(offsetof(WelkinSkyConstants, mode_texels) == 51 * 16, "");
 #endif
 
 #undef WELKIN_FLOAT4

@@ -165,7 +165,7 @@ Json bakeSky(const SkyFile& file, const std::vector<Input>& inputs, const std::f
   timing["sky_baked"] = bakes;
   removeLeftovers(folder, state.made["outputs"]);
   Json report = {
-      {"format_version", format::kVersion}, {"inputs", inputsJson(inputs)}, {"settings", Json::parse(file.settings)}};
+      {"format_version", format::kSkyVersion}, {"inputs", inputsJson(inputs)}, {"settings", Json::parse(file.settings)}};
   report.update(state.made);
   Json warnings = warningsJson(file);
   warnings.insert(warnings.end(), state.made["warnings"].begin(), state.made["warnings"].end());

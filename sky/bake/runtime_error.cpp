@@ -9,7 +9,8 @@ namespace welkin::bake {
 
 void require(WelkinResult result, const std::string& path, const char* message) {
   if (result == WELKIN_OK) return;
-  const std::string text = fmt::format("{}: {}", path, *message != '\0' ? message : welkin_result_string(result));
+  const char* reason = *message != '\0' ? message : welkin_result_string(result);
+  const std::string text = path.empty() ? std::string(reason) : fmt::format("{}: {}", path, reason);
   switch (result) {
     case WELKIN_ERROR_FILE:
     case WELKIN_ERROR_MEMORY:
@@ -20,6 +21,7 @@ void require(WelkinResult result, const std::string& path, const char* message) 
     case WELKIN_ERROR_TRUNCATED:
     case WELKIN_ERROR_CHECKSUM:
     case WELKIN_ERROR_CONTENT:
+    case WELKIN_ERROR_KIND:
       throw base::Error(base::ExitStatus::content, text);
     default:
       throw base::Error(base::ExitStatus::internal, text);

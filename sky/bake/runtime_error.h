@@ -8,7 +8,7 @@
 
 namespace welkin::bake {
 
-/// Throws the Error that a failed runtime call stands for.
+/// Throws the Error that a failed runtime call stands for: "path: message", or the message alone for an empty path.
 void require(WelkinResult result, const std::string& path, const char* message);
 
 }  // namespace welkin::bake

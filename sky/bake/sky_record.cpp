@@ -136,7 +136,7 @@ SkyState skyState(const fs::path& folder, const SkyFile& file, Certify certify) 
   Names changed;
   try {
     const auto bytes = base::readFile(folder / "sky.welkin");
-    addChanged(file.inputs, openChecked(bytes, "it", noSky).inputs(), changed);
+    addChanged(file.inputs, openChecked(bytes, "it", format::Kind::sky, noSky).inputs(), changed);
   } catch (const base::Error& e) {
     if (e.status() != base::ExitStatus::content) throw;
     return {std::string("unreadable: ") + e.what(), {}};

@@ -67,7 +67,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* bytes, std::size_t 
     placeNumber(payload, length, random);
   else
     length = LLVMFuzzerMutate(payload, length, most - sizeof(Header));
-  const auto sealed = welkin::format::seal({payload, length});
+  const auto kind = welkin::format::kindOf(std::as_bytes(std::span(bytes, sizeof(Header))));
+  const auto sealed = welkin::format::seal({payload, length}, kind.value_or(welkin::format::Kind::sky));
   std::memcpy(bytes, sealed.data(), sealed.size());
   return sealed.size();
 }

@@ -12,6 +12,15 @@ file(RELATIVE_PATH bin_to_modules /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${modu
 set_target_properties(welkin_runtime PROPERTIES EXPORT_NAME runtime)
 set_target_properties(welkin_vulkan PROPERTIES EXPORT_NAME vulkan)
 set(components runtime vulkan)
+if(TARGET welkin_shared_library)
+  set_target_properties(welkin_shared_library PROPERTIES EXPORT_NAME library)
+  install(TARGETS welkin_shared_library EXPORT WelkinTargets-library
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  list(APPEND components library)
+endif()
 if(TARGET welkin)
   set_target_properties(welkin PROPERTIES EXPORT_NAME bake
     INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # stays right when the installation moves
@@ -32,6 +41,9 @@ foreach(component runtime vulkan)
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
 
+install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES shaders/welkin/sky_constants.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/welkin COMPONENT runtime)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "welkin_vulkan*" EXCLUDE)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT vulkan
@@ -61,7 +73,10 @@ endforeach()
 string(STRIP "${WELKIN_PC_LIBS}" WELKIN_PC_LIBS)
 file(RELATIVE_PATH WELKIN_PC_PREFIX /prefix/${pkgconfig_folder} /prefix)
 string(REGEX REPLACE "/$" "" WELKIN_PC_PREFIX ${WELKIN_PC_PREFIX})
-foreach(component runtime vulkan)
+foreach(component runtime vulkan library)
+  if(NOT component IN_LIST components)
+    continue()
+  endif()
   configure_file(${CMAKE_CURRENT_LIST_DIR}/welkin-${component}.pc.in ${PROJECT_BINARY_DIR}/welkin-${component}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/welkin-${component}.pc DESTINATION ${pkgconfig_folder} COMPONENT ${component})
 endforeach()

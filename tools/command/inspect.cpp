@@ -58,9 +58,9 @@ void inspectLevel(const std::string& path, bool as_json) {
 
 void inspect(const std::string& path, bool as_json) {
   const std::string file = skyFileOf(path);
-  const Holds holds = whatHolds(file);
-  if (holds == Holds::sector) return inspectSector(file, as_json);
-  if (holds == Holds::level) return inspectLevel(file, as_json);
+  const format::Kind kind = kindOfFile(file);
+  if (kind == format::Kind::sector) return inspectSector(file, as_json);
+  if (kind == format::Kind::level) return inspectLevel(file, as_json);
   const Sky sky = openSky(file);
   if (as_json) {
     Json json = skyJson(sky);

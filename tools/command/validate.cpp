@@ -34,10 +34,10 @@ void validateFile(const std::string& path) {
     if (read.level) build::addWarnings(*read.level, warnings);
     return printWarnings(warnings);
   }
-  const Holds holds = whatHolds(path);
-  if (holds == Holds::sector)
+  const format::Kind kind = kindOfFile(path);
+  if (kind == format::Kind::sector)
     sectors::decodeSector(base::readFile(path), path);
-  else if (holds == Holds::level)
+  else if (kind == format::Kind::level)
     build::readIndex(path);
   else
     openSky(path);

@@ -4,23 +4,20 @@
 #include <filesystem>
 
 #include "command/arguments.h"
-#include "format/container.h"
 #include "sky/base/atomic_file.h"
 
 namespace welkin::command {
 
-Holds whatHolds(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".toml") return Holds::sky;
+format::Kind kindOfFile(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") return format::Kind::sky;
   const auto bytes = base::readFile(path);
-  const format::Opened opened = format::openContainer(bytes);
-  if (opened.file == nullptr) return Holds::sky;
-  return opened.file->sector() != nullptr ? Holds::sector : opened.file->level() != nullptr ? Holds::level : Holds::sky;
+  return format::kindOf(bytes).value_or(format::Kind::sky);
 }
 
 Sky openSky(const std::string& path) {
   Sky sky;
   const Status status = sky.open(path);
-  require(status.code, path, status.message.c_str());
+  require(status.code, "", status.message.c_str());  // the message names the path
   return sky;
 }
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <welkin/welkin.hpp>
 
+#include "format/container.h"
+
 namespace welkin::command {
 
-enum class Holds { sky, sector, level };
-
-/// The kind of a file's content. It is sky for unreadable content too; opening it as a sky then gives the reason.
-Holds whatHolds(const std::string& path);
+/// The kind that a file's header names. It is sky for a foreign file too; opening it as a sky then gives the reason.
+format::Kind kindOfFile(const std::string& path);
 
 /// Opens a baked sky. Throws Error.
 Sky openSky(const std::string& path);

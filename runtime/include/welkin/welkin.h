@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Welkin runtime: opens a baked sky (.welkin) and blends it to any time of day. C ABI; welkin.hpp wraps it for C++.
+ * Welkin runtime: opens a baked sky (.welkin) and blends it to any time of day. C99; welkin.hpp wraps it for C++17.
  *
  * Use
  *   At load time    welkin_sky_open_file.
  *   Every frame     welkin_sky_sample. The sample holds sun, moon, ambient light, ground and the cubemaps to blend.
  *                   welkin_vulkan.h draws it and passes it to shaders; welkin_sky_irradiance gives light on the CPU.
+ *                   On another graphics API, welkin_sky_constants fills the uniform block of the shaders.
  *   At the end      welkin_sky_close.
  *
  * Conventions
  *   Axes         right-handed, +x east, +y up, -z north. A direction points away from the observer.
+ *   Vectors      a normal or direction of the caller has finite components and a length within 0.1 % of 1; any other
+ *                is WELKIN_ERROR_ARGUMENT. It is used as it is: the error of its length is in the result.
  *   Time of day  hours; any finite value is wrapped into [0, 24).
  *   Colour       linear, Rec. 709 primaries, D65.
  *   Radiance     scene units: radiance 1 has a luminance of WelkinSkyInfo::luminance_unit cd/m2.
@@ -20,20 +23,31 @@
  *                l = 0..4 give E when they are multiplied by pi, 2 pi/3, pi/4, 0, -pi/24.
  *
  * Threads
- *   There is no global state. Functions that take a const WelkinSky may be called from any number of threads at once.
- *   welkin_sky_close must not overlap any other call on the same sky. Only welkin_sky_open_* allocates. Nothing throws.
+ *   The only state outside the objects is the text of welkin_argument_error, which each thread has for itself.
+ *   Functions that take a const WelkinSky may be called from any number of threads at once. welkin_sky_close must not
+ *   overlap any other call on the same sky. Only opening allocates. Nothing throws.
  *
  * Errors
- *   Every function that returns a WelkinResult returns WELKIN_ERROR_ARGUMENT for a null pointer, unless its comment
- *   allows null. On an error the output is left as it was, unless its comment says otherwise.
+ *   Every function that returns a WelkinResult returns WELKIN_ERROR_ARGUMENT for a null pointer or a struct_size out of
+ *   range, unless its comment allows null. On an error the output is left as it was, unless its comment says otherwise.
  */
 #ifndef WELKIN_WELKIN_H
 #define WELKIN_WELKIN_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include <welkin/types.h>
 
-#if defined(WELKIN_SHARED_LIBRARY)
+/* Version of this header: major, minor, patch. docs/runtime.md states the changes that each may bring. */
+#define WELKIN_VERSION_MAJOR 0
+#define WELKIN_VERSION_MINOR 2
+#define WELKIN_VERSION_PATCH 0
+#define WELKIN_VERSION ((WELKIN_VERSION_MAJOR << 20) | (WELKIN_VERSION_MINOR << 10) | WELKIN_VERSION_PATCH)
+
+/* WELKIN_SHARED_LIBRARY: the program links the shared library. The package's target welkin::shared sets it. */
+#if defined(_WIN32) && defined(WELKIN_BUILDING_SHARED_LIBRARY)
+#define WELKIN_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(WELKIN_SHARED_LIBRARY)
+#define WELKIN_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define WELKIN_API __attribute__((visibility("default")))
 #else
 #define WELKIN_API
@@ -43,194 +57,38 @@
 extern "C" {
 #endif
 
-/* The most bands, coefficients and modes that a sky can have. */
-#define WELKIN_MAX_BANDS 5
-#define WELKIN_MAX_COEFFICIENTS 25
-#define WELKIN_MAX_MODES 12
+/* WELKIN_VERSION of the library that runs. A library of the same major version, and while that is 0 of the same minor
+ * version, works with programs that were compiled against an older header. */
+WELKIN_API uint32_t welkin_version(void);
 
-typedef enum WelkinResult {
-  WELKIN_OK = 0,
-  WELKIN_ERROR_ARGUMENT = 1,  /* a null pointer, a NaN, an index past the end, a misaligned buffer */
-  WELKIN_ERROR_FILE = 2,      /* the file cannot be opened, read or mapped */
-  WELKIN_ERROR_FOREIGN = 3,   /* not a .welkin file */
-  WELKIN_ERROR_VERSION = 4,   /* written by another format version */
-  WELKIN_ERROR_TRUNCATED = 5, /* shorter or longer than its header says */
-  WELKIN_ERROR_CHECKSUM = 6,  /* the bytes are not those that were written */
-  WELKIN_ERROR_CONTENT = 7,   /* intact, but a value is missing or out of its domain */
-  WELKIN_ERROR_MEMORY = 8,    /* out of host or device memory */
-  WELKIN_ERROR_DEVICE = 9     /* a Vulkan call failed, or the device lacks a feature */
-} WelkinResult;
-
-/* The reason for a failure, in English, terminated by a zero. A function that takes a pointer to one fills it only when
- * the function fails. The pointer may be null. */
-typedef struct WelkinMessage {
-  char text[256];
-} WelkinMessage;
-
-/* An opened sky. It holds the memory mapping of its file. */
-typedef struct WelkinSky WelkinSky;
-
-/* Format of a cubemap's texels, little-endian. */
-typedef enum WelkinCubemapFormat {
-  WELKIN_CUBEMAP_RGBA16F = 0,  /* IEEE half floats, alpha 1: VK_FORMAT_R16G16B16A16_SFLOAT, 8 bytes */
-  WELKIN_CUBEMAP_RGB9E5 = 1,   /* shared exponent: VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, 4 bytes */
-  WELKIN_CUBEMAP_B10G11R11 = 2 /* small floats: VK_FORMAT_B10G11R11_UFLOAT_PACK32, 4 bytes */
-} WelkinCubemapFormat;
-
-/* Sizes and constants of a sky. */
-typedef struct WelkinSkyInfo {
-  uint32_t bands;                     /* bands of spherical harmonics, 2..5 */
-  uint32_t coefficient_count;         /* bands^2 */
-  uint32_t key_count;                 /* times of day that the file stores, >= 1; a sample interpolates between them */
-  uint32_t mode_count;                /* modes of the irradiance, 0..12; 0: the coefficients give the irradiance */
-  uint32_t cubemap_count;             /* 0 without cubemaps */
-  uint32_t cubemap_size;              /* texels along a face's edge; 0 without cubemaps */
-  WelkinCubemapFormat cubemap_format; /* one format for all cubemaps */
-  uint32_t has_moon;                  /* 0 or 1 */
-  float luminance_unit;               /* luminance of radiance 1, cd/m2, > 0 */
-  float ground_albedo[3];             /* RGB, 0..1 */
-} WelkinSkyInfo;
-
-/* The sun or the moon at an instant. */
-typedef struct WelkinLight {
-  float direction[3];         /* unit vector towards the light; a light below the horizon lights nothing */
-  float illuminance;          /* illuminance of a surface that faces the light, scene units, >= 0 */
-  float colour[3];            /* the artist's colour; only its hue and saturation count */
-  float normal_irradiance[3]; /* RGB irradiance of a surface that faces the light:
-                                 illuminance * colour / luminance(colour) */
-  float disc_radius_rad;      /* angular radius of the disc that the dome draws, radians, 0..pi/2; 0: no disc */
-  float visible;              /* share of the disc above the horizon, 0..1. Multiply the irradiance by it: the light
-                                 then rises and sets without a jump. A light without a disc has the share of a disc
-                                 half a degree across */
-} WelkinLight;
-
-/* The sky at an instant: all that a frame needs. Zero-initialise it before its first use. */
-typedef struct WelkinSkySample {
-  double time_h; /* hours, in [0, 24) */
-  WelkinLight sun;
-  WelkinLight moon;           /* all zero without a moon */
-  float intensity;            /* factor on the sky's radiance, >= 0; it is already in the coefficients */
-  float ambient_saturation;   /* saturation of the ambient coefficients, 0..1 */
-  float polarising_tint[3];   /* RGB factor on the dome above the horizon; the cubemaps already contain it */
-  float ground_radiance[3];   /* RGB radiance below the horizon, scene units */
-  float luminance_norm;       /* the dome divides its relative luminance by this, > 0 */
-  uint32_t coefficient_count; /* number of coefficients below, bands^2; the rest are 0 */
-  float radiance_sh[WELKIN_MAX_COEFFICIENTS][3]; /* RGB radiance of sky and ground, before desaturation, no tint */
-  float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: it lights the scene */
-  float ambient_ground[3];                       /* ground_radiance after desaturation */
-  uint32_t mode_count;                           /* number of weights below; 0 without modes or after a blend */
-  float mode_weight[WELKIN_MAX_MODES][3];        /* RGB weight of each mode, after desaturation. The weighted modes
-                                                    sum to the sky's irradiance, pi included, without ground */
-  float mode_azimuth[2]; /* x and z of the unit horizontal direction towards the sun's azimuth; within 1e-5 rad of
-                            the zenith or the nadir it fades to 0 */
-  uint32_t cubemap[2];   /* indices of the two cubemaps to blend; equal if there is one, 0 without */
-  float cubemap_weight;  /* weight of the second cubemap, in [0, 1): sky = mix(first, second, weight) */
-  uint32_t unchanged;    /* 1 if the sample already held this result, bit for bit; else 0 */
-} WelkinSkySample;
-
-/* RGB irradiance divided by pi, world axes: times an albedo it is a radiance. The coefficients are scaled as Filament's
- * IndirectLight::Builder::irradiance takes them:
- * sh0 + sh1 y + sh2 z + sh3 x + sh4 yx + sh5 yz + sh6 (3 z2 - 1) + sh7 zx + sh8 (x2 - y2). */
-typedef struct WelkinFilamentIrradianceOverPi {
-  float sh[9][3];
-} WelkinFilamentIrradianceOverPi;
-
-/* Irradiance divided by pi, in Unity's seven constants. For each channel it is
- * dot(SHA, (n, 1)) + dot(SHB, n.xyzz * n.yzzx) + SHC (x2 - y2).
- * The normal n has the axes of this library. In a left-handed world such as Unity's, negate the normal's z first. */
-typedef struct WelkinUnityIrradianceOverPi {
-  float shar[4], shag[4], shab[4]; /* x, y, z, constant */
-  float shbr[4], shbg[4], shbb[4]; /* xy, yz, zz, zx */
-  float shc[4];                    /* x2 - y2: red, green, blue, and 1 */
-} WelkinUnityIrradianceOverPi;
-
-/* Coefficients of the sky's relative luminance, in the form of the CIE standard general sky. The file
- * shaders/shared/luminance.glsl has the formula and its sources. b < 0, d < 0. */
-typedef struct WelkinLuminance {
-  float a, b, c, d, e, k;
-  uint32_t normalise_to_sun; /* 1: luminance 1 is at the sun; 0: at the zenith */
-} WelkinLuminance;
-
-/* A gradient image: rows from the horizon to the zenith, columns over the day from 0 h. `rgb` is row-major, each number
- * at least 0. The numbers belong to the sky: they live until it is closed. */
-typedef struct WelkinGradient {
-  uint32_t width, height;
-  const float* rgb;
-} WelkinGradient;
-
-/* Colours of the sky. The dome blends the two images over the azimuth between the sun's side and the opposite side. */
-typedef struct WelkinGradients {
-  WelkinGradient sun;  /* colours at the sun's azimuth */
-  WelkinGradient anti; /* colours at the opposite azimuth */
-  float delta;         /* luminance below which a gradient's colour fades to grey, > 0 */
-} WelkinGradients;
-
-/* A cubemap in Vulkan's orientation: faces +x, -x, +y, -y, +z, -z, each size x size texels, rows from the top. It shows
- * the tinted sky and the ground, without sun and moon. Every component is finite and at least 0. The texels belong to
- * the sky: they live until it is closed. */
-typedef struct WelkinCubemap {
-  double time_h; /* hours, in [0, 24) */
-  uint32_t size; /* texels along an edge, 1..16384 */
-  WelkinCubemapFormat format;
-  const void* texels; /* aligned to 16 */
-  size_t bytes;       /* size of all six faces */
-} WelkinCubemap;
-
-/* A star map: width x height texels, sRGB-encoded RGBA, rows from the celestial north pole. The file
- * shaders/shared/stars.glsl maps directions to texels. The texels belong to the sky: they live until it is closed. */
-typedef struct WelkinStars {
-  uint32_t width, height; /* 0 x 0: no stars */
-  const uint8_t* rgba8;
-  float intensity;        /* radiance of white, scene units, >= 0 */
-  float latitude_rad;     /* latitude of the observer, radians, in [-pi/2, pi/2] */
-  float north_offset_rad; /* azimuth of true north, radians clockwise from the world's -z */
-  double midnight_h;      /* hour at which the middle column crosses the meridian, in [0, 24] */
-} WelkinStars;
-
-/* Modes of the sky's irradiance: a few fixed functions of the normal, whose weighted sum is the irradiance at any hour.
- * They are a map of IEEE half floats, row-major, `count` modes per texel. Read it bilinearly at modeColumn and modeRow
- * of an upper normal (shaders/shared/modes.glsl). Coordinates 0 and 1 are the centres of the outer texels. The texels
- * belong to the sky: they live until it is closed. */
-typedef struct WelkinModes {
-  uint32_t count;         /* 0..12; 0 without modes */
-  uint32_t columns, rows; /* 2..256 */
-  const uint16_t* texels;
-} WelkinModes;
-
-/* The reference for the certificate's errors. */
-typedef enum WelkinCertificateMethod {
-  WELKIN_CERTIFICATE_NONE = 0, /* not measured */
-  WELKIN_CERTIFICATE_FAST = 1, /* the model's irradiance at 884 normals on both sides of the sun's vertical plane */
-  WELKIN_CERTIFICATE_FULL = 2  /* as FAST, and also a direct integration at 642 evenly spread normals */
-} WelkinCertificateMethod;
-
-/* Error of a file's irradiance, measured through this runtime when it was baked. The error is |E - E_ref| of the worst
- * channel, divided by the mean of E_ref over all normals (docs/conventions.md). All errors are fractions: 0.01 is 1 %.
- */
-typedef struct WelkinCertificate {
-  WelkinCertificateMethod method; /* NONE: all other fields are 0 */
-  double max_error;
-  double time_h;    /* hour of max_error, in [0, 24) */
-  double normal[3]; /* normal of max_error, unit */
-  uint32_t channel; /* channel of max_error; 0, 1, 2: red, green, blue */
-  double mean_error;
-  double quadrature, truncation, time, encoding; /* parts of max_error: largest error from each cause alone */
-  double cubemap_error; /* root mean square over the upper hemisphere, divided by the dome's mean; 0 without cubemaps */
-  double cubemap_time_h;                                      /* hour of cubemap_error, in [0, 24) */
-  double cubemap_resolution, cubemap_blend, cubemap_encoding; /* parts of cubemap_error */
-  double dome_error; /* error of welkin_dome_radiance, measured as cubemap_error is */
-} WelkinCertificate;
+/* Version of the format of skies that this library reads and the tool of the same release writes. */
+WELKIN_API uint32_t welkin_format_version(void);
 
 /* A short English description of a result. Never null; the text is static. */
 WELKIN_API const char* welkin_result_string(WelkinResult result);
 
+/* The argument that this thread's last WELKIN_ERROR_ARGUMENT was about, and the rule that it breaks, such as
+ * "welkin_sky_sample: time_h is nan, must be finite". Never null; empty before the first. The text stays until the
+ * thread's next such error. */
+WELKIN_API const char* welkin_argument_error(void);
+
+/* Kind of the file whose first bytes are `data`; 64 bytes are enough. Nothing behind the header is checked. */
+WELKIN_API WelkinFileKind welkin_file_kind(const void* data, size_t size);
+
 /* Opens the baked sky at `path` and checks its header, checksum, structure and every value. It reads the file once. On
- * an error *sky is null, and `message` gives the reason. Every error but WELKIN_ERROR_DEVICE is possible. */
+ * an error *sky is null, and `message` gives the reason and the path. Every error but WELKIN_ERROR_DEVICE is possible.
+ *
+ * The file is mapped: its bytes must stay as they are until the sky is closed. A file that is overwritten in place can
+ * end the program by a signal, or give light that nothing checked. To replace it, write another file and rename it
+ * over the first, as the tool does; the open sky then keeps the old bytes. Else open it with WELKIN_OPEN_COPY. */
 WELKIN_API WelkinResult welkin_sky_open_file(const char* path, WelkinSky** sky, WelkinMessage* message);
 
 /* Opens a baked sky of `size` bytes at `data`, as welkin_sky_open_file does. `data` must be aligned to 16, else
  * WELKIN_ERROR_ARGUMENT. The sky reads the bytes in place: keep them unchanged until it is closed. */
 WELKIN_API WelkinResult welkin_sky_open_memory(const void* data, size_t size, WelkinSky** sky, WelkinMessage* message);
+
+/* Opens a sky in one of these two ways, with the game's memory, a log, or a copy of the bytes. */
+WELKIN_API WelkinResult welkin_sky_open(const WelkinOpenInfo* info, WelkinSky** sky, WelkinMessage* message);
 
 /* Closes a sky and frees its memory. Null is allowed. Pointers that the sky gave out become invalid. */
 WELKIN_API void welkin_sky_close(WelkinSky* sky);
@@ -252,6 +110,8 @@ WELKIN_API WelkinResult welkin_sky_key_time(const WelkinSky* sky, uint32_t index
 /* The settings of the bake as JSON, terminated by a zero. The text belongs to the sky: it lives until the sky is
  * closed. */
 WELKIN_API WelkinResult welkin_sky_settings(const WelkinSky* sky, const char** json);
+
+struct WelkinSkyConstants;
 
 /* Writes the sky at `time_h` hours to `sample`. A NaN or an infinity is WELKIN_ERROR_ARGUMENT. If `sample` already
  * holds the result, bit for bit, `unchanged` becomes 1: no new upload is needed then. */
@@ -282,6 +142,17 @@ WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const 
  * change places, and the change of direction does not show. They already contain `visible`, which is 1 in the result.
  */
 WELKIN_API WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight* light);
+
+/* Fills the first `size` bytes of the uniform block through which shaders/welkin/dome.glsl, ambient.glsl and modes.glsl
+ * read the sky: WelkinSkyConstants of welkin/sky_constants.h, the same struct as in the shaders. `size` is a multiple
+ * of 16, at most its size and at least that of its first release, 832. welkin_vulkan_update does the same on Vulkan.
+ * `sample` comes from the same sky. */
+WELKIN_API WelkinResult welkin_sky_constants(const WelkinSky* sky, const WelkinSkySample* sample,
+                                             struct WelkinSkyConstants* constants, size_t size);
+
+/* Replaces the ambient light in such a block by that of a cross-blend from welkin_sample_blend; `size` as above. */
+WELKIN_API WelkinResult welkin_sample_ambient_constants(const WelkinSkySample* blended,
+                                                        struct WelkinSkyConstants* constants, size_t size);
 
 /* Packs bands l = 0..2 of the ambient light for the shaders of Filament and Unity. Higher bands are left out: band 3
  * has no irradiance, and band 4 at most a few percent. */

@@ -38,7 +38,7 @@ extern "C" {
 /* The images, buffers, pipelines and descriptor sets of one sky. */
 typedef struct WelkinVulkanSky WelkinVulkanSky;
 
-/* A piece of device memory from the caller's allocator. */
+/* A piece of device memory from the caller's allocator. The library makes these structs; they can grow at their end. */
 typedef struct WelkinVulkanAllocation {
   VkDeviceMemory memory;
   VkDeviceSize offset; /* bytes; a multiple of the required alignment */
@@ -49,6 +49,8 @@ typedef struct WelkinVulkanAllocation {
 /* Lets an allocator of the caller, such as VMA, own the device memory. welkin_vulkan_create makes at most three
  * allocations: the images, the uniforms and the staging buffer. Nothing is allocated later. */
 typedef struct WelkinVulkanMemoryCallbacks {
+  WELKIN_STRUCT_SIZE(WelkinVulkanMemoryCallbacks);
+  uint32_t reserved; /* 0 */
   void* user;
   VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags required,
                        VkMemoryPropertyFlags preferred, WelkinVulkanAllocation* allocation);
@@ -57,7 +59,7 @@ typedef struct WelkinVulkanMemoryCallbacks {
 
 /* Zero-initialise it. Fields whose comments name a meaning of 0 or null are optional. */
 typedef struct WelkinVulkanCreateInfo {
-  uint32_t struct_size; /* sizeof(WelkinVulkanCreateInfo) */
+  WELKIN_STRUCT_SIZE(WelkinVulkanCreateInfo);
   uint32_t api_version; /* apiVersion of the caller's VkApplicationInfo, at least VK_API_VERSION_1_3 */
   PFN_vkGetInstanceProcAddr get_instance_proc_addr;
   VkInstance instance;
@@ -93,6 +95,7 @@ typedef enum WelkinVulkanProjection {
 
 /* One drawing of the dome. Zero-initialise it, then set the fields that the projection needs. */
 typedef struct WelkinVulkanView {
+  WELKIN_STRUCT_SIZE(WelkinVulkanView);
   WelkinVulkanSource source;
   WelkinVulkanProjection projection;
   float inverse_view_projection[16]; /* perspective only: inverse of projection x view rotation, column-major, without
@@ -107,6 +110,8 @@ typedef struct WelkinVulkanView {
 
 /* Bytes of device memory that the object holds now. */
 typedef struct WelkinVulkanMemory {
+  WELKIN_STRUCT_SIZE(WelkinVulkanMemory);
+  uint32_t reserved;     /* 0 */
   VkDeviceSize images;   /* gradients, stars, modes and cubemaps */
   VkDeviceSize uniforms; /* host-visible */
   VkDeviceSize staging;  /* host-visible; 0 after welkin_vulkan_free_staging */

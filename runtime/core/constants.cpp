@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packs the sample of a sky into the uniform block of the shaders.
-#include "vulkan/constants.h"
+#include "core/constants.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "core/arguments.h"
 #include "shared.h"
 
-namespace welkin::vulkan {
+namespace welkin::core {
 namespace {
 
 WelkinFloat4 pack(const float v[3], float w) {
   return {v[0], v[1], v[2], w};
 }
 
-/// Nearest float; values past float's range stay finite.
-float toFloat(double value) {
+/// Nearest float; values near the end of float's range become 1e38, so that a shader can still add them.
+float packed(double value) {
   return static_cast<float>(std::clamp(value, -1e38, 1e38));
 }
 
@@ -25,7 +27,7 @@ WelkinFloat4 discOf(const WelkinLight& light) {
   if (!(sine > 0.0)) return {};
   const double scale = 1.0 / (f64::kPi * sine * sine);
   float radiance[3];
-  for (int i = 0; i < 3; ++i) radiance[i] = toFloat(double{light.normal_irradiance[i]} * scale);
+  for (int i = 0; i < 3; ++i) radiance[i] = packed(double{light.normal_irradiance[i]} * scale);
   return pack(radiance, light.disc_radius_rad);
 }
 
@@ -55,7 +57,7 @@ void packModes(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
   }
   for (int c = 0; c < 3; ++c) {
     const double rest = has_modes ? double{sample.ambient_ground[c]} * f64::groundIrradiance(0.0) : constant * sh(0)[c];
-    constants.mode_rest[c] = {toFloat(axis[0][c]), toFloat(axis[1][c]), toFloat(axis[2][c]), toFloat(rest)};
+    constants.mode_rest[c] = {packed(axis[0][c]), packed(axis[1][c]), packed(axis[2][c]), packed(rest)};
     for (int set = 0; set < WELKIN_MAX_MODES / 4; ++set) {
       const auto weight = [&](int k) { return sample.mode_weight[4 * set + k][c]; };
       constants.mode_weight[3 * set + c] = {weight(0), weight(1), weight(2), weight(3)};
@@ -72,6 +74,19 @@ GradientColumn gradientColumnAt(double time_h, uint32_t width) {
   const double left = std::floor(column);
   const double wrapped = left < 0.0 ? left + static_cast<double>(width) : left;
   return {static_cast<float>(wrapped), static_cast<float>(column - left)};
+}
+
+WelkinResult shapeOf(const WelkinSky* sky, SkyShape& shape) {
+  WelkinGradients gradients{};
+  if (welkin_sky_gradients(sky, &gradients) != WELKIN_OK || welkin_sky_stars(sky, &shape.stars) != WELKIN_OK ||
+      welkin_sky_modes(sky, &shape.modes) != WELKIN_OK || welkin_sky_luminance(sky, &shape.luminance) != WELKIN_OK)
+    return WELKIN_ERROR_ARGUMENT;
+  const uint32_t sizes[4] = {gradients.sun.width, gradients.sun.height, gradients.anti.width, gradients.anti.height};
+  std::memcpy(shape.gradient_size, sizes, sizeof(sizes));
+  shape.gradient_delta = gradients.delta;
+  shape.stars.rgba8 = nullptr;  // the sky may be closed before the shape is used
+  shape.modes.texels = nullptr;
+  return WELKIN_OK;
 }
 
 WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample) {
@@ -109,4 +124,49 @@ void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants) {
   packModes(sample, constants);
 }
 
-}  // namespace welkin::vulkan
+void replaceAmbient(const WelkinSkySample& blended, unsigned char* block) {
+  WelkinSkyConstants constants{};
+  packAmbient(blended, constants);
+  std::memcpy(block + offsetof(WelkinSkyConstants, moon) + offsetof(WelkinFloat4, w), &constants.moon.w, sizeof(float));
+  constexpr size_t kFirst = offsetof(WelkinSkyConstants, ambient_sh);  // up to mode_texels, fixed for all hours
+  std::memcpy(block + kFirst, constants.ambient_sh, offsetof(WelkinSkyConstants, mode_texels) - kFirst);
+}
+
+}  // namespace welkin::core
+
+namespace {
+
+using namespace welkin::core;
+
+constexpr size_t kFirstBlock = 832;  // bytes of the block in the first release
+
+WelkinResult checkBlock(const char* function, const WelkinSkyConstants* constants, size_t size) {
+  if (const auto r = nonNull(function, {{"constants", constants}})) return r;
+  if (size >= kFirstBlock && size <= sizeof(WelkinSkyConstants) && size % sizeof(WelkinFloat4) == 0) return WELKIN_OK;
+  return refuse(function, "size is %zu, must be a multiple of 16 from %zu to %zu", size, kFirstBlock,
+                sizeof(WelkinSkyConstants));
+}
+
+}  // namespace
+
+WelkinResult welkin_sky_constants(const WelkinSky* sky, const WelkinSkySample* sample, WelkinSkyConstants* constants,
+                                  size_t size) {
+  if (const auto r = nonNull(__func__, {{"sky", sky}})) return r;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  if (const auto r = checkBlock(__func__, constants, size)) return r;
+  SkyShape shape;
+  if (const auto r = shapeOf(sky, shape)) return r;
+  if (sample->mode_count != 0 && sample->mode_count != shape.modes.count)
+    return refuse(__func__, "sample->mode_count is %u, the sky has %u", sample->mode_count, shape.modes.count);
+  const WelkinSkyConstants packed_block = packConstants(shape, *sample);
+  std::memcpy(constants, &packed_block, size);
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_sample_ambient_constants(const WelkinSkySample* blended, WelkinSkyConstants* constants,
+                                             size_t size) {
+  if (const auto r = checkSample(__func__, "blended", blended)) return r;
+  if (const auto r = checkBlock(__func__, constants, size)) return r;
+  replaceAmbient(*blended, reinterpret_cast<unsigned char*>(constants));
+  return WELKIN_OK;
+}

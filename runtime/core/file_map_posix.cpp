@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/file_map.h"
-
+// File mapping by POSIX.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "core/file_map.h"
 
 namespace welkin::core {
 
@@ -29,6 +32,10 @@ int FileMap::open(const char* path) {
   }
   ::close(fd);
   return error;
+}
+
+void FileMap::describe(int error, char* text, std::size_t size) {
+  std::snprintf(text, size, "%s", std::strerror(error));
 }
 
 }  // namespace welkin::core

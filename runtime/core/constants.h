@@ -2,11 +2,10 @@
 // Packs the sample of a sky into the uniform block of the shaders.
 #pragma once
 
+#include <welkin/sky_constants.h>
 #include <welkin/welkin.h>
 
-#include "welkin/sky_constants.h"
-
-namespace welkin::vulkan {
+namespace welkin::core {
 
 /// The constants that belong to the sky and not to the hour.
 struct SkyShape {
@@ -25,6 +24,9 @@ struct GradientColumn {
 };
 GradientColumn gradientColumnAt(double time_h, uint32_t width);
 
+/// The shape of an opened sky. WELKIN_ERROR_ARGUMENT if it is null.
+WelkinResult shapeOf(const WelkinSky* sky, SkyShape& shape);
+
 /// Packs the uniform block. `sample` comes from welkin_sky_sample.
 WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& sample);
 
@@ -32,4 +34,8 @@ WelkinSkyConstants packConstants(const SkyShape& shape, const WelkinSkySample& s
 /// modes, such as a cross-blend, modes.glsl gets the light of the first two bands.
 void packAmbient(const WelkinSkySample& sample, WelkinSkyConstants& constants);
 
-}  // namespace welkin::vulkan
+/// Writes the ambient light of a cross-blend over that of the uniform block at `block`. It reads nothing there: mapped
+/// device memory is slow to read.
+void replaceAmbient(const WelkinSkySample& blended, unsigned char* block);
+
+}  // namespace welkin::core
