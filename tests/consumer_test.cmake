@@ -47,7 +47,8 @@ run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --confi
 set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
-    include/welkin/bake.hpp
+    include/welkin/types.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
+    share/doc/welkin/LICENSE share/doc/welkin/CHANGELOG.md share/doc/welkin/docs/runtime.md
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
     share/welkin/shaders/welkin/sky_constants.h
     share/welkin/shaders/shared/formulas.glsl)
@@ -129,6 +130,38 @@ string(STRIP "${output}" shaders)
 if(NOT EXISTS ${shaders}/welkin/dome.glsl)
   message(FATAL_ERROR "pkg-config: shader_includedir is '${shaders}', which has no welkin/dome.glsl")
 endif()
+# The same program in C99, with the shared library, which exports the C interface and nothing else.
+run("compile C99 with the shared library" sh -c "cc -std=c99 -Wall -Wextra -pedantic -Werror '${game}/pkg_config.c' \
+  -o '${WORK}/c_shared' $(pkg-config --cflags --libs welkin-library) -Wl,-rpath,$(pkg-config --variable=libdir welkin-library)")
+run("run with the shared library" ${WORK}/c_shared ${WORK}/baked/sky.welkin)
+run("needs of the C99 program" readelf -d ${WORK}/c_shared)
+expect("needs of the C99 program" "NEEDED[^\n]*libwelkin.so.0.2")
+run("exports" sh -c "nm -D --defined-only $(pkg-config --variable=libdir welkin-library)/libwelkin.so | cut -d' ' -f3")
+string(STRIP "${output}" exports)
+string(REPLACE "\n" ";" exports "${exports}")
+foreach(header welkin welkin_vulkan)
+  file(STRINGS ${prefix}/include/welkin/${header}.h lines REGEX "^WELKIN_API ")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "welkin_[a-z_0-9]+" function "${line}")
+    list(APPEND declared ${function})
+  endforeach()
+endforeach()
+list(SORT exports)
+list(SORT declared)
+if(NOT exports STREQUAL declared)
+  message(FATAL_ERROR "the shared library exports ${exports}, the headers declare ${declared}")
+endif()
+
+# A game of C++17 with its own FlatBuffers: neither calls the other's.
+run("compile C++17 with another FlatBuffers" sh -c "c++ -std=c++17 -Wall -Wextra -pedantic -Werror \
+  '${game}/other_flatbuffers.cpp' -o '${WORK}/other' $(pkg-config --cflags --libs welkin-runtime)")
+run("run with another FlatBuffers" ${WORK}/other ${WORK}/baked/sky.welkin)
+run("symbols of the static library" sh -c "nm $(pkg-config --variable=libdir welkin-runtime)/libwelkin_runtime.a")
+expect("symbols of the static library" "welkin_sky_open_file")
+expect_not("symbols of the static library" "[^a-z_]11flatbuffers")
+file(WRITE ${WORK}/header.cpp "#include <welkin/welkin_vulkan.hpp>\nint main() { welkin::VulkanSky sky; return sky ? 1 : 0; }\n")
+run("compile the Vulkan wrapper as C++17" sh -c "c++ -std=c++17 -Wall -Wextra -pedantic -Werror '${WORK}/header.cpp' \
+  -o '${WORK}/header' $(pkg-config --cflags --libs welkin-vulkan)")
 file(WRITE ${WORK}/vulkan.c "#include <welkin/welkin_vulkan.h>\nint main(void) { welkin_vulkan_destroy(0); return 0; }\n")
 run("compile Vulkan C with pkg-config" sh -c "cc -std=c11 -Wall -Wextra -pedantic -Werror '${WORK}/vulkan.c' \
   -o '${WORK}/vulkan_c' $(pkg-config --cflags --libs welkin-vulkan)")
@@ -151,9 +184,9 @@ file(WRITE ${WORK}/find/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\npr
 find_package(Welkin \${WANTED_VERSION} REQUIRED CONFIG COMPONENTS \${WANTED})
 if(NOT TARGET welkin::vulkan OR TARGET welkin::bake)\n  message(FATAL_ERROR \"wrong targets\")\nendif()\n")
 set(find ${configure} -S ${WORK}/find -B ${WORK}/find_build -DCMAKE_PREFIX_PATH=${WORK}/libraries_prefix)
-run("find the libraries" ${find} -DWANTED=vulkan -DWANTED_VERSION=0.1)
-refused("component that is not installed" "component 'bake' is not in this installation, which has: runtime, vulkan"
-  ${find} -DWANTED=bake -DWANTED_VERSION=0.1)
-refused("component that is none" "there is no component 'vulcan', only runtime, vulkan, bake, baker"
-  ${find} -DWANTED=vulcan -DWANTED_VERSION=0.1)
-refused("another minor version" "version: 0.1." ${find} -DWANTED=runtime -DWANTED_VERSION=0.99)
+run("find the libraries" ${find} -DWANTED=vulkan -DWANTED_VERSION=0.2)
+refused("component that is not installed" "component 'bake' is not in this installation, which has: runtime, vulkan, library"
+  ${find} -DWANTED=bake -DWANTED_VERSION=0.2)
+refused("component that is none" "there is no component 'vulcan', only runtime, vulkan, library, bake, baker"
+  ${find} -DWANTED=vulcan -DWANTED_VERSION=0.2)
+refused("another minor version" "version: 0.2." ${find} -DWANTED=runtime -DWANTED_VERSION=0.99)

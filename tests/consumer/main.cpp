@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The integration sample and the test of the installed package: a headless game that draws a day of a baked sky with
 // two frames in flight. A wrong pixel, a message of the validation layer or an allocation in the loop makes it fail.
-#include <welkin/welkin_vulkan.h>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <new>
 #include <stdexcept>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
-#include <welkin/welkin.hpp>
+#include <welkin/welkin_vulkan.hpp>
 
 #include "ball.frag.h"
 #include "ball.vert.h"
@@ -39,17 +36,17 @@ constexpr vk::ImageCreateInfo kImage({}, vk::ImageType::e2D, kFormat, {kWidth, k
                                      vk::SampleCountFlagBits::e1, {},
                                      vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
 // Looking north, a quarter turn from top to bottom: the direction of a point is (2 x, -y, -1).
-constexpr WelkinVulkanView kView{{}, {}, {float(kWidth) / kHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0}};
+constexpr WelkinVulkanView kView{
+    sizeof(kView), {}, {}, {float(kWidth) / kHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0}};
 constexpr float kBallRadius = 0.75F;  // of half the picture's height, as in ball.vert
 constexpr double kTolerance = 1e-4;   // relative; the driver's atan alone is good for 4e-5
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
-void require(WelkinResult result, const char* call) {
-  if (result != WELKIN_OK) throw std::runtime_error(std::string(call) + ": " + welkin_result_string(result));
+void require(const welkin::Status& status) {
+  if (!status) throw std::runtime_error(status.message);
 }
-#define REQUIRE(call) require(call, #call)
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
@@ -115,10 +112,8 @@ class Game {
     info.device = *device_;
     info.frames_in_flight = kFramesInFlight;
     info.colour_format = static_cast<VkFormat>(kFormat);
-    WelkinVulkanSky* dome = nullptr;
-    REQUIRE(welkin_vulkan_create(&info, sky_.get(), &dome, nullptr));
-    dome_.reset(dome);
-    const vk::DescriptorSetLayout set = welkin_vulkan_descriptor_set_layout(dome);
+    require(dome_.create(info, sky_));
+    const vk::DescriptorSetLayout set = dome_.descriptorSetLayout();
     layout_ = {device_, vk::PipelineLayoutCreateInfo({}, set)};
     ball_ = createBall(device_, *layout_);
     image_.bindMemory(*image_memory_, 0);
@@ -127,9 +122,9 @@ class Game {
     rgba_ = static_cast<const float*>(copies_memory_.mapMemory(0, VK_WHOLE_SIZE));
     for (auto& commands : vk::raii::CommandBuffers(device_, {*pool_, {}, kFramesInFlight}))
       frames_.push_back({std::move(commands), {device_, {vk::FenceCreateFlagBits::eSignaled}}, {}});
-    submit(frames_[0], [&](const auto& commands) { REQUIRE(welkin_vulkan_record_upload(dome, *commands)); });
+    submit(frames_[0], [&](const auto& commands) { require(dome_.recordUpload(*commands)); });
     queue_.waitIdle();
-    welkin_vulkan_free_staging(dome);
+    dome_.freeStaging();
   }
   ~Game() { device_.waitIdle(); }  // also after an exception
 
@@ -142,8 +137,8 @@ class Game {
       (void)device_.waitForFences(*frame.done, VK_TRUE, UINT64_MAX);
       if (i >= kFramesInFlight) compare(frame, rgba_ + index * kFloats);
       if (i >= count) continue;
-      REQUIRE(welkin_sky_sample(sky_.get(), 24.0 * i / count, &frame.sample));
-      REQUIRE(welkin_vulkan_update(dome_.get(), index, &frame.sample));
+      require(sky_.sample(24.0 * i / count, frame.sample));
+      require(dome_.update(index, frame.sample));
       submit(frame, [&](const auto& commands) { record(commands, index); });
     }
     return allocations - before;
@@ -172,8 +167,8 @@ class Game {
     commands.beginRendering({{}, area, 1, 0, colour});
     commands.setViewport(0, vk::Viewport(0, 0, kWidth, kHeight, 0, 1));
     commands.setScissor(0, area);
-    REQUIRE(welkin_vulkan_draw_dome(dome_.get(), *commands, index, &kView));
-    const vk::DescriptorSet set = welkin_vulkan_descriptor_set(dome_.get(), index);
+    require(dome_.drawDome(*commands, index, kView));
+    const vk::DescriptorSet set = dome_.descriptorSet(index);
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *ball_);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, set, {});
     commands.draw(3, 1, 0, 0);
@@ -196,10 +191,10 @@ class Game {
       const bool on_ball = square < 1.0F;
       if (std::abs(square - 1.0F) < 0.05F) continue;  // its edge
       const float scale = on_ball ? 1.0F / kBallRadius : 1.0F / std::sqrt(x * x + y * y + 1.0F);
-      const float direction[3]{x * scale, y * scale, on_ball ? std::sqrt(1.0F - square) : -scale};
-      float dome[3], irradiance[3];
-      REQUIRE(welkin_dome_radiance(sky_.get(), &frame.sample, direction, dome));
-      REQUIRE(welkin_sample_irradiance(&frame.sample, direction, irradiance));
+      const welkin::Float3 direction{x * scale, y * scale, on_ball ? std::sqrt(1.0F - square) : -scale};
+      welkin::Float3 dome{}, irradiance{};
+      require(sky_.domeRadiance(frame.sample, direction, dome));
+      require(welkin::irradiance(frame.sample, direction, irradiance));
       for (int c = 0; c < 3; ++c) {
         const float value = on_ball ? 0.5F * (dome[c] + irradiance[c] / float(M_PI)) : dome[c];
         const double error = std::abs(double(rgba[4 * i + c]) / value - 1.0);
@@ -229,7 +224,7 @@ class Game {
   vk::raii::DeviceMemory copies_memory_ = allocate(copies_.getMemoryRequirements(), kHostMemory);
   const float* rgba_ = nullptr;
   welkin::Sky sky_;
-  std::unique_ptr<WelkinVulkanSky, decltype(&welkin_vulkan_destroy)> dome_{nullptr, welkin_vulkan_destroy};
+  welkin::VulkanSky dome_;
   vk::raii::PipelineLayout layout_{nullptr};
   vk::raii::Pipeline ball_{nullptr};
   std::vector<Frame> frames_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin: bakes skies and levels, and shows the results. Results go to stdout, everything else to stderr.
 #include <fmt/format.h>
+#include <welkin/welkin.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,7 +10,6 @@
 
 #include "command/arguments.h"
 #include "command/commands.h"
-#include "command/version.h"
 #include "sh/arithmetic.h"
 #include "sky/base/error.h"
 #include "sky/base/failure.h"
@@ -47,7 +47,8 @@ int run(int argc, char** argv) {
                             "with the program, by LD_PRELOAD perhaps, has changed the floating-point environment",
                             why));
   CLI::App app("Precomputed sky and ambient lighting for games.", "welkin");
-  app.set_version_flag("--version", WELKIN_VERSION);
+  app.set_version_flag("--version",
+                       fmt::format("{}.{}.{}", WELKIN_VERSION_MAJOR, WELKIN_VERSION_MINOR, WELKIN_VERSION_PATCH));
   app.require_subcommand(1);
   app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
   for (auto* add : {addInit, addBake, addMerge, addPlan, addProject, addInspect, addValidate, addEval, addSample,
