@@ -64,7 +64,7 @@ TEST_CASE("VulkanOwnership, CallersMemory", "[vulkan]") {
   const Sky sky = openTestSky(bytes);
   render::VulkanDevice device(true);
   Arena arena{device};
-  const WelkinVulkanMemoryCallbacks callbacks{&arena, Arena::allocate, Arena::free};
+  const WelkinVulkanMemoryCallbacks callbacks{sizeof callbacks, 0, &arena, Arena::allocate, Arena::free};
   auto info = createInfo(device, 1);
   const auto expected = draw(device, sky, info);
   info.memory = &callbacks;
@@ -84,7 +84,7 @@ TEST_CASE("VulkanOwnership, FailingMemoryIsReportedAndGivenBack", "[vulkan]") {
       int left;
     } limited{{device}, successes};
     const WelkinVulkanMemoryCallbacks callbacks{
-        &limited,
+        sizeof callbacks, 0, &limited,
         [](void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags required,
            VkMemoryPropertyFlags preferred, WelkinVulkanAllocation* out) {
           auto& l = *static_cast<Limited*>(user);
