@@ -50,7 +50,8 @@ TEST_CASE("WelkinErrors, DamagedFiles") {
   };
   requireInvalid(flipped(0), "not a .welkin file");
   requireInvalid(flipped(8), "version");
-  requireInvalid(flipped(12), "version");
+  requireInvalid(flipped(12), "header");
+  requireInvalid(flipped(32), "kind");
   requireInvalid(flipped(16), "bytes");
   requireInvalid(flipped(24), "checksum");
   requireInvalid(flipped(40), "checksum");
