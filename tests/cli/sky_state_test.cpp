@@ -167,7 +167,8 @@ TEST_CASE("SkyState, AnotherToolsSkyIsBaked") {
   std::string bytes = readBytes(sky.out("sky.welkin"));
   bytes[8] = 1;  // the header's version
   std::ofstream(sky.out("sky.welkin"), std::ios::binary) << bytes;
-  REQUIRE(sky.plan()["sky"]["why"].get<std::string>().starts_with("unreadable: it has version 1; this program reads "));
+  REQUIRE(sky.plan()["sky"]["why"].get<std::string>().starts_with(
+      "unreadable: it is a sky of version 1; this program reads "));
   REQUIRE(sky.bake("out"));
 }
 
