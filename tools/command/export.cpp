@@ -52,7 +52,7 @@ maps::Request requestOf(const Options& options) {
                                               : maps::Container::latlong;
   if (!options.target.empty() && !(request.engine = maps::orientationOf(options.target)))
     throw usage(fmt::format("--target: \"{}\" is not an engine; those are {}", options.target, maps::engineNames()));
-  const bool cube = request.container == maps::Container::ktx2 || request.container == maps::Container::dds;
+  const bool cube = maps::holdsTexels(request.container);
   if (request.mips && !cube) throw usage(fmt::format("--mips: {} has no mips; ktx2 and dds have", options.to));
   if (cube) {
     const auto format = maps::formatOf(options.format.empty() ? "rgba16f" : options.format);
@@ -60,8 +60,7 @@ maps::Request requestOf(const Options& options) {
       throw usage(fmt::format("--format: {} takes rgba16f, rgb9e5 or bc6h, not \"{}\"", options.to, options.format));
     request.format = *format;
   } else {
-    const std::string by_default = request.container == maps::Container::faces ? "exr" : "hdr";
-    const std::string format = options.format.empty() ? by_default : options.format;
+    const std::string format = !options.format.empty() ? options.format : options.to == "faces" ? "exr" : "hdr";
     if (format != "exr" && format != "hdr")
       throw usage(fmt::format("--format: {} takes exr or hdr, not \"{}\"", options.to, options.format));
     request.picture = format == "exr" ? maps::PictureFormat::exr : maps::PictureFormat::hdr;
@@ -89,11 +88,9 @@ int sizeOf(const Options& options, const maps::Request& request, const std::stri
   if (size == 0) size = std::min(static_cast<int>(sky.info().cubemap_size), maps::kLargestFace);
   if (size == 0) {
     size = kSizeWithoutCubemaps;
-    say(fmt::format("{}: it has no cubemaps; faces get {} texels along an edge", base::oneLine(file), size));
+    say(fmt::format("{}: no cubemaps in it; faces get {} texels, from the formulas", base::oneLine(file), size));
   }
-  const bool blocks = request.format == maps::Format::bc6h &&
-                      (request.container == maps::Container::ktx2 || request.container == maps::Container::dds);
-  if (blocks && size % 4 != 0)
+  if (maps::holdsTexels(request.container) && request.format == maps::Format::bc6h && size % 4 != 0)
     throw usage(fmt::format("--size: faces of {} texels have no whole blocks; bc6h takes multiples of 4", size));
   return size;
 }
@@ -106,8 +103,8 @@ void runExport(const Options& options) {
   const Sky sky = openSky(file);
   const std::vector<double> times = timesOf(options, sky);
   request.size = sizeOf(options, request, file, sky);
-  const std::filesystem::path folder =
-      options.output.empty() ? std::filesystem::path(file).parent_path() / "export" : options.output;
+  const std::filesystem::path beside = std::filesystem::path(file).parent_path() / "export";
+  const std::filesystem::path folder = options.output.empty() ? beside : std::filesystem::path(options.output);
   base::makeFolder(folder);
   for (const double time_h : times) {
     WelkinSkySample sample{};

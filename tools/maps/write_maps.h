@@ -26,6 +26,11 @@ enum class Container {
   latlong  ///< one picture of 4 N x 2 N texels
 };
 
+/// Whether a container holds the texels of a GPU's format: a cube in one file.
+constexpr bool holdsTexels(Container container) {
+  return container == Container::ktx2 || container == Container::dds;
+}
+
 enum class PictureFormat { exr, hdr };
 
 /// The files to write.
