@@ -73,7 +73,7 @@ double errorOf(const maps::Bc6hTexels& texels) {
   return worst;
 }
 
-constexpr double kHalf = 0x1p-10;  // one step of a half: what 16 bits for an endpoint leave of a constant block
+constexpr double kHalfStep = 0x1p-10;  // one step of a half: what 16 bits for an endpoint leave of a constant block
 
 }  // namespace
 
@@ -86,7 +86,7 @@ TEST_CASE("Bc6h, ConstantBlocksKeepAHalf") {
                                          std::exp2(exponent(random))};
     texels.fill(colour);
     CAPTURE(colour[0], colour[1], colour[2]);
-    REQUIRE(errorOf(texels) <= kHalf);
+    REQUIRE(errorOf(texels) <= kHalfStep);
   }
 }
 

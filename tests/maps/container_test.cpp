@@ -175,16 +175,16 @@ TEST_CASE("Dds, HeaderAndFacesAreMicrosofts") {
 
 TEST_CASE("Dds, OpenImageIoReadsTheFacesAndTheBlocks") {
   // OpenImageIO reads no half floats in DDS, but BC6H. It sees a cube as six tiles, one above the other.
-  constexpr int kSize = 16;
+  constexpr int kFace = 16;
   const MapSky sky;
-  const maps::Map cube = maps::renderCube(sky.get(), sky.sample, maps::welkinOrientation(), kSize);
+  const maps::Map cube = maps::renderCube(sky.get(), sky.sample, maps::welkinOrientation(), kFace);
   const Folder folder;
   const std::string path =
       folder.write("sky.dds", textOf(maps::encodeDds(maps::encodeCube(cube, Format::bc6h, false))));
   const auto file = OIIO::ImageInput::open(path);
   REQUIRE(file != nullptr);
-  CHECK(file->spec().width == kSize);
-  CHECK(file->spec().height == 6 * kSize);
+  CHECK(file->spec().width == kFace);
+  CHECK(file->spec().height == 6 * kFace);
   CHECK(file->spec().nchannels == 3);
   std::vector<float> texels(cube.rgb.size());
   REQUIRE(file->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, texels.data()));
