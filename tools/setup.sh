@@ -15,6 +15,7 @@ test=""
 if [ "${1-}" = --tests ]; then
   test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr parallel
 libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
+  command -v npm >/dev/null || test="$test nodejs npm"  # other packages of Node.js bring an npm of their own
 fi
 
 missing=""
@@ -42,5 +43,15 @@ if [ "${1-}" = --tests ] && [ ! -x "$slurm/usr/sbin/slurmctld-wlm" ]; then
       >/dev/null 2>&1 && for package in *.deb; do dpkg -x "$package" . && rm "$package"; done); then
     rm -rf "$slurm"
     echo "setup: Slurm cannot be had: its test will be skipped"
+  fi
+fi
+
+# A reader of KTX2 by someone else, for the tests.
+npm="$(dirname "$0")/../build/npm"
+if [ "${1-}" = --tests ] && [ ! -d "$npm/node_modules/ktx-parse" ]; then
+  mkdir -p "$npm"
+  if ! (cd "$npm" && npm install --no-audit --no-fund --no-save --prefix . ktx-parse@2.0.0 >/dev/null 2>&1); then
+    rm -rf "$npm"
+    echo "setup: ktx-parse cannot be had from npm: its test will be skipped"
   fi
 fi

@@ -37,13 +37,13 @@ class MemoryStream : public Imf::OStream {
 
 }  // namespace
 
-std::vector<std::byte> encodeExr(const DomeImage& image, Layout layout, double luminance_unit,
+std::vector<std::byte> encodeExr(const DomeImage& image, std::optional<Layout> layout, double luminance_unit,
                                  const base::Progress& progress) {
   Imf::Header header(image.extent.width, image.extent.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709, D65
   Imf::addWhiteLuminance(header, static_cast<float>(luminance_unit));
-  Imf::addEnvmap(header, layout == Layout::exr_cube ? Imf::ENVMAP_CUBE : Imf::ENVMAP_LATLONG);
+  if (layout) Imf::addEnvmap(header, *layout == Layout::exr_cube ? Imf::ENVMAP_CUBE : Imf::ENVMAP_LATLONG);
   Imf::FrameBuffer frame;
   auto* base = const_cast<char*>(reinterpret_cast<const char*>(image.rgb_half.data()));  // only read by writePixels
   const std::size_t texel = 3 * sizeof(std::uint16_t);

@@ -52,7 +52,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
   for (auto* add : {addInit, addBake, addMerge, addPlan, addProject, addInspect, addValidate, addEval, addSample,
-                    addReference, addStudy, addRender})
+                    addExport, addReference, addStudy, addRender})
     add(app);
   refuseUnknownCommand(app, argc, argv);
   std::vector<std::string> arguments = joinSignedValues(argc, argv);
