@@ -47,7 +47,7 @@ run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --confi
 set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
-    include/welkin/types.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
+    include/welkin/types.h include/welkin/engines.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
     share/doc/welkin/LICENSE share/doc/welkin/CHANGELOG.md share/doc/welkin/docs/runtime.md
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
     share/welkin/shaders/welkin/sky_constants.h
@@ -139,7 +139,7 @@ expect("needs of the C99 program" "NEEDED[^\n]*libwelkin.so.0.2")
 run("exports" sh -c "nm -D --defined-only $(pkg-config --variable=libdir welkin-library)/libwelkin.so | cut -d' ' -f3")
 string(STRIP "${output}" exports)
 string(REPLACE "\n" ";" exports "${exports}")
-foreach(header welkin welkin_vulkan)
+foreach(header welkin engines welkin_vulkan)
   file(STRINGS ${prefix}/include/welkin/${header}.h lines REGEX "^WELKIN_API ")
   foreach(line IN LISTS lines)
     string(REGEX MATCH "welkin_[a-z_0-9]+" function "${line}")

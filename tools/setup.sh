@@ -13,7 +13,7 @@ libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev
 draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"
 test=""
 if [ "${1-}" = --tests ]; then
-  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libnova-dev vulkan-validationlayers openexr parallel
+  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libfilament-dev libfilament-tools libnova-dev vulkan-validationlayers openexr parallel
 libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
   command -v npm >/dev/null || test="$test nodejs npm"  # other packages of Node.js bring an npm of their own
 fi

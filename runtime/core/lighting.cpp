@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of samples for renderers: irradiance, cross-blends, the key light, packings for other engines. All
-// functions are pure.
+// Functions of samples for renderers: irradiance, cross-blends, the key light. All functions are pure.
 #include <algorithm>
 #include <cmath>
 
@@ -37,14 +36,6 @@ WelkinLight blendLights(const WelkinLight& a, const WelkinLight& b, float weight
 /// Luminance of the light's irradiance on a surface that faces it, with the visible share.
 double facing(const WelkinLight& light) {
   return f64::luminanceOf(load(light.normal_irradiance)) * double{light.visible};
-}
-
-/// Coefficient of a polynomial term of irradiance over pi: radiance coefficient x A_l / pi x the constant of the basis.
-double scaled(const WelkinSkySample& sample, std::uint32_t i, int channel) {
-  constexpr double kBasis[9] = {f64::kShConstant, f64::kShLinear, f64::kShLinear,  f64::kShLinear,    f64::kShProduct,
-                                f64::kShProduct,  f64::kShZonal,  f64::kShProduct, f64::kShDifference};
-  if (i >= sample.coefficient_count) return 0.0;
-  return double{sample.ambient_sh[i][channel]} * f64::cosineLobe(bandOf(i)) / f64::kPi * kBasis[i];
 }
 
 }  // namespace
@@ -131,34 +122,5 @@ WelkinResult welkin_sample_key_light(const WelkinSkySample* sample, WelkinLight*
   out.illuminance = toFloat(double{out.illuminance} * share);
   out.visible = 1.0F;
   *light = out;
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed) {
-  using namespace welkin::core;
-  if (const auto r = checkSample(__func__, "sample", sample)) return r;
-  if (const auto r = nonNull(__func__, {{"packed", packed}})) return r;
-  for (std::uint32_t i = 0; i < 9; ++i)
-    for (int c = 0; c < 3; ++c) packed->sh[i][c] = toFloat(scaled(*sample, i, c));
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed) {
-  using namespace welkin::core;
-  if (const auto r = checkSample(__func__, "sample", sample)) return r;
-  if (const auto r = nonNull(__func__, {{"packed", packed}})) return r;
-  float* const linear[3] = {packed->shar, packed->shag, packed->shab};
-  float* const quadratic[3] = {packed->shbr, packed->shbg, packed->shbb};
-  for (int c = 0; c < 3; ++c) {
-    const auto k = [&](std::uint32_t i) { return scaled(*sample, i, c); };
-    const double a[4] = {k(3), k(1), k(2), k(0) - k(6)};
-    const double b[4] = {k(4), k(5), 3.0 * k(6), k(7)};
-    for (int i = 0; i < 4; ++i) {
-      linear[c][i] = toFloat(a[i]);
-      quadratic[c][i] = toFloat(b[i]);
-    }
-    packed->shc[c] = toFloat(k(8));
-  }
-  packed->shc[3] = 1.0F;
   return WELKIN_OK;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <welkin/engines.h>
 #include <welkin/sky_constants.h>
 #include <welkin/welkin.h>
 

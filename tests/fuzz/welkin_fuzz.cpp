@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: the bytes of a .welkin file. The runtime reads nothing outside them while it opens the file. An opened
 // file answers every call of the runtime's interface with finite numbers.
-#include <welkin/welkin.h>
+#include <welkin/engines.h>
 
 #include <algorithm>
 #include <cstring>
@@ -130,6 +130,21 @@ void checkSample(const WelkinSky* sky, const WelkinSkyInfo& info, const WelkinSk
   WelkinUnityIrradianceOverPi unity;
   requireOk(welkin_pack_unity(&s, &unity), "pack_unity");
   requireFinite(unity.shar, 28, "Unity's packing");
+  WelkinRadianceSh radiance;
+  requireOk(welkin_pack_radiance(&s, WELKIN_AXES_UNREAL, &radiance), "pack_radiance");
+  requireFinite(&radiance.sh[0][0], 27, "radiance in Unreal's axes");
+  WelkinFilamentRadiance filament_radiance;
+  requireOk(welkin_pack_filament_radiance(&s, &filament_radiance), "pack_filament_radiance");
+  requireFinite(&filament_radiance.sh[0][0], 27, "Filament's radiance");
+  WelkinUnityProbe probe;
+  requireOk(welkin_pack_unity_probe(&s, WELKIN_AXES_UNITY, &probe), "pack_unity_probe");
+  requireFinite(&probe.sh[0][0], 27, "Unity's probe");
+  WelkinUnrealIrradianceOverPi unreal;
+  requireOk(welkin_pack_unreal(&s, &unreal), "pack_unreal");
+  requireFinite(&unreal.vectors[0][0], 28, "Unreal's packing");
+  WelkinGodotIrradianceOverPi godot;
+  requireOk(welkin_pack_godot(&s, &godot), "pack_godot");
+  requireFinite(&godot.vectors[0][0], 64, "Godot's packing");
   WelkinLight key;
   requireOk(welkin_sample_key_light(&s, &key), "key_light");
   checkLight(key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts every allocation of the process over a day of frames. There must be none after opening.
-#include <welkin/welkin.h>
+#include <welkin/engines.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -71,6 +71,11 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
     WelkinLight key;
     WelkinFilamentIrradianceOverPi filament;
     WelkinUnityIrradianceOverPi unity;
+    WelkinRadianceSh radiance;
+    WelkinFilamentRadiance filament_radiance;
+    WelkinUnityProbe probe;
+    WelkinUnrealIrradianceOverPi unreal;
+    WelkinGodotIrradianceOverPi godot;
     const double time_h = 24.0 * i / kFrames;
     failures += welkin_sky_sample(sky, time_h, &first) != WELKIN_OK;
     failures += welkin_sky_sample(sky, time_h + 1.0, &second) != WELKIN_OK;
@@ -79,6 +84,12 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
     failures += welkin_sample_key_light(&blended, &key) != WELKIN_OK;
     failures += welkin_pack_filament(&blended, &filament) != WELKIN_OK;
     failures += welkin_pack_unity(&blended, &unity) != WELKIN_OK;
+    failures += welkin_pack_radiance(&blended, WELKIN_AXES_UNREAL, &radiance) != WELKIN_OK;
+    failures += welkin_pack_filament_radiance(&blended, &filament_radiance) != WELKIN_OK;
+    failures += welkin_pack_unity_axes(&blended, WELKIN_AXES_UNITY, &unity) != WELKIN_OK;
+    failures += welkin_pack_unity_probe(&blended, WELKIN_AXES_UNITY, &probe) != WELKIN_OK;
+    failures += welkin_pack_unreal(&blended, &unreal) != WELKIN_OK;
+    failures += welkin_pack_godot(&blended, &godot) != WELKIN_OK;
     failures += welkin_dome_radiance(sky, &first, direction, rgb) != WELKIN_OK;
     failures += welkin_disc_radiance(&first, direction, 0.001F, rgb) != WELKIN_OK;
     failures += welkin_star_radiance(sky, &first, direction, rgb) != WELKIN_OK;

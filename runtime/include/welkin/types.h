@@ -157,22 +157,6 @@ typedef struct WelkinSkySample {
   float cubemap_weight;  /* weight of the second cubemap, in [0, 1): sky = mix(first, second, weight) */
 } WelkinSkySample;
 
-/* RGB irradiance divided by pi, world axes: times an albedo it is a radiance. The coefficients are scaled as Filament's
- * IndirectLight::Builder::irradiance takes them:
- * sh0 + sh1 y + sh2 z + sh3 x + sh4 yx + sh5 yz + sh6 (3 z2 - 1) + sh7 zx + sh8 (x2 - y2). */
-typedef struct WelkinFilamentIrradianceOverPi {
-  float sh[9][3];
-} WelkinFilamentIrradianceOverPi;
-
-/* Irradiance divided by pi, in Unity's seven constants. For each channel it is
- * dot(SHA, (n, 1)) + dot(SHB, n.xyzz * n.yzzx) + SHC (x2 - y2).
- * The normal n has the axes of this library. In a left-handed world such as Unity's, negate the normal's z first. */
-typedef struct WelkinUnityIrradianceOverPi {
-  float shar[4], shag[4], shab[4]; /* x, y, z, constant */
-  float shbr[4], shbg[4], shbb[4]; /* xy, yz, zz, zx */
-  float shc[4];                    /* x2 - y2: red, green, blue, and 1 */
-} WelkinUnityIrradianceOverPi;
-
 /* Coefficients of the sky's relative luminance, in the form of the CIE standard general sky. The file
  * shaders/shared/luminance.glsl has the formula and its sources. b < 0, d < 0. */
 typedef struct WelkinLuminance {

@@ -3,6 +3,7 @@
 // Conventions, units, errors and the rules of threads are those of welkin.h.
 #pragma once
 
+#include <welkin/engines.h>
 #include <welkin/sky_constants.h>
 #include <welkin/welkin.h>
 
@@ -178,11 +179,32 @@ inline Status discRadiance(const WelkinSkySample& sample, const Float3& directio
 inline Status ambientConstants(const WelkinSkySample& blended, WelkinSkyConstants& block) {
   return statusOf(welkin_sample_ambient_constants(&blended, &block, sizeof block));
 }
+
+/// A vector in an engine's axes.
+inline Status convert(WelkinAxes axes, const Float3& vector, Float3& converted) {
+  return statusOf(welkin_axes_vector(axes, vector.data(), converted.data()));
+}
+/// The ambient light in the forms of engines.
+inline Status pack(const WelkinSkySample& sample, WelkinAxes axes, WelkinRadianceSh& packed) {
+  return statusOf(welkin_pack_radiance(&sample, axes, &packed));
+}
 inline Status pack(const WelkinSkySample& sample, WelkinFilamentIrradianceOverPi& packed) {
   return statusOf(welkin_pack_filament(&sample, &packed));
 }
-inline Status pack(const WelkinSkySample& sample, WelkinUnityIrradianceOverPi& packed) {
-  return statusOf(welkin_pack_unity(&sample, &packed));
+inline Status pack(const WelkinSkySample& sample, WelkinFilamentRadiance& packed) {
+  return statusOf(welkin_pack_filament_radiance(&sample, &packed));
+}
+inline Status pack(const WelkinSkySample& sample, WelkinAxes axes, WelkinUnityIrradianceOverPi& packed) {
+  return statusOf(welkin_pack_unity_axes(&sample, axes, &packed));
+}
+inline Status pack(const WelkinSkySample& sample, WelkinAxes axes, WelkinUnityProbe& packed) {
+  return statusOf(welkin_pack_unity_probe(&sample, axes, &packed));
+}
+inline Status pack(const WelkinSkySample& sample, WelkinUnrealIrradianceOverPi& packed) {
+  return statusOf(welkin_pack_unreal(&sample, &packed));
+}
+inline Status pack(const WelkinSkySample& sample, WelkinGodotIrradianceOverPi& packed) {
+  return statusOf(welkin_pack_godot(&sample, &packed));
 }
 
 }  // namespace welkin

@@ -154,11 +154,6 @@ WELKIN_API WelkinResult welkin_sky_constants(const WelkinSky* sky, const WelkinS
 WELKIN_API WelkinResult welkin_sample_ambient_constants(const WelkinSkySample* blended,
                                                         struct WelkinSkyConstants* constants, size_t size);
 
-/* Packs bands l = 0..2 of the ambient light for the shaders of Filament and Unity. Higher bands are left out: band 3
- * has no irradiance, and band 4 at most a few percent. */
-WELKIN_API WelkinResult welkin_pack_filament(const WelkinSkySample* sample, WelkinFilamentIrradianceOverPi* packed);
-WELKIN_API WelkinResult welkin_pack_unity(const WelkinSkySample* sample, WelkinUnityIrradianceOverPi* packed);
-
 /* RGB radiance of the dome in unit `direction`, scene units, from the formulas and gradients, not from the cubemaps. It
  * shows the tinted sky and the ground, without sun and moon. It is computed in double, as the reference for the dome on
  * the GPU. `sample` comes from the same sky. */
