@@ -31,6 +31,13 @@ std::string escaped(const std::filesystem::path& path) {
   return out;
 }
 
+void requireInDomain(const char* key, const std::optional<double>& budget) {
+  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", key).range;
+  if (budget && !range.contains(*budget))
+    throw base::Error(base::ExitStatus::usage,
+                      fmt::format("{}: {} is not in {} to {}", key, *budget, range.low, range.high));
+}
+
 void requireLevel(const BakeRequest& request) {
   for (const auto& [name, given] :
        {std::pair("--shard", request.shard.has_value()), {"--sectors", !request.sectors.empty()}})
@@ -62,12 +69,11 @@ void writeRule(const BakeRequest& request, const BakeInput& read) {
 }  // namespace
 
 BakeInput readInput(const BakeRequest& request, const base::Progress& progress) {
-  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;
-  if (request.max_error && !(*request.max_error >= range.low && *request.max_error <= range.high))
-    throw base::Error(base::ExitStatus::usage,
-                      fmt::format("max_error: {} is not in {} to {}", *request.max_error, range.low, range.high));
+  requireInDomain("max_error", request.max_error);
+  if (request.cubemap_error != 0.0) requireInDomain("cubemap_error", request.cubemap_error);
   Subject subject = readSubject(request.file);
   if (request.max_error) subject.sky.bake.max_error = request.max_error;
+  if (request.cubemap_error) bake::setCubemapError(subject.sky.bake, *request.cubemap_error);
   BakeInput read{std::move(subject.sky), std::move(subject.inputs), std::nullopt};
   if (!subject.level) requireLevel(request);
   if (!subject.level) return read;
@@ -99,7 +105,8 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   Json timing;
   Json report = {{"warnings", Json::array()}};
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
-    report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force}, progress, timing);
+    report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force, request.warn},
+                           progress, timing);
   if (read.level) bakeSectors(*read.level, wanted, progress, report, timing);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (report.contains("outputs"))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -21,10 +22,13 @@ struct BakeRequest {
   std::filesystem::path report;     ///< of the report, in place of the folder's report.json
   std::filesystem::path depfile;    ///< of the inputs as a make rule
   std::optional<double> max_error;  ///< the budget, in place of the sky file's, in its domain
+  /// The budget of the cubemaps, in place of the sky file's settings of them, in its domain; 0: no cubemaps.
+  std::optional<double> cubemap_error;
   bake::Certify certify = bake::Certify::fast;
   std::optional<Shard> shard;  ///< the sectors of this shard alone; shard 0 bakes the sky as well
   std::string sectors;         ///< these alone, as parseSectors takes them
   bool force = false;          ///< bake what is up to date as well
+  std::function<void(const std::string&)> warn = {};  ///< of bake::SkyRequest
 };
 
 /// The input of a request as it was read.

@@ -58,7 +58,8 @@ Json skyJson(const BakeRequest& request, const BakeInput& read, const base::Prog
   for (const char* part : {"table", "gradients", "cubemaps"}) bytes += plan[part]["bytes"].get<std::size_t>();
   json["bytes"] = bytes;
   json["sky"] = {{"bake", !fresh}, {"why", fresh ? "up to date" : state.stale}};
-  json["warnings"] = bake::warningsJson(file);
+  json["warnings"] = bake::warningsJson(file.warnings);
+  json["warnings"].insert(json["warnings"].end(), plan["warnings"].begin(), plan["warnings"].end());
   return json;
 }
 

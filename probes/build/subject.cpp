@@ -38,7 +38,7 @@ Subject subjectOf(const base::TomlFile& toml) {
                              "; [level] outside_files = \"refuse\" or \"allow\"");
   for (std::size_t i = first; i < subject.inputs.size(); ++i) requireUnchanged(subject.inputs[i]);
   bake::BakeSettings& bake = subject.sky.bake;
-  if (scene.least_roughness > kReflectiveRoughness && !bake.fixed.cubemaps) {
+  if (scene.least_roughness > kReflectiveRoughness && !bake.fixed.cubemaps && !bake.cubemap_error) {
     bake.cubemap_time_h.clear();
     bake.fixed.cubemaps = true;
   }

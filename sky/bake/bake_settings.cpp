@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sky/base/error.h"
 #include "sky/cubemap/cubemap.h"
 
 namespace welkin::bake {
@@ -31,11 +32,26 @@ void checkCubemapTimes(base::TomlTable& table, const std::vector<double>& time_h
 
 }  // namespace
 
+double errorOf(const std::string& quality) {
+  for (const Quality& q : kQualities)
+    if (quality == q.name) return q.max_error;
+  throw base::Error(base::ExitStatus::usage, fmt::format("quality: \"{}\" is not draft, preview or final", quality));
+}
+
+void setCubemapError(BakeSettings& bake, double cubemap_error) {
+  bake.fixed.cubemaps = cubemap_error == 0.0;
+  bake.cubemap_error = cubemap_error > 0.0 ? std::optional(cubemap_error) : std::nullopt;
+  if (cubemap_error > 0.0) return;
+  bake.cubemap_size = 0;
+  bake.cubemap_time_h.clear();
+}
+
 BakeSettings readBake(base::Section section) {
   using format::CubemapFormat;
   base::TomlTable& table = section.table();
   BakeSettings bake;
   if (table.has("max_error")) bake.max_error = section.number("max_error", std::nullopt);
+  if (section.isFixed("cubemap_error")) bake.cubemap_error = section.number("cubemap_error", std::nullopt);
   bake.fixed = {
       section.isFixed("bands"),
       section.isFixed("keys"),
@@ -43,6 +59,10 @@ BakeSettings readBake(base::Section section) {
       section.isFixed("gradient_format"),
       section.isFixed("reconstruction"),
       section.isFixed("encoding")};
+  const auto& fixed = bake.fixed;
+  const bool states_nothing = !(fixed.bands || fixed.keys || fixed.cubemaps || fixed.gradients ||
+                                fixed.reconstruction || fixed.encoding || section.word("window") != "off");
+  if (!bake.max_error && states_nothing) bake.max_error = kDefaultQuality.max_error;
   bake.bands = section.wholeNumberIfAny("bands").value_or(bake.bands);
   bake.key_time_h = section.hours("keys", kAutoKeys);
   bake.cubemap_size = section.wholeNumberIfAny("cubemap_size").value_or(bake.cubemap_size);

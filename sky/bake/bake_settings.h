@@ -11,7 +11,19 @@
 
 namespace welkin::bake {
 
-/// The [bake] section. Absent settings have the values of a bake without a budget.
+/// The named budgets, fractions: draft 10 %, preview 3 %, final 1 %.
+struct Quality {
+  const char* name;
+  double max_error;
+};
+inline constexpr Quality kDefaultQuality = {"preview", 0.03};  ///< of a section that states nothing
+inline constexpr Quality kQualities[] = {{"draft", 0.1}, kDefaultQuality, {"final", 0.01}};
+
+/// The budget of a name. Throws Error(usage) for any other name.
+double errorOf(const std::string& quality);
+
+/// The [bake] section. Absent settings have the values of a bake without a budget. A section that states none of them
+/// has the budget kDefaultQuality.
 struct BakeSettings {
   int bands = 2;
   std::vector<double> key_time_h;
@@ -23,6 +35,8 @@ struct BakeSettings {
   table::Encoding encoding = table::Encoding::float32;
   bool mildest_window = false;
   std::optional<double> max_error = std::nullopt;  ///< absent: no budget, and the settings apply as they stand here
+  /// Budget of the cubemaps alone. Absent: max_error, as far as kCubemapBytes go.
+  std::optional<double> cubemap_error = std::nullopt;
 
   /// Settings that the file states itself. A budget keeps them and chooses the rest.
   struct Fixed {
@@ -30,8 +44,14 @@ struct BakeSettings {
   } fixed = {};
 };
 
+/// Most bytes of the cubemaps under a budget that is not stated for them. A plan warns of more.
+inline constexpr double kCubemapBytes = 64e6;
+
 /// Number of keys of a table with keys = "auto": one every five minutes.
 inline constexpr int kAutoKeys = 288;
+
+/// Takes a budget for the cubemaps in place of the section's settings of them. 0: no cubemaps.
+void setCubemapError(BakeSettings& bake, double cubemap_error);
 
 /// Reads the section. Throws Error(content).
 BakeSettings readBake(base::Section section);

@@ -47,36 +47,49 @@ table::Certificate measure(const SkyFile& file, const SkyPlan& plan, double brig
   return certify(opened, baked, how, progress.stage("certificate", certifySteps(baked, how)));
 }
 
-/// A plan whose certificate is within the budget: planned again for less when what was measured, every minute and
-/// through the runtime, is more than the plan expected.
+/// A plan whose certificate is within the budget. A certificate looks at more instants than a plan. Where it finds
+/// more than the budget, the sky is planned again with those instants in sight, and for a little less.
 struct Certified {
   SkyPlan plan;
   std::optional<table::Certificate> certificate;
 };
-Certified planAndMeasure(const SkyFile& file, Certify how, const base::Progress& progress, Stopwatch& watch,
-                         Json& timing) {
-  constexpr int kAttempts = 4;
+Certified planAndMeasure(const SkyFile& file, const SkyRequest& request, const base::Progress& progress,
+                         Stopwatch& watch, Json& timing) {
+  constexpr int kAttempts = 8;
+  constexpr double kStep = 0.005;  // of the budget, that each attempt aims lower at least
   SkyPlanner planner(file, progress);
-  double aim = file.bake.max_error.value_or(0.0);
+  const double budget = file.bake.max_error.value_or(0.0);
+  double aim = budget;
+  std::optional<Certified> best;
   double plan_s = 0.0;
   double certify_s = 0.0;
-  for (int attempt = 1;; ++attempt) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     Certified result{planner.plan(aim), std::nullopt};
     plan_s += watch.lap();
-    if (how != Certify::none) result.certificate = measure(file, result.plan, planner.brightest(), how, progress);
+    if (attempt == 0 && request.warn)
+      for (const model::Warning& warning : result.plan.warnings) request.warn(warning.message);
+    if (request.certify != Certify::none)
+      result.certificate = measure(file, result.plan, planner.brightest(), request.certify, progress);
     certify_s += watch.lap();
     timing["table_s"] = plan_s;
     timing["certify_s"] = certify_s;
-    if (!result.certificate || !file.bake.max_error || result.certificate->max_error <= *file.bake.max_error)
-      return result;
-    if (attempt == kAttempts)
-      throw base::Error(base::ExitStatus::content,
-                        fmt::format("{}: max_error = {}: cannot be met: {} bytes make an error of {:.3g}",
-                                    file.inputs.front().path.string(), *file.bake.max_error, result.plan.table_bytes,
-                                    result.certificate->max_error));
-    // Keys are few and whole: a small step may change nothing, so each is larger than the last.
-    aim *= (1.0 - 0.01 * attempt) * *file.bake.max_error / result.certificate->max_error;
+    if (!result.certificate || !file.bake.max_error || result.certificate->max_error <= budget) return result;
+    if (!best || result.certificate->max_error < best->certificate->max_error) best = result;
+    std::vector<double> worse;
+    for (const auto& at : result.certificate->day)
+      if (at.error > aim) worse.push_back(at.time_h);
+    planner.lookAt(std::move(worse));
+    // Fixed keys do not go where they are needed: there only a lower aim gives another plan.
+    const bool is_far = file.bake.fixed.keys || attempt > 2;
+    aim *= (1.0 - kStep) * (is_far ? budget / result.certificate->max_error : 1.0);
   }
+  throw base::Error(
+      base::ExitStatus::content,
+      fmt::format("{}: max_error = {}: cannot be met: the least error of the irradiance that was measured is {}, at "
+                  "{:.2f} h, by {}, {} keys and {} numbers: {} bytes",
+                  file.inputs.front().path.string(), budget, leastText(best->certificate->max_error),
+                  best->certificate->time_h, best->plan.representation.name(), best->plan.table.key_time_h.size(),
+                  nameOf(best->plan.encoding), best->plan.table_bytes));
 }
 
 Json inputsJson(const std::vector<Input>& inputs) {
@@ -108,11 +121,27 @@ Json warningsOf(const table::Certificate* certificate, std::size_t saturated, fo
   return warnings;
 }
 
+/// Throws where cubemaps are past a budget that was stated for them, or past max_error where the file fixes them.
+void requireWithinBudget(const SkyFile& file, const SkyPlan& plan, const cubemap::CubemapError& error) {
+  const bool is_own = file.bake.cubemap_error.has_value();
+  const std::optional<double> budget = is_own                     ? file.bake.cubemap_error
+                                       : file.bake.fixed.cubemaps ? file.bake.max_error
+                                                                  : std::nullopt;
+  if (!budget || error.error <= *budget) return;
+  throw base::Error(base::ExitStatus::content,
+                    fmt::format("{}: {} = {}: cannot be met by {} cubemaps of {} in {}, whose error is {}; leave "
+                                "cubemap_size, cubemap_times and cubemap_format to the budget, or make none",
+                                file.inputs.front().path.string(), is_own ? "cubemap_error" : "max_error", *budget,
+                                plan.cubemap_time_h.size(), plan.cubemap_size, format::nameOf(plan.cubemap_format),
+                                leastText(error.error)));
+}
+
 /// Bakes anew, and says what was made.
-Json bakeAnew(const SkyFile& given, const std::filesystem::path& folder, Certify how, const base::Progress& progress,
-              Json& timing) {
+Json bakeAnew(const SkyFile& given, const std::filesystem::path& folder, const SkyRequest& request,
+              const base::Progress& progress, Json& timing) {
   Stopwatch watch;
-  Certified certified = planAndMeasure(given, how, progress, watch, timing);
+  const Certify how = request.certify;
+  Certified certified = planAndMeasure(given, request, progress, watch, timing);
   const SkyPlan& plan = certified.plan;
   SkyFile file = given;
   file.bake.gradient_format = plan.gradient_format;
@@ -125,13 +154,7 @@ Json bakeAnew(const SkyFile& given, const std::filesystem::path& folder, Certify
   std::optional<cubemap::CubemapError> cubemap_error;
   if (how != Certify::none && !cubemaps.empty()) {
     cubemap_error = measureCubemaps(file, plan, cubemaps, how, progress);
-    if (file.bake.max_error && cubemap_error->error > *file.bake.max_error)
-      throw base::Error(
-          base::ExitStatus::content,
-          fmt::format("{}: max_error = {}: cannot be met by {} cubemaps of {} in {}, whose error is {:.3g}; leave "
-                      "cubemap_size, cubemap_times and cubemap_format to the budget, or make none",
-                      file.inputs.front().path.string(), *file.bake.max_error, cubemaps.size(), plan.cubemap_size,
-                      format::nameOf(plan.cubemap_format), cubemap_error->error));
+    requireWithinBudget(file, plan, *cubemap_error);
     certified.certificate->cubemaps = {cubemap_error->error, cubemap_error->time_h, cubemap_error->parts.resolution,
                                        cubemap_error->parts.time, cubemap_error->parts.encoding};
     timing["certify_s"] = timing["certify_s"].get<double>() + watch.lap();
@@ -147,7 +170,8 @@ Json bakeAnew(const SkyFile& given, const std::filesystem::path& folder, Certify
   Json made = planJson(plan, file.bake.max_error);
   if (certificate != nullptr) made["certificate"] = certificateJson(*certificate, cubemap_error);
   made["outputs"] = outputs.list();
-  made["warnings"] = warningsOf(certificate, saturated, plan.cubemap_format);
+  for (Json& warning : warningsOf(certificate, saturated, plan.cubemap_format))
+    made["warnings"].push_back(std::move(warning));
   // First the record, which fits no other sky: once sky.welkin is there, the bake is done.
   base::writeFile(folder / "sky.json", recordText(given.bake, how, made));
   base::writeFile(folder / "sky.welkin", bytes);
@@ -161,13 +185,13 @@ Json bakeSky(const SkyFile& file, const std::vector<Input>& inputs, const std::f
              const SkyRequest& request, const base::Progress& progress, Json& timing) {
   SkyState state = skyState(folder, file, request.certify);
   const bool bakes = request.force || !state.stale.empty();
-  if (bakes) state.made = bakeAnew(file, folder, request.certify, progress, timing);
+  if (bakes) state.made = bakeAnew(file, folder, request, progress, timing);
   timing["sky_baked"] = bakes;
   removeLeftovers(folder, state.made["outputs"]);
   Json report = {
       {"format_version", format::kSkyVersion}, {"inputs", inputsJson(inputs)}, {"settings", Json::parse(file.settings)}};
   report.update(state.made);
-  Json warnings = warningsJson(file);
+  Json warnings = warningsJson(file.warnings);
   warnings.insert(warnings.end(), state.made["warnings"].begin(), state.made["warnings"].end());
   report["warnings"] = std::move(warnings);
   return report;

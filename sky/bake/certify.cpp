@@ -177,18 +177,22 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
     for (const Number3& n : kSpread) instant.measure(n, direct.irradiance(instant.model(), n), errors[i]);
     progress.step();
   });
-  for (std::size_t i = 0; i < errors.size(); ++i)
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    certificate.day.push_back({instants[i].time_h, 0.0});
     for (int c = 0; c < 3; ++c) {
       const double divisor = instants[i].divisor[c];
       if (!(divisor > 0.0)) continue;
+      const double error = errors[i].error[c] / divisor;
       mean.sum += errors[i].sum[c] / divisor;
       mean.weight += static_cast<double>(errors[i].normals);
-      if (errors[i].error[c] / divisor <= certificate.max_error) continue;
-      certificate.max_error = errors[i].error[c] / divisor;
+      certificate.day.back().error = std::max(certificate.day.back().error, error);
+      if (error <= certificate.max_error) continue;
+      certificate.max_error = error;
       certificate.time_h = instants[i].time_h;
       certificate.normal = errors[i].normal[c];
       certificate.channel = c;
     }
+  }
   certificate.instants += errors.size();
   certificate.reference_error = std::max(certificate.reference_error, referenceErrorOf(baked.sky, instants));
   const auto parts = table::partsOf(day, keysAt(baked, day), baked.table, baked.encoding);

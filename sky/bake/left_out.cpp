@@ -42,7 +42,7 @@ std::vector<LeftOut> leftOut(const SkyFile& file, const SkyPlan& plan) {
   if (!file.sky.stars) list.push_back({"stars", "there is no [stars]", 0, 0.0});
   if (plan.cubemap_time_h.empty())
     list.push_back({"cubemaps",
-                    file.bake.cubemap_size == 0 ? "cubemap_size is 0"
+                    file.bake.cubemap_size == 0 ? "none are asked for"
                                                 : "no surface of the level is smooth enough to reflect the sky",
                     format::bytesOfCubemaps(format::CubemapFormat::rgba16f, 128, 8),
                     8.0 * 3.0 * static_cast<double>(format::texelsOfCubemap(128))});

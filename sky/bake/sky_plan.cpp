@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "sh/spiral.h"
 #include "sh/window.h"
@@ -59,17 +61,37 @@ double applyMildestWindow(table::DayTable& table) {
   return window.strength;
 }
 
-base::Error cannotMeet(const SkyFile& file, const std::string& best) {
-  return {base::ExitStatus::content, fmt::format("{}: max_error = {}: cannot be met: {}",
-                                                 file.inputs.front().path.string(), *file.bake.max_error, best)};
+base::Error cannotMeet(const SkyFile& file, const char* key, double budget, const std::string& best) {
+  return {base::ExitStatus::content,
+          fmt::format("{}: {} = {}: cannot be met: {}", file.inputs.front().path.string(), key, budget, best)};
+}
+
+constexpr const char* kNoCubemaps =
+    "--cubemaps none (cubemap_size = 0) leaves them out: the runtime draws the sky's dome by its formula";
+
+/// Of cubemaps that do not keep a budget which was not stated for them.
+model::Warning shortOf(const cubemap::CubemapPlan& plan, double budget) {
+  const std::string wanted = plan.wanted_bytes > 0.0 ? fmt::format("about {:.0f} MB", 1e-6 * plan.wanted_bytes)
+                                                     : std::string("more than 1500 MB");
+  return {"cubemaps-over-budget", 1,
+          fmt::format("within {:.0f} MB the error of the cubemaps is {:.2g} %; {:g} % would take {}; --cubemaps E "
+                      "(cubemap_error = E) is a budget of their own; {}",
+                      1e-6 * kCubemapBytes, 100.0 * plan.measured.error, 100.0 * budget, wanted, kNoCubemaps)};
+}
+
+model::Warning largeCubemaps(const SkyPlan& plan) {
+  return {"cubemaps-large", 1,
+          fmt::format("{} cubemaps of {} in {} take {:.0f} MB; a larger --cubemaps E (cubemap_error = E) takes fewer; "
+                      "{}",
+                      plan.cubemap_time_h.size(), plan.cubemap_size, format::nameOf(plan.cubemap_format),
+                      1e-6 * static_cast<double>(plan.cubemap_bytes), kNoCubemaps)};
 }
 
 }  // namespace
 
-double errorOf(const std::string& quality) {
-  for (const Quality& q : kQualities)
-    if (quality == q.name) return q.max_error;
-  throw base::Error(base::ExitStatus::usage, fmt::format("quality: \"{}\" is not draft, preview or final", quality));
+std::string leastText(double error) {
+  const double digit = std::pow(10.0, std::floor(std::log10(error)) - 2.0);
+  return fmt::format("{:.3g}", std::ceil(error / digit) * digit);
 }
 
 /// The quadrature may take a hundredth of a budget: the rest is worth more to keys and modes than panels are to time.
@@ -87,6 +109,28 @@ struct SkyPlanner::Day {
   Day(const SkyFile& file, double step_h, double brightest, const base::Progress& progress)
       : fields(table::sampleDay(file.sky, instantsFor(file, step_h), brightest, progress, ruleFor(file))),
         values(fields, grid) {}
+
+  /// Adds hours, ascending, but for those within a second of another one.
+  void add(const std::vector<double>& time_h, double brightest, const base::Progress& progress,
+           const model::IrradianceRule& rule) {
+    std::vector<double> fresh;
+    std::vector<double> there;
+    for (const auto& at : fields.instant) there.push_back(at.time_h);
+    const auto isApart = [](double t, const std::vector<double>& list) {
+      constexpr double kSecond_h = 1.0 / 3600.0;
+      const auto after = std::lower_bound(list.begin(), list.end(), t);
+      return (after == list.end() || *after - t >= kSecond_h) &&
+             (after == list.begin() || t - *std::prev(after) >= kSecond_h);
+    };
+    for (const double t : time_h)
+      if (isApart(t, there) && isApart(t, fresh)) fresh.push_back(t);
+    auto more = table::sampleDay(*fields.sky, fresh, brightest, progress, rule).instant;
+    fields.instant.insert(fields.instant.end(), std::make_move_iterator(more.begin()),
+                          std::make_move_iterator(more.end()));
+    std::sort(fields.instant.begin(), fields.instant.end(),
+              [](const auto& a, const auto& b) { return a.time_h < b.time_h; });
+    values = table::DayValues(fields, grid);
+  }
 };
 
 SkyPlanner::SkyPlanner(const SkyFile& file, base::Progress progress) : file_(file), progress_(std::move(progress)) {}
@@ -104,6 +148,11 @@ SkyPlan SkyPlanner::plan(double aim) {
 double SkyPlanner::brightest() {
   if (!brightest_) brightest_ = table::brightestOf(file_.sky);
   return *brightest_;
+}
+
+void SkyPlanner::lookAt(std::vector<double> time_h) {
+  std::sort(time_h.begin(), time_h.end());
+  day_->add(time_h, brightest(), progress_.stage("plan", time_h.size()), ruleFor(file_));
 }
 
 void SkyPlanner::planTable(double aim, SkyPlan& plan) {
@@ -132,11 +181,12 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
     if (bake.fixed.encoding) request.encoding = bake.encoding;
     if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
     table::DayPlan day = table::planDay(day_->values, request, progress_);
-    if (!day.met)
-      throw cannotMeet(file_, fmt::format("the least error of the irradiance is {:.3g}, by {}, {} keys and {} numbers: "
-                                          "{} bytes",
-                                          day.predicted_error, day.representation.name(), day.table.key_time_h.size(),
-                                          nameOf(day.encoding), day.bytes));
+    if (!day.met && day.predicted_error > *bake.max_error)
+      throw cannotMeet(file_, "max_error", *bake.max_error,
+                       fmt::format("the least error of the irradiance is {}, by {}, {} keys and {} numbers: "
+                                   "{} bytes",
+                                   leastText(day.predicted_error), day.representation.name(),
+                                   day.table.key_time_h.size(), nameOf(day.encoding), day.bytes));
     plan.representation = std::move(day.representation);
     plan.table = std::move(day.table);
     plan.encoding = day.encoding;
@@ -167,20 +217,26 @@ void SkyPlanner::planCubemaps(SkyPlan& plan) {
   plan.cubemap_size = bake.cubemap_time_h.empty() ? 0 : bake.cubemap_size;
   plan.cubemap_format = bake.cubemap_format;
   plan.cubemap_time_h = bake.cubemap_time_h;
-  if (bake.max_error && !bake.fixed.cubemaps) {
-    if (!cubemaps_)
-      cubemaps_ = cubemap::planCubemaps(file_.sky, *bake.max_error, {}, progress_.stage("cubemap plan", 0));
-    if (!cubemaps_->met)
-      throw cannotMeet(file_, fmt::format("cubemaps: {}; the least error is {:.3g}, by {} cubemaps of {} in {}: {:.0f} "
-                                          "bytes; cubemap_size = 0 leaves them out",
-                                          cubemaps_->reason, cubemaps_->measured.error, cubemaps_->time_h.size(),
-                                          cubemaps_->size, format::nameOf(cubemaps_->format), cubemaps_->bytes));
+  const std::optional<double> budget = bake.cubemap_error ? bake.cubemap_error : bake.max_error;
+  if (budget && !bake.fixed.cubemaps) {
+    cubemap::CubemapLimits limits;
+    if (!bake.cubemap_error) limits.most_bytes = kCubemapBytes;
+    if (!cubemaps_) cubemaps_ = cubemap::planCubemaps(file_.sky, *budget, limits, progress_.stage("cubemap plan", 0));
+    if (!cubemaps_->met && bake.cubemap_error)
+      throw cannotMeet(
+          file_, "cubemap_error", *budget,
+          fmt::format("{}; that is {} cubemaps of {} in {}: {:.0f} bytes; cubemap_size = 0 leaves them out",
+                      cubemaps_->reason, cubemaps_->time_h.size(), cubemaps_->size, format::nameOf(cubemaps_->format),
+                      cubemaps_->bytes));
     plan.cubemap_size = cubemaps_->size;
     plan.cubemap_format = cubemaps_->format;
     plan.cubemap_time_h = cubemaps_->time_h;
+    plan.cubemap_error = cubemaps_->measured.error;
+    if (!cubemaps_->met) plan.warnings.push_back(shortOf(*cubemaps_, *budget));
   }
   plan.cubemap_bytes = format::bytesOfCubemaps(plan.cubemap_format, static_cast<std::uint64_t>(plan.cubemap_size),
                                                plan.cubemap_time_h.size());
+  if (static_cast<double>(plan.cubemap_bytes) > kCubemapBytes) plan.warnings.push_back(largeCubemaps(plan));
 }
 
 void SkyPlanner::planGradients(SkyPlan& plan) {
@@ -197,9 +253,10 @@ void SkyPlanner::planGradients(SkyPlan& plan) {
   if (is_small && !dome_error_) dome_error_ = errorOf(plan.gradient_format);
   plan.dome_error = is_small ? *dome_error_ : 0.0;
   if (bake.max_error && plan.dome_error > *bake.max_error)
-    throw cannotMeet(file_, fmt::format("gradient_format = \"rgb9e5\" makes an error of the dome of {:.3g}; \"rgb32f\" "
-                                        "makes none",
-                                        plan.dome_error));
+    throw cannotMeet(file_, "max_error", *bake.max_error,
+                     fmt::format("gradient_format = \"rgb9e5\" makes an error of the dome of {:.3g}; \"rgb32f\" "
+                                 "makes none",
+                                 plan.dome_error));
   plan.gradient_bytes =
       (is_small ? 4 : 12) * (file_.sky.gradient_sun.rgb.size() + file_.sky.gradient_anti.rgb.size()) / 3;
 }

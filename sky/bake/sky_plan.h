@@ -14,15 +14,8 @@
 
 namespace welkin::bake {
 
-/// The named budgets, fractions: draft 10 %, preview 3 %, final 1 %.
-struct Quality {
-  const char* name;
-  double max_error;
-};
-inline constexpr Quality kQualities[] = {{"draft", 0.1}, {"preview", 0.03}, {"final", 0.01}};
-
-/// The budget of a name. Throws Error(usage) for any other name.
-double errorOf(const std::string& quality);
+/// A least error, > 0, as text for people: three digits, rounded up, so that a budget of that number can be met.
+std::string leastText(double error);
 
 /// Something that was not made, and what that saves.
 struct LeftOut {
@@ -44,10 +37,12 @@ struct SkyPlan {
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
   std::vector<double> cubemap_time_h;
   std::size_t cubemap_bytes = 0;
+  std::optional<double> cubemap_error;  ///< as the plan of the cubemaps measured it; none where their settings stand
   model::GradientFormat gradient_format = model::GradientFormat::rgb32f;
   std::size_t gradient_bytes = 0;
   double dome_error = 0.0;  ///< of the gradients' format
   std::vector<LeftOut> left_out;
+  std::vector<model::Warning> warnings;  ///< of what the plan costs
 };
 
 /// Plans one sky file, perhaps more than once.
@@ -57,9 +52,12 @@ class SkyPlanner {
   ~SkyPlanner();
 
   /// Under the file's budget for cubemaps, and `aim`, at most that, for irradiance; without a budget, as the file says.
-  /// Throws Error(content) when the budget cannot be met, with the best that can be had and its cost;
-  /// Error(interrupted).
+  /// Where no table keeps `aim`, the one of the least error, if that is within the budget. Throws Error(content) when
+  /// the budget cannot be met, with the best that can be had and its cost; Error(interrupted).
   SkyPlan plan(double aim);
+
+  /// After a plan under a budget: the next ones look at these hours of the day as well. Throws Error(interrupted).
+  void lookAt(std::vector<double> time_h);
 
   /// table::brightestOf the sky, computed once.
   double brightest();

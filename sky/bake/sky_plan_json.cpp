@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "sky/bake/warnings.h"
+
 namespace welkin::bake {
 namespace {
 
@@ -53,16 +55,18 @@ Json leftOutJson(const SkyPlan& plan) {
 }  // namespace
 
 Json planJson(const SkyPlan& plan, const std::optional<double>& max_error) {
+  Json cubemaps = {{"count", plan.cubemap_time_h.size()},
+                   {"size", plan.cubemap_size},
+                   {"format", format::nameOf(plan.cubemap_format)},
+                   {"time_h", plan.cubemap_time_h},
+                   {"bytes", plan.cubemap_bytes}};
+  if (plan.cubemap_error) cubemaps["predicted_error"] = *plan.cubemap_error;
   return {{"table", tableJson(plan, max_error)},
-          {"cubemaps",
-           {{"count", plan.cubemap_time_h.size()},
-            {"size", plan.cubemap_size},
-            {"format", format::nameOf(plan.cubemap_format)},
-            {"time_h", plan.cubemap_time_h},
-            {"bytes", plan.cubemap_bytes}}},
+          {"cubemaps", std::move(cubemaps)},
           {"gradients",
            {{"format", nameOf(plan.gradient_format)}, {"bytes", plan.gradient_bytes}, {"dome_error", plan.dome_error}}},
-          {"left_out", leftOutJson(plan)}};
+          {"left_out", leftOutJson(plan)},
+          {"warnings", warningsJson(plan.warnings)}};
 }
 
 }  // namespace welkin::bake

@@ -9,7 +9,7 @@
 
 namespace welkin::bake {
 
-/// Members "table", "cubemaps", "gradients" and "left_out". `max_error`: the budget.
+/// Members "table", "cubemaps", "gradients", "left_out" and "warnings". `max_error`: the budget.
 nlohmann::ordered_json planJson(const SkyPlan& plan, const std::optional<double>& max_error);
 
 }  // namespace welkin::bake

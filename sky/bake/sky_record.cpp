@@ -29,6 +29,7 @@ bool isThere(const fs::path& path) {
 Json requestJson(const BakeSettings& bake, Certify certify) {
   return {{"method", kSkyBakeVersion},
           {"max_error", bake.max_error ? Json(*bake.max_error) : Json()},
+          {"cubemap_error", bake.cubemap_error ? Json(*bake.cubemap_error) : Json()},
           {"certify", nameOf(certify)},
           {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
 }

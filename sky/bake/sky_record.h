@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,12 +15,14 @@ namespace welkin::bake {
 
 /// Version of the method. It grows by one whenever the same input gives other bytes, as tests/golden/same_bytes.txt
 /// shows, or another report.
-inline constexpr int kSkyBakeVersion = 3;
+inline constexpr int kSkyBakeVersion = 4;
 
 /// The options of a sky's bake.
 struct SkyRequest {
   Certify certify = Certify::fast;
   bool force = false;  ///< bake what is up to date as well
+  /// Told of a plan's warnings before the bake that they warn of. They are in the report as well.
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// The state of a sky's file before a bake.

@@ -47,7 +47,8 @@ class Planner {
         excess_(day_.time_h().size(), 1.0) {}
 
   /// The least plan for a target by the model of squares, not yet measured; none when the limits leave none.
-  std::optional<CubemapPlan> choose(double target) const {
+  std::optional<CubemapPlan> choose(double target) const { return choose(target, limits_.most_bytes); }
+  std::optional<CubemapPlan> choose(double target, double most_bytes) const {
     const Candidate* best = nullptr;
     std::vector<std::size_t> best_places;
     const std::vector<Candidate> list = candidates(target);
@@ -59,7 +60,7 @@ class Planner {
     for (const Candidate& candidate : list) {
       // As many times as would still be a gain.
       const double one = costOf(candidate, 1).first;
-      const double bytes = best != nullptr ? costOf(*best, best_places.size()).first : limits_.most_bytes;
+      const double bytes = best != nullptr ? costOf(*best, best_places.size()).first : most_bytes;
       const auto most =
           static_cast<std::size_t>(std::min(std::floor(bytes / one), static_cast<double>(limits_.most_times)));
       if (most == 0 || day_.placeQuickly(candidate.tolerance, most + most / 16 + 1).empty()) continue;
@@ -124,12 +125,15 @@ class Planner {
       best = std::move(*plan);
     }
     best.met = best.measured.error <= max_error;
-    if (!best.met)
-      best.reason = fmt::format(
-          "the least error found within {} texels a face, {} times and {:.3g} bytes is {:.4g} (resolution {:.2g}, time "
-          "{:.2g}, encoding {:.2g})",
-          limits_.largest_size, limits_.most_times, limits_.most_bytes, best.measured.error,
-          best.measured.parts.resolution, best.measured.parts.time, best.measured.parts.encoding);
+    if (best.met) return best;
+    constexpr double kMostBytes = CubemapLimits{}.most_bytes;
+    if (limits_.most_bytes < kMostBytes)
+      if (const auto wanted = choose(aim, kMostBytes)) best.wanted_bytes = wanted->bytes;
+    best.reason = fmt::format(
+        "the least error found within {} texels a face, {} times and {:.3g} bytes is {:.4g} (resolution {:.2g}, time "
+        "{:.2g}, encoding {:.2g})",
+        limits_.largest_size, limits_.most_times, limits_.most_bytes, best.measured.error,
+        best.measured.parts.resolution, best.measured.parts.time, best.measured.parts.encoding);
     return best;
   }
 

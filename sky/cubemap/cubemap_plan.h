@@ -27,6 +27,7 @@ struct CubemapPlan {
   CubemapError measured;       ///< by Effort::fast, of the texels that a bake will make
   bool met = false;            ///< whether measured.error is under the budget
   std::string reason;          ///< when it is not: why, in one sentence
+  double wanted_bytes = 0.0;   ///< when most_bytes are too few: about as many as the budget takes; 0: more than 1.5e9
 };
 
 /// Plans for `max_error` > 0, relative (0.01: one percent). The fewest bytes; of as many, the fewest texels, which a

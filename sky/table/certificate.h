@@ -2,6 +2,8 @@
 // A bake's statement of its own error.
 #pragma once
 
+#include <vector>
+
 #include "sky/base/curve.h"
 
 namespace welkin::table {
@@ -28,6 +30,12 @@ struct Certificate {
   double mean_error = 0.0;  ///< mean over normals, channels and instants
   ErrorParts parts;
   std::size_t instants = 0;
+  /// The error at every instant that was measured, in the order of time.
+  struct At {
+    double time_h;
+    double error;
+  };
+  std::vector<At> day;
   /// Estimated error of the reference in sky/model/irradiance.h, in the same measure; max_error may be wrong by this
   /// much. The estimate is 1 to 4 times the error found. It is under 2e-4 for every named model, and hundredths for a
   /// lobe one degree wide.

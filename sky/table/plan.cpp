@@ -54,21 +54,15 @@ class Planner {
     collect();
     if (candidates_.empty()) return std::move(plan_);
     least_keys_ = leastKeys();
-    const auto closest = std::min_element(candidates_.begin(), candidates_.end(), byError);
     const double close_enough = request_.max_error;
     tryAll([&](const Candidate& candidate) { return candidate.choice.error <= close_enough; });
     for (Candidate& candidate : candidates_)
       if (mayFit(candidate) && candidate.choice.error > close_enough &&
           candidate.choice.error < kWorthFitting * close_enough &&
-          leastBytes(candidate.representation, format::kEncodings.back()) < plan_.bytes) {
-        progress_.check();
-        fitWeights(day_, candidate.representation);
-        candidate.choice.name = candidate.representation.name();
-        candidate.choice.error = errorAtKeys(day_, candidate.representation);
-        candidate.fitted = true;
-      }
+          leastBytes(candidate.representation, format::kEncodings.back()) < plan_.bytes)
+        fit(candidate);
     tryAll([&](const Candidate& candidate) { return candidate.fitted && candidate.choice.error <= close_enough; });
-    if (!plan_.met) takeTheBest(*closest);
+    if (!plan_.met) takeTheBest(*std::min_element(candidates_.begin(), candidates_.end(), byError));
     for (Candidate& candidate : candidates_) plan_.considered.push_back(std::move(candidate.choice));
     return std::move(plan_);
   }
@@ -83,6 +77,14 @@ class Planner {
   static bool byError(const Candidate& a, const Candidate& b) { return a.choice.error < b.choice.error; }
   bool mayFit(const Candidate& candidate) const {
     return candidate.representation.modes || request_.reconstruction != Reconstruction::projected;
+  }
+
+  void fit(Candidate& candidate) {
+    progress_.check();
+    fitWeights(day_, candidate.representation);
+    candidate.choice.name = candidate.representation.name();
+    candidate.choice.error = errorAtKeys(day_, candidate.representation);
+    candidate.fitted = true;
   }
 
   void add(Representation r) {
@@ -172,8 +174,9 @@ class Planner {
     }
   }
 
-  /// Used where the error cannot be met: every instant becomes a key and nothing is rounded.
-  void takeTheBest(const Candidate& candidate) {
+  /// Used where no fewer keys meet the error: every instant becomes a key and nothing is rounded.
+  void takeTheBest(Candidate& candidate) {
+    if (mayFit(candidate) && !candidate.fitted) fit(candidate);
     plan_.representation = candidate.representation;
     plan_.encoding = request_.encoding.value_or(Encoding::float32);
     std::vector<std::size_t> keys(day_.day->instant.size());
@@ -182,6 +185,7 @@ class Planner {
     plan_.table = tableAt(day_, plan_.representation, keys);
     plan_.predicted_error = errorOf(day_, plan_.representation, plan_.table, plan_.encoding).value;
     plan_.bytes = bytesOf(plan_.representation, plan_.table, plan_.encoding);
+    plan_.met = plan_.predicted_error <= request_.max_error;
   }
 
   const DayValues& day_;

@@ -68,6 +68,40 @@ TEST_CASE("Budget, ChoosesCubemapsToo") {
   REQUIRE(report["certificate"]["max_error"] <= 0.1);
 }
 
+TEST_CASE("Budget, OfCubemapsIsTheirOwn") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, "cubemap_error = 0.2"));
+  const json report = bakeReport(sky, folder / "out", {"--max-error", "0.05"});
+  INFO(report.dump());
+  REQUIRE(report["certificate"]["max_error"] <= 0.05);
+  REQUIRE(report["certificate"]["cubemaps"]["max_error"] <= 0.2);
+  REQUIRE(report["certificate"]["cubemaps"]["max_error"] > 0.1);
+  const auto cubemapsOf = [&](const std::vector<std::string>& more) { return planOf(sky, more)["cubemaps"]; };
+  REQUIRE(cubemapsOf({})["predicted_error"] <= 0.2);  // also where the table has the default budget
+  REQUIRE(cubemapsOf({"--cubemaps", "none"})["count"] == 0);
+  REQUIRE(cubemapsOf({"--cubemaps", "0.3"})["bytes"] < report["cubemaps"]["bytes"]);
+  const std::string fixed =
+      folder.write("fixed.toml", skyText(kDay, kDaySun, "keys = 2\ncubemap_size = 2\ncubemap_times = 2"));
+  REQUIRE(planOf(fixed, {"--cubemaps", "0.3"})["cubemaps"]["predicted_error"] <= 0.3);
+}
+
+TEST_CASE("Budget, CubemapsThatCostTooMuchKeepToTheirBytesAndSaySo") {
+  const Folder folder;
+  const std::string sky = folder.write(
+      "sky.toml", skyText("luminance = \"cie-15\"\nnormalise = \"sun\"", "latitude_deg = 0\nday_of_year = 80", ""));
+  const json plan = planOf(sky, {"--max-error", "0.004"});
+  INFO(plan["cubemaps"].dump() << plan["warnings"].dump());
+  REQUIRE(plan["cubemaps"]["bytes"] <= 64e6);
+  REQUIRE(plan["cubemaps"]["predicted_error"] > 0.004);
+  REQUIRE(plan["warnings"].size() == 1);
+  REQUIRE(plan["warnings"][0]["id"] == "cubemaps-over-budget");
+  const std::string message = plan["warnings"][0]["message"];
+  for (const char* part : {"64 MB", "0.4 %", "cubemap_error", "--cubemaps none"}) {
+    INFO(part << " in " << message);
+    REQUIRE(message.find(part) != std::string::npos);
+  }
+}
+
 TEST_CASE("Budget, QualitiesHaveNames") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform, kStillSun, kNoCubemaps));
@@ -96,6 +130,10 @@ TEST_CASE("Budget, WrongOptionsAreUsage") {
                                                     {"--max-error", "1 %"},
                                                     {"--max-error", "9e-6"},
                                                     {"--quality", "best"},
+                                                    {"--cubemaps", "some"},
+                                                    {"--cubemaps", "0"},
+                                                    {"--cubemaps", "nan"},
+                                                    {"--cubemaps", "1.5"},
                                                     {"--max-error", "0.1", "--quality", "draft"}}) {
       std::vector<std::string> arguments = {command, sky};
       if (command == std::string("bake")) arguments.insert(arguments.end(), {"-o", folder / "out"});
@@ -118,6 +156,21 @@ TEST_CASE("Budget, WhatCannotBeMetSaysTheBestAndWritesNothing") {
   requireCannot(folder, sky, {"--max-error", "0.001"}, said);
   bakeReport(sky, folder / "out");
   requireCannot(folder, sky, {"--max-error", "0.001"}, said);
+}
+
+TEST_CASE("Budget, ALeastErrorThatIsSaidCanBeHad") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 3"));
+  const std::string words = "the least error of the irradiance is ";
+  const std::string said = runBake(sky, folder / "out", {"--max-error", "0.001"}).err;
+  INFO(said);
+  REQUIRE(said.find(words) != std::string::npos);
+  const double least = std::strtod(said.c_str() + said.find(words) + words.size(), nullptr);
+  REQUIRE(least > 0.001);
+  constexpr double kBetween = 1.02;  // between a plan's instants a certificate may find more
+  const json report = bakeReport(sky, folder / "out", {"--max-error", std::to_string(kBetween * least)});
+  REQUIRE(report["certificate"]["max_error"] <= kBetween * least);
+  REQUIRE(report["certificate"]["max_error"] > 0.8 * least);
 }
 
 TEST_CASE("Budget, FixedCubemapsThatAreTooCoarseWriteNothing") {

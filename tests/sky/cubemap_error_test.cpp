@@ -116,6 +116,16 @@ model::Sky uniformSky() {
 
 }  // namespace
 
+TEST_CASE("CubemapError, OfANightIsOverAShareOfTheDay") {
+  // At 6 h the cubemaps of 0 and 12 h show half the noon, and the sky has a millionth of it: less than the floor.
+  model::Sky sky = uniformSky();
+  sky.intensity = {1, {6.0, 12.0, 18.0}, {1e-6, 1.0, 1e-6}};
+  const auto error = cubemap::measureCubemaps(sky, {8, CubemapFormat::rgba16f, {0.0, 12.0}, {}}, cubemap::Effort::fast);
+  constexpr double kHalf = 1e-3;  // 1e-6 in half floats
+  CHECK(error.error == Approx(0.5 / 1e-4).epsilon(kHalf));
+  CHECK((error.time_h == 6.0 || error.time_h == 18.0));
+}
+
 TEST_CASE("CubemapError, OfAUniformSkyIsTheBlendsAndTheRoundings") {
   model::Sky sky = uniformSky();
   sky.intensity = {1, {0.0, 6.0}, {1.0, 2.0}};  // shown by cubemaps at 0 and 12 h of 1 and 5/3

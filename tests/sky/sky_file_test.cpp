@@ -65,6 +65,21 @@ TEST_CASE("SkyFile, Defaults") {
   REQUIRE(file.bake.cubemap_time_h == std::vector<double>{0, 3, 6, 9, 12, 15, 18, 21});
 }
 
+TEST_CASE("SkyFile, AFileThatStatesNoBakeHasTheDefaultBudget") {
+  const auto budgetOf = [](const std::string& keys) {
+    return read("[sky]\n" + kStill + "[bake]\n" + keys).bake.max_error;
+  };
+  REQUIRE(budgetOf("") == 0.03);
+  REQUIRE(budgetOf("bands = \"auto\"\nwindow = \"off\"\ncubemap_error = 0.2") == 0.03);
+  REQUIRE(budgetOf("max_error = 0.5\nbands = 3") == 0.5);
+  for (const char* stated :
+       {"bands = 2", "keys = 288", "cubemap_size = 0", "cubemap_times = 8", "encoding = \"float32\"",
+        "gradient_format = \"rgb32f\"", "reconstruction = \"fitted\"", "window = \"mildest\""}) {
+    INFO(stated);
+    REQUIRE_FALSE(budgetOf(stated));
+  }
+}
+
 TEST_CASE("SkyFile, SkyKeys") {
   const bake::SkyFile file = read(R"([sky]
 luminance = "cie-12"

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "command/budget_option.h"
 #include "command/certificate_text.h"
@@ -22,6 +24,7 @@ struct Options {
   ThreadsOption threads;
   CertifyOption certify;
   BudgetOption budget;
+  CubemapsOption cubemaps;
   bool force = false;
 };
 
@@ -34,15 +37,22 @@ void bake(const Options& options) {
   request.report = options.report;
   request.depfile = options.depfile;
   request.max_error = options.budget.value();
+  request.cubemap_error = options.cubemaps.value();
   request.certify = options.certify.value();
   if (!options.shard.empty()) request.shard = build::parseShard(options.shard);
   request.sectors = options.sectors;
   request.force = options.force;
+  std::vector<std::string> told;
+  request.warn = [&told](const std::string& message) {
+    printWarning(message);
+    told.push_back(message);
+  };
   ProgressReport shown(options.progress.style());
   const nlohmann::ordered_json report = build::bakeFile(request, shown.progress());
-  printWarnings(report["warnings"]);
+  printWarnings(report["warnings"], told);
   if (report.contains("certificate"))
-    std::fputs(fmt::format("welkin: {}\n", certificateText(report["certificate"])).c_str(), stderr);
+    std::fputs(fmt::format("welkin: {}{}\n", certificateText(report["certificate"]), remedyText(report)).c_str(),
+               stderr);
 }
 
 }  // namespace
@@ -66,6 +76,7 @@ void addBake(CLI::App& app) {
   command->add_option("--sectors", options->sectors, "Only these sectors: X_Z,X_Z,...")->excludes(shard);
   command->add_flag("--force", options->force, "Bake what is up to date, too");
   options->budget.addTo(*command);
+  options->cubemaps.addTo(*command);
   options->certify.addTo(*command);
   command->callback([options] { bake(*options); });
 }

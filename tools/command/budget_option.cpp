@@ -19,7 +19,30 @@ std::string notNan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "must be a number" : "";
 }
 
+/// Refuses all but "none" and a number in the domain of cubemap_error.
+std::string notCubemaps(const std::string& text) {
+  if (text == "none") return "";
+  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "cubemap_error").range;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0' && range.contains(value)) return "";
+  return fmt::format("must be none or in {} to {}", range.low, range.high);
+}
+
 }  // namespace
+
+void CubemapsOption::addTo(CLI::App& command) {
+  command
+      .add_option("--cubemaps", text,
+                  "The largest error of the cubemaps, a fraction, in place of the file's settings of them; none: no "
+                  "cubemaps")
+      ->check(CLI::Validator(notCubemaps, ""));
+}
+
+std::optional<double> CubemapsOption::value() const {
+  if (text.empty()) return std::nullopt;
+  return text == "none" ? 0.0 : std::strtod(text.c_str(), nullptr);
+}
 
 void BudgetOption::addTo(CLI::App& command) {
   const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options that state an error budget. The commands bake, plan and study share them.
+// The options that state an error budget. The commands bake and plan share them.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,15 @@ class App;
 }
 
 namespace welkin::command {
+
+/// --cubemaps: the cubemaps' own budget, or none of them.
+struct CubemapsOption {
+  std::string text;  ///< empty: not given
+
+  void addTo(CLI::App& command);
+  /// The budget that replaces the sky file's settings of cubemaps; 0: none are made; nothing if it was not given.
+  std::optional<double> value() const;
+};
 
 /// --max-error and --quality. At most one of them may be given.
 struct BudgetOption {

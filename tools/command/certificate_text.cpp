@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "sky/bake/bake_settings.h"
 #include "sky/base/message.h"
 
 namespace welkin::command {
@@ -20,14 +22,35 @@ std::string certificateText(const Json& c) {
       percent(c["max_error"]), c["time_h"].get<double>(), n[0].get<double>(), n[1].get<double>(), n[2].get<double>(),
       c["channel"].get<std::string>(), percent(c["mean_error"]), percent(c["parts"]["quadrature"]),
       percent(c["parts"]["truncation"]), percent(c["parts"]["time"]), percent(c["parts"]["encoding"]));
-  if (c.contains("cubemaps")) text += fmt::format("; cubemaps within {}", percent(c["cubemaps"]["max_error"]));
+  if (c.contains("cubemaps"))
+    text += fmt::format("; cubemaps within {} (at {:.2f} h)", percent(c["cubemaps"]["max_error"]),
+                        c["cubemaps"]["time_h"].get<double>());
   return text;
 }
 
-void printWarnings(const Json& list) {
-  for (const auto& warning : list)
-    std::fputs(fmt::format("welkin: warning: {}\n", base::oneLine(warning["message"].get<std::string>())).c_str(),
-               stderr);
+std::string remedyText(const Json& report) {
+  constexpr double kBad = 0.1;          // of the irradiance: the budget "draft"
+  constexpr double kBadCubemaps = 0.3;  // a reflection that is plainly another sky's
+  const Json& certificate = report["certificate"];
+  std::string text;
+  if (!report["table"].contains("max_error") && certificate["max_error"].get<double>() > kBad)
+    text += fmt::format("; [bake] with max_error = {} and else \"auto\" keeps {:g} %", bake::kDefaultQuality.max_error,
+                        100.0 * bake::kDefaultQuality.max_error);
+  if (!report["cubemaps"].contains("predicted_error") && certificate.contains("cubemaps") &&
+      certificate["cubemaps"]["max_error"].get<double>() > kBadCubemaps)
+    text += "; --cubemaps 0.1 plans them for 10 %, --cubemaps none leaves them out";
+  return text;
+}
+
+void printWarning(const std::string& message) {
+  std::fputs(fmt::format("welkin: warning: {}\n", base::oneLine(message)).c_str(), stderr);
+}
+
+void printWarnings(const Json& list, const std::vector<std::string>& told) {
+  for (const auto& warning : list) {
+    const auto message = warning["message"].get<std::string>();
+    if (std::find(told.begin(), told.end(), message) == told.end()) printWarning(message);
+  }
 }
 
 }  // namespace welkin::command

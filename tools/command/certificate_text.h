@@ -4,13 +4,20 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace welkin::command {
 
 /// The certificate of a report in one line.
 std::string certificateText(const nlohmann::ordered_json& certificate);
 
-/// Prints the warnings of a report to stderr, one per line.
-void printWarnings(const nlohmann::ordered_json& list);
+/// The options that lower a report's errors, where these are large and no budget asked for them; else nothing.
+std::string remedyText(const nlohmann::ordered_json& report);
+
+/// Prints a warning to stderr, on one line.
+void printWarning(const std::string& message);
+
+/// Prints the warnings of a report to stderr, one per line, but for messages that were told before.
+void printWarnings(const nlohmann::ordered_json& list, const std::vector<std::string>& told = {});
 
 }  // namespace welkin::command

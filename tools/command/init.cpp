@@ -46,11 +46,12 @@ image = "stars.png"      # turns with the day; an equirectangular map, the celes
 intensity = 0.01         # radiance of its white; a brighter sky hides the stars
 
 [bake]
-# max_error = 0.01       # 1 %: the largest error that the bake may make; it then chooses what stands here as "auto"
-bands = "auto"           # 2, 3, 4 or 5 bands of spherical harmonics: 4, 9, 16 or 25 coefficients; "auto": 2 without a budget
+max_error = 0.03         # 3 %, as --quality preview: the largest error of the ambient light; the bake chooses each "auto"
+bands = "auto"           # 2, 3, 4 or 5 bands of spherical harmonics: 4, 9, 16 or 25 coefficients
 keys = "auto"            # or a number of keys spread over the day, or a list of hours
-cubemap_size = "auto"    # texels along a face, 128 without a budget; 0: no cubemaps
-cubemap_times = "auto"   # a number spread over the day, 8 without a budget, or a list of hours
+cubemap_error = "auto"   # the largest error of the cubemaps; "auto": max_error, or the least within 64 MB
+cubemap_size = "auto"    # texels along a face; 0: no cubemaps
+cubemap_times = "auto"   # a number spread over the day, or a list of hours
 cubemap_format = "auto"  # "rgba16f", or "rgb9e5", "b10g11r11": half the bytes, coarser
 gradient_format = "auto" # "rgb32f", or "rgb9e5": a third of the bytes, coarser
 reconstruction = "auto"  # "projected", "fitted" coefficients, or "modes" of the day's irradiance, which need a budget

@@ -75,6 +75,7 @@ struct Options {
   CertifyOption certify;
   bool json = false;
   BudgetOption budget;
+  CubemapsOption cubemaps;
 };
 
 void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
@@ -91,8 +92,11 @@ void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
   fmt::print("gradients  {} x {} and {} x {} {}: {} bytes\n", file.sky.gradient_sun.width, file.sky.gradient_sun.height,
              file.sky.gradient_anti.width, file.sky.gradient_anti.height, text(plan["gradients"]["format"]),
              number(plan["gradients"]["bytes"]));
-  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong\n", number(cubemaps["count"]),
-             number(cubemaps["size"]), number(cubemaps["size"]), text(cubemaps["format"]), number(cubemaps["bytes"]));
+  fmt::print("cubemaps   {} of 6 x {} x {} {}: {} bytes, and as EXR cube and latlong{}\n", number(cubemaps["count"]),
+             number(cubemaps["size"]), number(cubemaps["size"]), text(cubemaps["format"]), number(cubemaps["bytes"]),
+             cubemaps.contains("predicted_error")
+                 ? fmt::format("; error {:.3g} %", 100.0 * cubemaps["predicted_error"].get<double>())
+                 : "");
   fmt::print("stars      {} bytes\n", number(plan["stars"]["bytes"]));
   fmt::print("sun        {}\n", highestText(file.sky.sun.path));
   fmt::print("moon       {}\n", file.sky.moon ? highestText(file.sky.moon->path) : "none");
@@ -108,6 +112,7 @@ void plan(const Options& options) {
   request.file = options.file;
   request.folder = options.folder;
   request.max_error = options.budget.value();
+  request.cubemap_error = options.cubemaps.value();
   request.certify = options.certify.value();
   ProgressReport shown(options.json ? ProgressReport::Style::none : options.progress.style());
   const base::Progress progress = shown.progress();
@@ -138,6 +143,7 @@ void addPlan(CLI::App& app) {
   command->add_flag("--json", options->json, "Print JSON");
   options->progress.addTo(*command);
   options->budget.addTo(*command);
+  options->cubemaps.addTo(*command);
   options->certify.addTo(*command);
   command->callback([options] { plan(*options); });
 }

@@ -30,7 +30,7 @@ void validateFile(const std::string& path) {
     build::BakeRequest request;
     request.file = path;
     const build::BakeInput read = build::readInput(request, {});
-    Json warnings = bake::warningsJson(read.sky);
+    Json warnings = bake::warningsJson(read.sky.warnings);
     if (read.level) build::addWarnings(*read.level, warnings);
     return printWarnings(warnings);
   }

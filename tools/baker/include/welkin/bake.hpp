@@ -23,7 +23,7 @@ struct BakeOptions {
   std::string file;        ///< path of a sky.toml or a level.toml
   std::string folder;      ///< folder of the outputs; made if missing
   double max_error = 0.0;  ///< error budget, a fraction as in docs/sky_file.md (draft 0.1, preview 0.03, final 0.01);
-                           ///< 0: the budget in the sky file, if it has one
+                           ///< 0: the budget of the sky file
   BakeCertificate certificate = BakeCertificate::fast;
   int threads = 0;      ///< most threads, in [0, 4096]; 0: one per processor. The outputs do not depend on it.
   int shard_index = 0;  ///< levels only: bakes every shard_count-th sector from this one, in [0, shard_count)
