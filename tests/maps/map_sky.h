@@ -6,12 +6,13 @@
 
 namespace welkin::tests {
 
-/// A clear sky over a coloured ground, its sun at azimuth 76 and elevation 33 degrees, redder towards the sun.
+/// A clear sky over a coloured ground, its sun at azimuth 74.4 and elevation 33 degrees. It stands well within a texel
+/// of cubes of 32 texels and latlongs of 64 x 32.
 inline model::Sky mapSky() {
   model::Sky sky;
   sky.luminance = *model::findLuminance("cie-12");
   sky.sun.path.key_time_h = {0.0};
-  sky.sun.path.key_azimuth_rad = {76.0 * det::kDegree};
+  sky.sun.path.key_azimuth_rad = {74.4 * det::kDegree};
   sky.sun.path.key_elevation_rad = {33.0 * det::kDegree};
   sky.ground_albedo = det::Number3(0.3, 0.2, 0.1);
   return sky;
