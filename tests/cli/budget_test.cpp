@@ -162,11 +162,11 @@ TEST_CASE("Budget, ALeastErrorThatIsSaidCanBeHad") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 3"));
   const std::string words = "the least error of the irradiance is ";
-  const std::string said = runBake(sky, folder / "out", {"--max-error", "0.001"}).err;
+  const std::string said = runBake(sky, folder / "out", {"--max-error", "0.0001"}).err;
   INFO(said);
   REQUIRE(said.find(words) != std::string::npos);
   const double least = std::strtod(said.c_str() + said.find(words) + words.size(), nullptr);
-  REQUIRE(least > 0.001);
+  REQUIRE(least > 0.0001);
   constexpr double kBetween = 1.02;  // between a plan's instants a certificate may find more
   const json report = bakeReport(sky, folder / "out", {"--max-error", std::to_string(kBetween * least)});
   REQUIRE(report["certificate"]["max_error"] <= kBetween * least);

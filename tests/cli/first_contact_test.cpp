@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first hour with the tool: every command of README's section "Bake" on what `welkin init` writes, budgets that can
-// be had, and skies of other kinds.
+// The first hour with the tool: every command of README's sections "Bake" and "Look" on what `welkin init` writes,
+// budgets that can be had, and skies of other kinds.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -20,13 +20,13 @@ std::string freshSky(const Folder& folder) {
   return folder / "my_sky/sky.toml";
 }
 
-/// The words of each command of README's section "Bake", without "$welkin".
+/// The words of each command of README's sections "Bake" and "Look", without "$welkin".
 std::vector<std::vector<std::string>> readmeCommands() {
   std::ifstream readme(WELKIN_ROOT "/README.md");
   std::vector<std::vector<std::string>> commands;
   bool inside = false;
   for (std::string line; std::getline(readme, line);) {
-    if (line.starts_with("## ")) inside = line == "## Bake";
+    if (line.starts_with("## ")) inside = line == "## Bake" || line == "## Look";
     if (!inside || !line.starts_with("    $welkin ")) continue;
     std::istringstream words(line.substr(0, line.find(" #")));
     std::vector<std::string> command;
@@ -40,6 +40,7 @@ std::vector<std::vector<std::string>> readmeCommands() {
 /// A path of README in the test's folder, or among the project's files.
 std::string placed(const std::string& word, const Folder& folder) {
   if (word.starts_with("examples/")) return WELKIN_ROOT "/" + word;
+  if (word.ends_with(".png") && word.find('/') == std::string::npos) return folder / word;
   const std::string first = word.substr(0, word.find('/'));
   for (const char* name : {"my_sky", "out", "study", "island"})
     if (first == name) return folder / word;
@@ -74,11 +75,12 @@ std::vector<OtherSky> otherSkies() {
 TEST_CASE("FirstContact, EveryCommandOfTheReadmeRuns") {
   const Folder folder;
   const auto commands = readmeCommands();
-  REQUIRE(commands.size() >= 10);
+  REQUIRE(commands.size() >= 14);
   for (std::vector<std::string> command : commands) {
     std::string line;
-    for (std::string& word : command) line += (word = placed(word, folder)) + " ";
+    for (std::size_t i = 1; i < command.size(); ++i) line += (command[i] = placed(command[i], folder)) + " ";
     if (command[0] == "study") command.emplace_back("--quick");  // seconds for minutes
+    if (command[0] == "render") command.insert(command.end(), {"--size", "64x36"});
     const Run run = runTool(command);
     INFO(line << "\n" << run.err);
     REQUIRE(run.status == 0);

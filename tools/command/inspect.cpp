@@ -80,7 +80,7 @@ void inspect(const std::string& path, bool as_json) {
   if (c.method != WELKIN_CERTIFICATE_NONE)
     fmt::print("irradiance within {:.3g} %, mean {:.3g} %{}\n", 100.0 * c.max_error, 100.0 * c.mean_error,
                c.cubemap_error > 0.0 ? fmt::format("; cubemaps within {:.3g} %", 100.0 * c.cubemap_error) : "");
-  fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun lux", "intensity",
+  fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun illum.", "intensity",
              "ambient c0 (r, g, b)");
   for (std::uint32_t i = 0; i < info.key_count; ++i) {
     double time_h = 0.0;

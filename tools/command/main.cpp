@@ -50,7 +50,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version",
                        fmt::format("{}.{}.{}", WELKIN_VERSION_MAJOR, WELKIN_VERSION_MINOR, WELKIN_VERSION_PATCH));
   app.require_subcommand(1);
-  app.footer("Exit status: 0 done, 1 usage, 2 file or device, 3 invalid input, 4 internal, 130 interrupted.");
+  app.footer(
+      "Exit status: 0 done, 1 usage, 2 file or device, or a folder in use, 3 invalid input or a budget not met, 4 "
+      "internal, "
+      "130 interrupted.");
   for (auto* add : {addInit, addBake, addMerge, addPlan, addProject, addInspect, addValidate, addEval, addSample,
                     addExport, addReference, addStudy, addRender})
     add(app);

@@ -78,7 +78,8 @@ struct Options {
   CubemapsOption cubemaps;
 };
 
-void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
+/// `compares`: the plan has a folder, and says what of it is out of date.
+void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file, bool compares) {
   const auto text = [](const nlohmann::ordered_json& value) { return value.get<std::string>(); };
   const auto number = [](const nlohmann::ordered_json& value) { return value.get<std::size_t>(); };
   const auto& table = plan["table"];
@@ -103,7 +104,7 @@ void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file) {
   for (const auto& l : plan["left_out"])
     fmt::print("left out   {}: {}{}\n", text(l["what"]), text(l["why"]),
                number(l["bytes"]) > 0 ? fmt::format("; saves {} bytes", number(l["bytes"])) : "");
-  fmt::print("sky.welkin about {} bytes  {}\n", number(plan["bytes"]), text(plan["sky"]["why"]));
+  fmt::print("sky.welkin about {} bytes{}\n", number(plan["bytes"]), compares ? "  " + text(plan["sky"]["why"]) : "");
 }
 
 void plan(const Options& options) {
@@ -124,7 +125,7 @@ void plan(const Options& options) {
     fmt::print("{}", build::reportText(json));
     return;
   }
-  printSky(json, read.sky);
+  printSky(json, read.sky, !options.folder.empty());
   if (read.level) printSectors(json["sectors"]);
 }
 
