@@ -6,18 +6,18 @@
 
 #include "core/arguments.h"
 
-namespace welkin::core {
+namespace welkin {
 
 template <>
-inline constexpr std::size_t kFirstSize<WelkinVulkanMemoryCallbacks> = 32;
+inline constexpr std::size_t core::kFirstSize<WelkinVulkanMemoryCallbacks> = 32;
 template <>
-inline constexpr std::size_t kFirstSize<WelkinVulkanCreateInfo> = 104;
+inline constexpr std::size_t core::kFirstSize<WelkinVulkanCreateInfo> = 104;
 template <>
-inline constexpr std::size_t kFirstSize<WelkinVulkanView> = 92;
+inline constexpr std::size_t core::kFirstSize<WelkinVulkanView> = 92;
 template <>
-inline constexpr std::size_t kFirstSize<WelkinVulkanMemory> = 32;
+inline constexpr std::size_t core::kFirstSize<WelkinVulkanMemory> = 32;
 
-}  // namespace welkin::core
+}  // namespace welkin
 
 namespace welkin::vulkan {
 

@@ -188,8 +188,9 @@ Json bakeSky(const SkyFile& file, const std::vector<Input>& inputs, const std::f
   if (bakes) state.made = bakeAnew(file, folder, request, progress, timing);
   timing["sky_baked"] = bakes;
   removeLeftovers(folder, state.made["outputs"]);
-  Json report = {
-      {"format_version", format::kSkyVersion}, {"inputs", inputsJson(inputs)}, {"settings", Json::parse(file.settings)}};
+  Json report = {{"format_version", format::kSkyVersion},
+                 {"inputs", inputsJson(inputs)},
+                 {"settings", Json::parse(file.settings)}};
   report.update(state.made);
   Json warnings = warningsJson(file.warnings);
   warnings.insert(warnings.end(), state.made["warnings"].begin(), state.made["warnings"].end());

@@ -43,8 +43,8 @@ const format::File& openChecked(std::span<const std::byte> bytes, const std::str
   if (opened.file == nullptr)
     throw base::Error(base::ExitStatus::content, fmt::format("{} {}", name, reasonOf(opened, bytes.size())));
   if (opened.kind != kind)
-    throw base::Error(base::ExitStatus::content, fmt::format("{} is {}, must be {}", name, format::nameOf(opened.kind),
-                                                             format::nameOf(kind)));
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{} is {}, must be {}", name, format::nameOf(opened.kind), format::nameOf(kind)));
   if (const format::Fault fault = faultOf(*opened.file); fault.what != nullptr)
     throw base::Error(base::ExitStatus::content, fmt::format("{}: {} {}", name, fault.what, fault.must));
   return *opened.file;

@@ -10,8 +10,8 @@
 
 namespace welkin::bake {
 
-/// The file in `bytes`, which must stay alive. Throws Error(content) with `name` and the reason if it is of another kind,
-/// or if `faultOf` finds a fault in it.
+/// The file in `bytes`, which must stay alive. Throws Error(content) with `name` and the reason if it is of another
+/// kind, or if `faultOf` finds a fault in it.
 const format::File& openChecked(std::span<const std::byte> bytes, const std::string& name, format::Kind kind,
                                 format::Fault (*faultOf)(const format::File&));
 

@@ -105,7 +105,8 @@ TEST_CASE("Usage, SignedAndExtremeDirectionsParse") {
 
 TEST_CASE("Usage, HelpAndVersionAreResults") {
   REQUIRE(runTool({"--version"}).out.find('.') != std::string::npos);
-  for (const char* command : {"init", "bake", "plan", "inspect", "validate", "eval", "sample", "export", "study", "render"}) {
+  for (const char* command :
+       {"init", "bake", "plan", "inspect", "validate", "eval", "sample", "export", "study", "render"}) {
     const Run run = runTool({command, "--help"});
     REQUIRE(run.status == 0);
     REQUIRE(run.err.empty());
