@@ -14,11 +14,19 @@ namespace welkin::core {
 
 static_assert(sizeof(void*) == 8, "the sizes of the C interface's structs are those of 64-bit processors");
 
+// MinGW's "printf" is that of the old C library of Windows. The libraries ask for the standard one.
+#if defined(__MINGW32__) && !defined(__clang__)
+#define WELKIN_PRINTF gnu_printf
+#else
+#define WELKIN_PRINTF printf
+#endif
+
 /// Writes a formatted message when there is somewhere to write it, and returns `code`.
-[[gnu::format(printf, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format, ...);
+[[gnu::format(WELKIN_PRINTF, 3, 4)]] WelkinResult fail(WelkinMessage* message, WelkinResult code, const char* format,
+                                                       ...);
 
 /// Stores "function: " and the formatted text for welkin_argument_error. Returns WELKIN_ERROR_ARGUMENT.
-[[gnu::format(printf, 2, 3)]] WelkinResult refuse(const char* function, const char* format, ...);
+[[gnu::format(WELKIN_PRINTF, 2, 3)]] WelkinResult refuse(const char* function, const char* format, ...);
 
 /// Size of a struct in its first release. A struct that grows keeps it.
 template <typename Struct>

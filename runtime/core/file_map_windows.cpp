@@ -3,7 +3,9 @@
 #include "core/file_map.h"
 
 #define WIN32_LEAN_AND_MEAN
+#ifndef NOMINMAX  // MinGW's libstdc++ defines it
 #define NOMINMAX
+#endif
 #include <windows.h>
 
 #include <cstdio>
