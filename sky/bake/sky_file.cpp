@@ -279,6 +279,8 @@ SkyFile skyFileOf(const base::TomlFile& toml) {
     checked.refuse("luminance", checked.node("luminance"), *why);
   result.settings = jsonOf(root).dump(2);
   result.inputs = std::move(reading.inputs);
+  // A comment in the sky file changes no baked byte: its hash is that of its settings.
+  result.inputs.front() = inputOf(toml.path.filename().string(), toml.path, std::as_bytes(std::span(result.settings)));
   result.warnings = std::move(reading.warnings);
   warnOfPath(sun.table(), "sun", sky.sun.path, result);
   if (sky.moon) warnOfPath(moon.table(), "moon", sky.moon->path, result);
