@@ -73,6 +73,7 @@ BakeInput readInput(const BakeRequest& request, const base::Progress& progress) 
   if (request.cubemap_error != 0.0) requireInDomain("cubemap_error", request.cubemap_error);
   Subject subject = readSubject(request.file);
   if (request.max_error) subject.sky.bake.max_error = request.max_error;
+  if (!request.target.empty()) bake::setTarget(subject.sky.bake, request.target);
   if (request.cubemap_error) bake::setCubemapError(subject.sky.bake, *request.cubemap_error);
   BakeInput read{std::move(subject.sky), std::move(subject.inputs), std::nullopt};
   if (!subject.level) requireLevel(request);

@@ -24,6 +24,7 @@ struct BakeRequest {
   std::optional<double> max_error;  ///< the budget, in place of the sky file's, in its domain
   /// The budget of the cubemaps, in place of the sky file's settings of them, in its domain; 0: no cubemaps.
   std::optional<double> cubemap_error;
+  std::string target;  ///< the reader of the ambient light, a name of bake::kTargets, in place of the sky file's
   bake::Certify certify = bake::Certify::fast;
   std::optional<Shard> shard;  ///< the sectors of this shard alone; shard 0 bakes the sky as well
   std::string sectors;         ///< these alone, as parseSectors takes them

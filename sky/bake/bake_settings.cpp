@@ -38,6 +38,17 @@ double errorOf(const std::string& quality) {
   throw base::Error(base::ExitStatus::usage, fmt::format("quality: \"{}\" is not draft, preview or final", quality));
 }
 
+void setTarget(BakeSettings& bake, const std::string& name) {
+  for (const Target& target : kTargets)
+    if (name == target.name) {
+      bake.target = target;
+      return;
+    }
+  throw base::Error(
+      base::ExitStatus::usage,
+      fmt::format("target: \"{}\" is not modes, sh2, sh3, filament, three, unity, unreal or godot", name));
+}
+
 void setCubemapError(BakeSettings& bake, double cubemap_error) {
   bake.fixed.cubemaps = cubemap_error == 0.0;
   bake.cubemap_error = cubemap_error > 0.0 ? std::optional(cubemap_error) : std::nullopt;
@@ -81,6 +92,7 @@ BakeSettings readBake(base::Section section) {
       valueOfWord(section, "reconstruction",
                   {table::Reconstruction::projected, table::Reconstruction::fitted, table::Reconstruction::modes},
                   bake.reconstruction);
+  setTarget(bake, section.word("target"));
   bake.encoding = valueOfWord(section, "encoding", format::kEncodings, bake.encoding);
   bake.mildest_window = section.word("window") == "mildest";
   const double bytes =

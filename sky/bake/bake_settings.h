@@ -22,6 +22,14 @@ inline constexpr Quality kQualities[] = {{"draft", 0.1}, kDefaultQuality, {"fina
 /// The budget of a name. Throws Error(usage) for any other name.
 double errorOf(const std::string& quality);
 
+/// Readers of the ambient light, by the bands of SH that they can use. 0: modes, or any bands.
+struct Target {
+  const char* name;
+  int sh_bands;
+};
+inline constexpr Target kTargets[] = {{"modes", 0}, {"sh2", 2},   {"sh3", 3},    {"filament", 3},
+                                      {"three", 3}, {"unity", 3}, {"unreal", 3}, {"godot", 3}};
+
 /// The [bake] section. Absent settings have the values of a bake without a budget. A section that states none of them
 /// has the budget kDefaultQuality.
 struct BakeSettings {
@@ -37,6 +45,7 @@ struct BakeSettings {
   std::optional<double> max_error = std::nullopt;  ///< absent: no budget, and the settings apply as they stand here
   /// Budget of the cubemaps alone. Absent: max_error, as far as kCubemapBytes go.
   std::optional<double> cubemap_error = std::nullopt;
+  Target target = kTargets[0];  ///< the bake's light is what this reader can use of it
 
   /// Settings that the file states itself. A budget keeps them and chooses the rest.
   struct Fixed {
@@ -49,6 +58,9 @@ inline constexpr double kCubemapBytes = 64e6;
 
 /// Number of keys of a table with keys = "auto": one every five minutes.
 inline constexpr int kAutoKeys = 288;
+
+/// Takes the target of a name. Throws Error(usage) for any other name.
+void setTarget(BakeSettings& bake, const std::string& name);
 
 /// Takes a budget for the cubemaps in place of the section's settings of them. 0: no cubemaps.
 void setCubemapError(BakeSettings& bake, double cubemap_error);

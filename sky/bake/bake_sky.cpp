@@ -190,7 +190,8 @@ Json bakeSky(const SkyFile& file, const std::vector<Input>& inputs, const std::f
   removeLeftovers(folder, state.made["outputs"]);
   Json report = {{"format_version", format::kSkyVersion},
                  {"inputs", inputsJson(inputs)},
-                 {"settings", Json::parse(file.settings)}};
+                 {"settings", Json::parse(file.settings)},
+                 {"target", file.bake.target.name}};
   report.update(state.made);
   Json warnings = warningsJson(file.warnings);
   warnings.insert(warnings.end(), state.made["warnings"].begin(), state.made["warnings"].end());

@@ -15,8 +15,8 @@
 
 namespace welkin::bake {
 
-/// A file that was read: its name as written in sky.toml and its XXH3-128. The name of sky.toml itself has no folders, and
-/// its hash is that of its settings as JSON.
+/// A file that was read: its name as written in sky.toml and its XXH3-128. The name of sky.toml itself has no folders,
+/// and its hash is that of its settings as JSON.
 struct Input {
   std::string name;
   std::filesystem::path path;

@@ -94,6 +94,19 @@ std::string leastText(double error) {
   return fmt::format("{:.3g}", std::ceil(error / digit) * digit);
 }
 
+/// Throws Error(content) where the file fixes what its target cannot read.
+void checkTarget(const SkyFile& file) {
+  const BakeSettings& bake = file.bake;
+  if (bake.target.sh_bands == 0) return;
+  const bool wants_modes = bake.fixed.reconstruction && bake.reconstruction == table::Reconstruction::modes;
+  if (!wants_modes && bake.bands <= bake.target.sh_bands) return;
+  const std::string set =
+      wants_modes ? std::string("reconstruction = \"modes\"") : fmt::format("bands = {}", bake.bands);
+  throw base::Error(base::ExitStatus::content,
+                    fmt::format("{}: bake.{}: target = \"{}\" reads coefficients of at most {} bands",
+                                file.inputs.front().path.string(), set, bake.target.name, bake.target.sh_bands));
+}
+
 /// The quadrature may take a hundredth of a budget: the rest is worth more to keys and modes than panels are to time.
 const model::IrradianceRule& ruleFor(const SkyFile& file) {
   constexpr double kShare = 0.01;
@@ -167,6 +180,7 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
         base::ExitStatus::content,
         fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
                     file_.inputs.front().path.string()));
+  checkTarget(file_);
   if ((bake.max_error || fits) && !day_) {
     const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
     day_ =
@@ -178,15 +192,21 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
     if (bake.fixed.bands) request.bands = bake.bands;
     if (bake.fixed.reconstruction) request.reconstruction = bake.reconstruction;
     if (bake.mildest_window) request.reconstruction = table::Reconstruction::projected;
+    request.sh_bands = bake.target.sh_bands;
     if (bake.fixed.encoding) request.encoding = bake.encoding;
     if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
     table::DayPlan day = table::planDay(day_->values, request, progress_);
     if (!day.met && day.predicted_error > *bake.max_error)
       throw cannotMeet(file_, "max_error", *bake.max_error,
                        fmt::format("the least error of the irradiance is {}, by {}, {} keys and {} numbers: "
-                                   "{} bytes",
+                                   "{} bytes{}",
                                    leastText(day.predicted_error), day.representation.name(),
-                                   day.table.key_time_h.size(), nameOf(day.encoding), day.bytes));
+                                   day.table.key_time_h.size(), nameOf(day.encoding), day.bytes,
+                                   bake.target.sh_bands == 0
+                                       ? ""
+                                       : fmt::format("; target = \"{}\" reads no more than {} bands; modes hold less "
+                                                     "error: --target modes, and shaders/welkin/modes.glsl in the game",
+                                                     bake.target.name, bake.target.sh_bands)));
     plan.representation = std::move(day.representation);
     plan.table = std::move(day.table);
     plan.encoding = day.encoding;

@@ -30,6 +30,7 @@ Json requestJson(const BakeSettings& bake, Certify certify) {
   return {{"method", kSkyBakeVersion},
           {"max_error", bake.max_error ? Json(*bake.max_error) : Json()},
           {"cubemap_error", bake.cubemap_error ? Json(*bake.cubemap_error) : Json()},
+          {"target", bake.target.name},
           {"certify", nameOf(certify)},
           {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
 }

@@ -94,11 +94,12 @@ class Planner {
     candidates_.push_back({std::move(r), {std::move(name), error}});
   }
   void collect() {
+    const int most = request_.sh_bands > 0 ? request_.sh_bands : 5;
     if (request_.reconstruction != Reconstruction::modes)
-      for (int bands = request_.bands.value_or(2); bands <= request_.bands.value_or(5); ++bands)
+      for (int bands = request_.bands.value_or(2); bands <= request_.bands.value_or(most); ++bands)
         if (bands != 4 || request_.bands)  // Irradiance has no band 3: four bands would equal three.
           add(coefficientsOf(day_, bands, request_.reconstruction == Reconstruction::fitted));
-    if (request_.reconstruction && request_.reconstruction != Reconstruction::modes) return;
+    if (request_.sh_bands > 0 || (request_.reconstruction && request_.reconstruction != Reconstruction::modes)) return;
     const DayModes modes(*day_.day, *day_.grid);
     const int bands = request_.bands.value_or(kFallbackBands);
     for (std::size_t count = 1; count <= DayModes::kMost; ++count) {

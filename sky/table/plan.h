@@ -15,6 +15,7 @@ struct PlanRequest {
   double max_error = 0.01;  ///< of the irradiance; docs/conventions.md
   std::optional<int> bands;
   std::optional<Reconstruction> reconstruction;
+  int sh_bands = 0;  ///< bands of SH that are all the light's reader can use; 0: it reads modes and any bands
   std::optional<Encoding> encoding;
   std::vector<double> key_time_h;  ///< fixed keys; empty: keys go where they are needed
 };

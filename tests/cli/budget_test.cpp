@@ -173,6 +173,28 @@ TEST_CASE("Budget, ALeastErrorThatIsSaidCanBeHad") {
   REQUIRE(report["certificate"]["max_error"] > 0.8 * least);
 }
 
+TEST_CASE("Budget, ATargetGetsTheLightThatItReads") {
+  const Folder folder;
+  const std::string sky = folder.write("sky.toml", skyText(kDay, kDaySun, kNoCubemaps));
+  const std::pair<const char*, int> targets[] = {{"sh2", 2}, {"sh3", 3}, {"unity", 3}};
+  for (const auto& [target, bands] : targets) {
+    INFO(target);
+    const json report = bakeReport(sky, folder / target, {"--max-error", "0.3", "--target", target});
+    REQUIRE(report["target"] == target);
+    REQUIRE(report["certificate"]["max_error"] <= 0.3);
+    const json info = printedJson({"inspect", folder / target, "--json"});
+    REQUIRE(info["sky"]["modes"]["count"] == 0);
+    REQUIRE(info["sky"]["bands"].get<int>() <= bands);
+  }
+  fs::create_directory(folder / "out");
+  requireCannot(
+      folder, sky, {"--max-error", "0.0001", "--target", "unity"},
+      {"the least error of the irradiance is", "target = \"unity\" reads no more than 3 bands", "--target modes"});
+  const std::string five = folder.write("five.toml", skyText(kDay, kDaySun, kNoCubemaps + "\nbands = 5"));
+  requireCannot(folder, five, {"--max-error", "0.3", "--target", "sh3"}, {"bake.bands = 5", "at most 3 bands"});
+  REQUIRE(runBake(sky, folder / "out", {"--target", "lumen"}).status == 1);
+}
+
 TEST_CASE("Budget, FixedCubemapsThatAreTooCoarseWriteNothing") {
   const Folder folder;
   fs::create_directory(folder / "out");

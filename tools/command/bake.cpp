@@ -25,6 +25,7 @@ struct Options {
   CertifyOption certify;
   BudgetOption budget;
   CubemapsOption cubemaps;
+  TargetOption target;
   bool force = false;
 };
 
@@ -38,6 +39,7 @@ void bake(const Options& options) {
   request.depfile = options.depfile;
   request.max_error = options.budget.value();
   request.cubemap_error = options.cubemaps.value();
+  request.target = options.target.name;
   request.certify = options.certify.value();
   if (!options.shard.empty()) request.shard = build::parseShard(options.shard);
   request.sectors = options.sectors;
@@ -77,6 +79,7 @@ void addBake(CLI::App& app) {
   command->add_flag("--force", options->force, "Bake what is up to date, too");
   options->budget.addTo(*command);
   options->cubemaps.addTo(*command);
+  options->target.addTo(*command);
   options->certify.addTo(*command);
   command->callback([options] { bake(*options); });
 }

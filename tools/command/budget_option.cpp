@@ -44,6 +44,16 @@ std::optional<double> CubemapsOption::value() const {
   return text == "none" ? 0.0 : std::strtod(text.c_str(), nullptr);
 }
 
+void TargetOption::addTo(CLI::App& command) {
+  std::vector<std::string> names;
+  for (const bake::Target& target : bake::kTargets) names.emplace_back(target.name);
+  command
+      .add_option("--target", name,
+                  "The reader of the ambient light; budget and certificate are of what it shows. modes: the game's own "
+                  "shaders; sh2, sh3: 2 or 3 bands of SH; the engines take 3")
+      ->check(CLI::IsMember(names));
+}
+
 void BudgetOption::addTo(CLI::App& command) {
   const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", "max_error").range;
   std::vector<std::string> names;

@@ -20,6 +20,13 @@ struct CubemapsOption {
   std::optional<double> value() const;
 };
 
+/// --target: the reader of the ambient light.
+struct TargetOption {
+  std::string name;  ///< empty: the sky file's
+
+  void addTo(CLI::App& command);
+};
+
 /// --max-error and --quality. At most one of them may be given.
 struct BudgetOption {
   double max_error = 0.0;  ///< 0: not given

@@ -76,6 +76,7 @@ struct Options {
   bool json = false;
   BudgetOption budget;
   CubemapsOption cubemaps;
+  TargetOption target;
 };
 
 /// `compares`: the plan has a folder, and says what of it is out of date.
@@ -114,6 +115,7 @@ void plan(const Options& options) {
   request.folder = options.folder;
   request.max_error = options.budget.value();
   request.cubemap_error = options.cubemaps.value();
+  request.target = options.target.name;
   request.certify = options.certify.value();
   ProgressReport shown(options.json ? ProgressReport::Style::none : options.progress.style());
   const base::Progress progress = shown.progress();
@@ -145,6 +147,7 @@ void addPlan(CLI::App& app) {
   options->progress.addTo(*command);
   options->budget.addTo(*command);
   options->cubemaps.addTo(*command);
+  options->target.addTo(*command);
   options->certify.addTo(*command);
   command->callback([options] { plan(*options); });
 }
