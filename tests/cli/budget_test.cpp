@@ -179,9 +179,9 @@ TEST_CASE("Budget, ATargetGetsTheLightThatItReads") {
   const std::pair<const char*, int> targets[] = {{"sh2", 2}, {"sh3", 3}, {"unity", 3}};
   for (const auto& [target, bands] : targets) {
     INFO(target);
-    const json report = bakeReport(sky, folder / target, {"--max-error", "0.3", "--target", target});
+    const json report = bakeReport(sky, folder / target, {"--max-error", "0.5", "--target", target});
     REQUIRE(report["target"] == target);
-    REQUIRE(report["certificate"]["max_error"] <= 0.3);
+    REQUIRE(report["certificate"]["max_error"] <= 0.5);
     const json info = printedJson({"inspect", folder / target, "--json"});
     REQUIRE(info["sky"]["modes"]["count"] == 0);
     REQUIRE(info["sky"]["bands"].get<int>() <= bands);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -35,16 +36,16 @@ Line parse(const std::string& text) {
 
 /// The largest difference of two lines over the largest number of the first. Infinity when their words differ.
 double difference(const Line& a, const Line& b) {
-  if (a.words != b.words || a.numbers.size() != b.numbers.size()) return INFINITY;
+  if (a.words != b.words || a.numbers.size() != b.numbers.size()) return std::numeric_limits<double>::infinity();
   double scale = 0.0;
   double most = 0.0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i) {
-    if (std::isnan(a.numbers[i]) != std::isnan(b.numbers[i])) return INFINITY;
+    if (std::isnan(a.numbers[i]) != std::isnan(b.numbers[i])) return std::numeric_limits<double>::infinity();
     if (std::isnan(a.numbers[i]) || a.numbers[i] == b.numbers[i]) continue;
     most = std::max(most, std::abs(a.numbers[i] - b.numbers[i]));
   }
   for (const double number : a.numbers) scale = std::max(scale, std::abs(number));
-  return most == 0.0 ? 0.0 : scale == 0.0 ? INFINITY : most / scale;
+  return most == 0.0 ? 0.0 : scale == 0.0 ? std::numeric_limits<double>::infinity() : most / scale;
 }
 
 }  // namespace

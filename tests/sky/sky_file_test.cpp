@@ -224,7 +224,10 @@ TEST_CASE("SkyFile, InputsAreNamedAsWrittenAndHashedOnce") {
   REQUIRE(file.inputs[1].name == "g.exr");
   REQUIRE(file.inputs[1].path == folder.path() / "g.exr");
   const bake::SkyFile changed = read(text + "# a comment\n", folder);
-  REQUIRE(changed.inputs[0].xxh3_low != file.inputs[0].xxh3_low);
+  REQUIRE(changed.inputs[0].xxh3_low == file.inputs[0].xxh3_low);
+  REQUIRE(changed.inputs[0].xxh3_high == file.inputs[0].xxh3_high);
+  const bake::SkyFile other = read("[sky]\nintensity = 0.5\n" + text.substr(6), folder);
+  REQUIRE(other.inputs[0].xxh3_low != file.inputs[0].xxh3_low);
   REQUIRE(changed.inputs[1].xxh3_low == file.inputs[1].xxh3_low);
   REQUIRE(changed.inputs[1].xxh3_high == file.inputs[1].xxh3_high);
   REQUIRE(file.settings == changed.settings);  // a comment is no setting

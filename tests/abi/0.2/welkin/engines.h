@@ -20,9 +20,10 @@ extern "C" {
 typedef enum WelkinAxes {
   WELKIN_AXES_WELKIN = 0, /* +x east, +y up, +z south, right-handed: this library, glTF, Filament, three.js, Godot */
   WELKIN_AXES_UNITY = 1,  /* (x, y, -z): +x east, +y up, +z north, left-handed. Unity's compass */
-  WELKIN_AXES_UNITY_IMPORT = 2, /* (-x, y, z): +x west, +y up, +z south, left-handed. Unity's importers of glTF
-                                   (glTFast), FBX and OBJ mirror x: take this one when the level came through them */
-  WELKIN_AXES_UNREAL = 3        /* (x, z, y): +x east, +y south, +z up, left-handed, as Unreal's importer of glTF */
+  WELKIN_AXES_UNITY_IMPORT = 2,     /* (-x, y, z): +x west, +y up, +z south, left-handed. Unity's importers of glTF
+                                       (glTFast), FBX and OBJ mirror x: take this one when the level came through them */
+  WELKIN_AXES_UNREAL = 3,           /* (x, z, y): +x east, +y south, +z up, left-handed, as Unreal's importer of glTF */
+  WELKIN_AXES_MAX_ENUM = 0x7fffffff /* no axes: it makes every int a value of the type, which is then refused */
 } WelkinAxes;
 
 /* RGB irradiance divided by pi, world axes: times an albedo it is a radiance. The coefficients are scaled as Filament's
