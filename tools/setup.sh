@@ -50,7 +50,7 @@ fi
 npm="$(dirname "$0")/../build/npm"
 if [ "${1-}" = --tests ] && [ ! -d "$npm/node_modules/ktx-parse" ]; then
   mkdir -p "$npm"
-  if ! (cd "$npm" && npm install --no-audit --no-fund --no-save --prefix . ktx-parse@2.0.0 >/dev/null 2>&1); then
+  if ! (cd "$npm" && timeout 120 npm install --fetch-retries=1 --no-audit --no-fund --no-save --prefix . ktx-parse@2.0.0 >/dev/null 2>&1); then
     rm -rf "$npm"
     echo "setup: ktx-parse cannot be had from npm: its test will be skipped"
   fi

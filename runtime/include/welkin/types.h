@@ -131,8 +131,8 @@ typedef struct WelkinLight {
                                  half a degree across */
 } WelkinLight;
 
-/* The sky at an instant: all that a frame needs. Zero-initialise it before its first use. It never moves: the sizes of
- * its arrays are those of the largest sky. */
+/* The sky at an instant: all that a frame needs. Zero-initialise it before its first use. Its arrays
+ * have the sizes of the largest sky. */
 typedef struct WelkinSkySample {
   WELKIN_STRUCT_SIZE(WelkinSkySample);
   uint32_t unchanged; /* 1 if the sample already held this result, bit for bit; else 0 */
