@@ -57,13 +57,9 @@ const geometry::Room* roomAt(const SectorFile& file, const Number3& position) {
 
 /// Whether the probe is in the room, or, without a room, outside all rooms. A room has the same box in every sector
 /// that it touches, but for the rounding of floats.
-bool isIn(const SectorFile& file, std::uint8_t probe, const std::optional<geometry::Box>& room) {
+bool isIn(const SectorFile& file, std::uint8_t probe, const geometry::Box* room) {
   const std::size_t number = file.in_room.empty() ? 0 : file.in_room[probe];
-  return room ? number > 0 && isSame(boxInWorld(file, file.room[number - 1]), *room) : number == 0;
-}
-
-int floorToInt(double v) {
-  return static_cast<int>(std::floor(v));
+  return room != nullptr ? number > 0 && isSame(boxInWorld(file, file.room[number - 1]), *room) : number == 0;
 }
 
 }  // namespace
@@ -88,7 +84,7 @@ LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const model::Sky&
     const transfer::SectorProbes probes = transfer::decodedProbes(file.probes, file.id);
     const transfer::Relight light =
         transfer::relightAt(time_h, sky_sh, sun, moon, file.sun, probes.modes, scale, sky_bounce);
-    Sector sector{&file, {}};
+    Sector sector{&file, {file.grid, file.low_y, file.cell_height_m, file.cuts.view()}, {}};
     for (std::size_t i = 0; i < probes.transfer.size(); ++i)
       sector.probe.push_back(transfer::relit(
           probes.transfer[i], i < probes.sun.size() ? probes.sun[i] : transfer::SunCoefficients{}, light));
@@ -102,48 +98,36 @@ LevelIrradiance LevelLight::ofProbe(const geometry::SectorId& sector, std::size_
   return positive(sum);
 }
 
-const transfer::ProbeIrradiance* LevelLight::probeAt(int x, double y, int z,
-                                                     const std::optional<geometry::Box>& room) const {
-  const geometry::SectorId id{floorToInt(static_cast<double>(x) / geometry::kCells),
-                              floorToInt(static_cast<double>(z) / geometry::kCells)};
-  const auto found = sector_.find(id);
-  if (found == sector_.end()) return nullptr;
-  const SectorFile& file = *found->second.file;
-  const int row = floorToInt((y - file.low_y) / file.cell_height_m);
-  if (row < 0 || row >= geometry::kCells) return nullptr;
-  const int cell =
-      x - geometry::kCells * id.x + geometry::kCells * (row + geometry::kCells * (z - geometry::kCells * id.z));
-  const std::uint8_t probe = file.grid[static_cast<std::size_t>(cell)];
-  return probe == geometry::kNoProbe || !isIn(file, probe, room) ? nullptr : &found->second.probe[probe];
-}
-
 std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Number3& normal, double push_m) const {
-  const Number3 p = position + normal * push_m;
-  const double x = p.x / geometry::kCell_m - 0.5;
-  const double z = p.z / geometry::kCell_m - 0.5;
-  const auto home = sector_.find({floorToInt(p.x / geometry::kSector_m), floorToInt(p.z / geometry::kSector_m)});
-  if (home == sector_.end()) return std::nullopt;
-  const double height = home->second.file->cell_height_m;
-  const double low_y = home->second.file->low_y;
-  const double y = (p.y - low_y) / height - 0.5;
-  const geometry::Room* room = roomAt(*home->second.file, p);
-  const auto box = room == nullptr ? std::nullopt : std::optional(boxInWorld(*home->second.file, *room));
+  const auto sectorOf = [&](int x, int z) {
+    const auto found = sector_.find({x, z});
+    return found == sector_.end() ? nullptr : &found->second;
+  };
+  const auto gridOf = [&](int x, int z) {
+    const Sector* sector = sectorOf(x, z);
+    return sector == nullptr ? nullptr : &sector->grid;
+  };
+  const format::InWorld place =
+      format::pushedPlace({position.x, position.y, position.z}, {normal.x, normal.y, normal.z}, push_m, gridOf);
+  const Number3 p(place[0], place[1], place[2]);
+  const geometry::SectorId home_id = geometry::sectorAt(p);
+  const Sector* home = sectorOf(home_id.x, home_id.z);
+  if (home == nullptr) return std::nullopt;
+  const geometry::Room* room = roomAt(*home->file, p);
+  const geometry::Box box = room == nullptr ? geometry::Box{} : boxInWorld(*home->file, *room);
+  const format::EightProbes probes = format::probesAbout(place, gridOf);
   LevelIrradiance sum;
   double total = 0.0;
-  for (const int dz : {0, 1})
-    for (const int dy : {0, 1})
-      for (const int dx : {0, 1}) {
-        const auto share = [](double v, int d) { return d == 1 ? v - std::floor(v) : 1.0 - (v - std::floor(v)); };
-        const double w = share(x, dx) * share(y, dy) * share(z, dz);
-        const transfer::ProbeIrradiance* probe =
-            probeAt(floorToInt(x) + dx, low_y + (std::floor(y) + dy + 0.5) * height, floorToInt(z) + dz, box);
-        if (probe == nullptr || !(w > 0.0)) continue;
-        total += w;
-        add(*probe, normal, w, sum);
-      }
+  for (std::size_t i = 0; i < probes.count; ++i) {
+    const format::WeightedProbe& found = probes.probe[i];
+    const Sector& sector = *sectorOf(found.sector_x, found.sector_z);
+    if (!isIn(*sector.file, found.probe, room == nullptr ? nullptr : &box)) continue;
+    total += found.weight;
+    add(sector.probe[found.probe], normal, found.weight, sum);
+  }
   if (!(total > 0.0)) {
     if (room == nullptr || room->probe == geometry::kNoProbe) return std::nullopt;
-    add(home->second.probe[room->probe], normal, 1.0, sum);
+    add(home->probe[room->probe], normal, 1.0, sum);
     return positive(sum);
   }
   sum.sky = sum.sky / total;

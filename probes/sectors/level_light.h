@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "format/cut_lookup.h"
 #include "probes/sectors/sector_file.h"
 #include "sky/model/sky.h"
 
@@ -30,9 +31,9 @@ class LevelLight {
              const transfer::RelightScale& scale = {}, transfer::SkyBounce sky_bounce = transfer::SkyBounce::projected);
 
   /// Irradiance at a position on a surface with a unit normal. It interpolates trilinearly between the eight cells
-  /// around the point `push_m` off the surface, using the probe that each names. Cells without a probe, or with a probe
-  /// of another room than the point's, leave their weight to the others. If no cell is left, the room's own probe
-  /// serves. Nothing if there is no probe at all. Not below 0.
+  /// around the point `push_m` >= 0 off the surface (format::pushedPlace), as far as no wall parts them from the point
+  /// (format::probesAbout). Cells without a probe, or with a probe of another room than the point's, leave their weight
+  /// to the others. If no cell is left, the room's own probe serves. Nothing if there is no probe at all. Not below 0.
   std::optional<LevelIrradiance> at(const Number3& position, const Number3& normal, double push_m = 1.0) const;
 
   /// Irradiance of a surface with this normal at one probe's place, from that probe alone. The sector must be one of
@@ -46,12 +47,9 @@ class LevelLight {
  private:
   struct Sector {
     const SectorFile* file;
+    format::GridView grid;
     std::vector<transfer::ProbeIrradiance> probe;
   };
-  /// The probe of the cell with these indices, which count from the level's origin, if it is in the room with this box,
-  /// or without one outside all rooms; else nullptr.
-  const transfer::ProbeIrradiance* probeAt(int x, double y, int z, const std::optional<geometry::Box>& room) const;
-
   std::map<geometry::SectorId, Sector> sector_;
 };
 

@@ -160,6 +160,22 @@ std::vector<geometry::Room> decode(const flatbuffers::Vector<const format::Room*
   return result;
 }
 
+Offset<format::Cuts> encode(FlatBufferBuilder& b, const placement::SectorCuts& c) {
+  const auto cell = vectorOf(b, c.cell);
+  const auto tree = vectorOf(b, c.tree);
+  const auto node = vectorOf(b, c.node);
+  const auto plane = c.plane.empty() ? 0 : b.CreateVectorOfStructs(c.plane);
+  const auto mask = vectorOf(b, c.mask);
+  return format::CreateCuts(b, cell, tree, node, plane, mask);
+}
+
+placement::SectorCuts decode(const format::Cuts& c) {
+  placement::SectorCuts cuts{copyOf(c.cell()), copyOf(c.tree()), copyOf(c.node()), {}, copyOf(c.mask())};
+  if (c.plane() != nullptr)
+    for (const format::CutPlane* plane : *c.plane()) cuts.plane.push_back(*plane);
+  return cuts;
+}
+
 }  // namespace
 
 std::vector<std::byte> encodeSector(const SectorFile& s) {
@@ -176,9 +192,10 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
   const auto top = b.CreateVector(s.top.data(), s.top.size());
   const auto room = encode(b, s.room);
   const auto in_room = vectorOf(b, s.in_room);
+  const Offset<format::Cuts> cuts = s.cuts.empty() ? 0 : encode(b, s.cuts);
   const auto sector = format::CreateSector(
       b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun), probes, &baked_from,
-      placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit));
+      placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit), cuts);
   const auto settings = b.CreateString(s.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
   return format::seal({b.GetBufferPointer(), b.GetSize()}, format::Kind::sector);
@@ -205,6 +222,7 @@ SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& nam
   if (sector.room() != nullptr) s.room = decode(*sector.room());
   s.in_room = copyOf(sector.in_room());
   s.unlit = sector.unlit();
+  if (sector.cuts() != nullptr) s.cuts = decode(*sector.cuts());
   return s;
 }
 

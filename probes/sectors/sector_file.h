@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "probes/placement/counts.h"
+#include "probes/placement/sector_cuts.h"
 #include "probes/transfer/encoding_error.h"
 #include "probes/transfer/local_encoding.h"
 #include "probes/transfer/relight.h"
@@ -61,7 +62,7 @@ struct BakedFrom {
   bool operator==(const BakedFrom&) const = default;
 };
 
-/// Rooms, named places, places of `settings` and lights of `local` count from the sector's corner.
+/// Rooms, named places, cuts, places of `settings` and lights of `local` count from the sector's corner.
 struct SectorFile : geometry::SectorGrid {
   geometry::SectorId id;
   transfer::SunTransfer sun = transfer::SunTransfer::none;
@@ -72,6 +73,7 @@ struct SectorFile : geometry::SectorGrid {
   std::uint64_t rays = 0;
   SectorError error;
   std::optional<BakedLocal> local;  ///< empty if level.toml has no dynamic lights
+  placement::SectorCuts cuts;       ///< planes count from the sector's corner
   std::size_t unlit = 0;            ///< probes that no ray connects to sky, sun, moon or emission
 };
 

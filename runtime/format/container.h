@@ -22,7 +22,7 @@ enum class Kind : std::uint32_t { sky = 0, sector = 1, level = 2 };
 
 /// Version of the container and of the meaning of welkin.fbs, by kind. Files of another version are refused.
 inline constexpr std::uint32_t kSkyVersion = 2;
-inline constexpr std::uint32_t kLevelVersion = 3;  ///< of sectors and of a level's index
+inline constexpr std::uint32_t kLevelVersion = 4;  ///< of sectors and of a level's index
 constexpr std::uint32_t versionOf(Kind kind) {
   return kind == Kind::sky ? kSkyVersion : kLevelVersion;
 }

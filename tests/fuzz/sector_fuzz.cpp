@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "format/cut_lookup.h"
 #include "fuzz.h"
 #include "probes/sectors/level_index.h"
 #include "probes/sectors/sector_file.h"
@@ -23,6 +24,24 @@ void checkLocal(const sectors::BakedLocal& baked, std::size_t count) {
       require(transfer.influence() >= 0.0, "an influence is not below 0");
       for (const auto& coefficient : transfer.radiance) require(isFinite(coefficient), "local transfer is finite");
     }
+}
+
+/// Points of every cut cell, and of cells beside them, find a leaf with a probe that is there.
+void checkCuts(const sectors::SectorFile& sector, std::size_t count) {
+  const format::GridView view{sector.grid, sector.low_y, sector.cell_height_m, sector.cuts.view()};
+  for (const std::uint16_t cell : sector.cuts.cell)
+    for (const float at : {-4.0F, 0.0F, 1.5F, 31.0F, 64.0F}) {
+      const format::CutWay way = format::cutWay(view.cuts, cell, 0, {at, 0.5F * at, 64.0F - at}, {0.6F, 0.0F, -0.8F});
+      require(way.leaf.probe == geometry::kNoProbe || way.leaf.probe < count, "a leaf names a probe that is there");
+      require(way.way_m >= 0.0F, "a plane is ahead");
+    }
+  const auto gridOf = [&](int x, int z) { return x == 0 && z == 0 ? &view : nullptr; };
+  for (const double at : {0.5, 3.9, 31.0, 63.9}) {
+    const format::InWorld place = format::pushedPlace({at, sector.low_y + at, 64.0 - at}, {0.0, 1.0, 0.0}, 1.0, gridOf);
+    const format::EightProbes found = format::probesAbout(place, gridOf);
+    for (std::size_t i = 0; i < found.count; ++i)
+      require(found.probe[i].probe < count && found.probe[i].weight > 0.0, "a point's probe is there");
+  }
 }
 
 void checkSector(const sectors::SectorFile& sector) {
@@ -47,6 +66,7 @@ void checkSector(const sectors::SectorFile& sector) {
     }
   for (const auto& mode : decoded.modes.value) require(isFinite(mode), "a mode is finite");
   if (sector.local) checkLocal(*sector.local, count);
+  checkCuts(sector, count);
   const auto written = sectors::encodeSector(sector);
   require(sectors::encodeSector(sectors::decodeSector(written, "what was written")) == written,
           "it is written as read");

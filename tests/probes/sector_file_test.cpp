@@ -22,6 +22,11 @@ sectors::SectorFile someSector() {
   s.room = {{{{-190, -1, 450}, {-180, 3.5, 460}}, geometry::kNoProbe}, {{{-160, 0, 450}, {-150, 4, 470}}, 1}};
   s.in_room = {0, 2};
   s.unlit = 1;
+  s.cuts.cell = {17, 4095};
+  s.cuts.tree = {0, 2};
+  s.cuts.node = {0, 0, 0x8000, 0x81ff, 0x8101};
+  s.cuts.plane = {{32767, 0, 2.5F}};
+  s.cuts.mask = {format::kAllOpen, format::kOwnOpen};
   s.sun = transfer::SunTransfer::directional;
   transfer::EncodedProbes& p = s.probes;
   p.low_y = -1.0F;
@@ -107,6 +112,13 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   REQUIRE(r.room.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) CHECK((r.room[i].box == s.room[i].box && r.room[i].probe == s.room[i].probe));
   CHECK(r.unlit == 1);
+  CHECK(r.cuts.cell == s.cuts.cell);
+  CHECK(r.cuts.tree == s.cuts.tree);
+  CHECK(r.cuts.node == s.cuts.node);
+  CHECK(r.cuts.mask == s.cuts.mask);
+  REQUIRE(r.cuts.plane.size() == 1);
+  CHECK(r.cuts.plane[0].u() == 32767);
+  CHECK(r.cuts.plane[0].offset() == 2.5F);
   CHECK(r.error.sampling_probe == 1);
   CHECK(r.error.encoding.emitted == 0.05);
   CHECK(r.error.modes.worst == 0.08);
@@ -225,6 +237,43 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   refused("a height", [](auto& s) { s.probes.high_y = -2.0F; });
   refused("the errors", [](auto& s) { s.error.sampling_probe = 2; });
   refused("the errors", [](auto& s) { s.error.encoding.sky = -1.0; });
+}
+
+TEST_CASE("SectorFile, CutsThatDoNotFitAreRefused") {
+  const auto refused = [](const std::string& says, auto change) {
+    sectors::SectorFile s = someSector();
+    change(s.cuts);
+    checkSectorRefused(s, says);
+  };
+  refused("ascending cells", [](auto& c) { c.cell[1] = 4096; });
+  refused("ascending cells", [](auto& c) { c.cell[1] = 17; });
+  refused("tree for every cell", [](auto& c) { c.tree.pop_back(); });
+  refused("tree for every cell", [](auto& c) { c.tree.clear(); });
+  refused("whole trees", [](auto& c) { c.tree[0] = 5; });
+  refused("whole trees", [](auto& c) { c.node.pop_back(); });   // the last leaf is missing
+  refused("whole trees", [](auto& c) { c.node[1] = 1; });       // a plane,
+  refused("whole trees", [](auto& c) { c.node[4] = 0x8201; });  // a mask
+  refused("whole trees", [](auto& c) { c.node[2] = 0x8002; });  // and a probe that are not there
+  refused("whole trees", [](auto& c) { c.plane.clear(); });
+  refused("whole trees", [](auto& c) { c.mask.pop_back(); });
+  refused("whole trees", [](auto& c) {
+    c.node.assign(64, 0);  // 64 planes and 65 leaves
+    c.node.resize(129, 0x8000);
+  });
+  refused("at most 65535 nodes", [](auto& c) { c.node.resize(65536, 0x8000); });
+  refused("32768 planes", [](auto& c) { c.plane.resize(32769, c.plane[0]); });
+  refused("at most 128 masks", [](auto& c) { c.mask.resize(129, format::kAllOpen); });
+  refused("open to its own", [](auto& c) { c.mask[0] = format::openBit(0, 1, 0); });
+  refused("open to its own", [](auto& c) { c.mask[0] |= 1U << 27; });
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  refused("a plane out of", [=](auto& c) { c.plane[0] = {0, 0, nan}; });
+  refused("a plane out of", [](auto& c) { c.plane[0] = {-32768, 0, 0.0F}; });
+  refused("a plane out of", [](auto& c) { c.plane[0] = {0, 0, 1.1e7F}; });
+  sectors::SectorFile largest = someSector();
+  largest.cuts.node.assign(63, 0);
+  largest.cuts.node.resize(127, 0x8000);
+  largest.cuts.tree = {0, 126};
+  CHECK(sectors::decodeSector(sectors::encodeSector(largest), "it").cuts.node.size() == 127);
 }
 
 TEST_CASE("SectorFile, NoByteMayChangeAndNoneMayBeMissing") {
