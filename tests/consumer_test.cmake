@@ -111,7 +111,9 @@ run("build after a removed output" ${CMAKE_COMMAND} --build ${build})
 expect("build after a removed output" "Baking")
 run("bake with the installed tool" ${prefix}/bin/welkin bake "${game}/sky/sky.toml" -o ${WORK}/baked --progress none)
 run("bake in process" ${build}/editor "${game}/sky/sky.toml" ${WORK}/in_process ${WORK}/stopped)
-run("compare with the tool" ${CMAKE_COMMAND} -E compare_files ${WORK}/in_process/sky.welkin ${WORK}/baked/sky.welkin)
+run("bake for Unity with the installed tool" ${prefix}/bin/welkin bake "${game}/sky/sky.toml" -o ${WORK}/for_unity --progress none
+  --target unity --cubemaps none)
+run("compare with the tool" ${CMAKE_COMMAND} -E compare_files ${WORK}/in_process/sky.welkin ${WORK}/for_unity/sky.welkin)
 run("clean" ${CMAKE_COMMAND} --build ${build} --target clean)
 if(EXISTS ${build}/baked/sky.welkin OR EXISTS ${build}/baked/cubemaps OR EXISTS ${build}/baked_level/level.welkin
    OR EXISTS ${build}/baked_level/sectors)

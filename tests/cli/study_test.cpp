@@ -25,6 +25,47 @@ TEST_CASE("Study, WritesAFolderAndSaysWhatItFound") {
   CHECK(readBytes(folder / "out/pareto.png").substr(1, 3) == "PNG");
 }
 
+TEST_CASE("Study, OfATargetHasWhatItReadsAlone") {
+  const Folder folder;
+  const std::string path = "path = [[0, 0, -30], [12, 180, 50]]";
+  const std::string sky = folder.write("sky.toml", skyText("luminance = \"cie-12\"", path));
+  const std::string named = folder.write("named.toml", skyText("luminance = \"cie-12\"", path, "target = \"sh2\""));
+  const auto rowsOf = [&](const std::string& file, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"study", file, "-o", folder / "out", "--quick", "--progress", "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = runTool(arguments);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const std::string conclusion = readBytes(folder / "out/conclusion.md");
+    for (const char* target : {"unity", "sh2"}) {
+      const bool here = file == named ? more.empty() && target == std::string("sh2") : more.back() == target;
+      INFO(target << "\n" << conclusion);
+      CHECK((conclusion.find(std::string("as target \"") + target + '"') != std::string::npos) == here);
+      CHECK((run.out.find(std::string("Target \"") + target + "\" reads no more than") != std::string::npos) == here);
+    }
+    return nlohmann::json::parse(readBytes(folder / "out/budgets.json"))["rows"];
+  };
+  const auto isOfBands = [](const nlohmann::json& row, int most) {
+    const std::string name = row["representation"];
+    return name.find("modes") == std::string::npos && name.find(" bands") != std::string::npos && name[0] - '0' <= most;
+  };
+  const auto unity = rowsOf(sky, {"--target", "unity"});
+  const auto sh2 = rowsOf(named, {});
+  const auto modes = rowsOf(named, {"--target", "modes"});  // the option replaces the file's target
+  REQUIRE(unity.size() == 3);
+  for (std::size_t i = 0; i < unity.size(); ++i) {
+    CHECK(isOfBands(unity[i], 3));
+    CHECK(isOfBands(sh2[i], 2));
+    CHECK(modes[i]["met"] == "yes");
+  }
+  CHECK(unity.back()["met"] == "no");  // 1 % needs modes, or more bands
+  CHECK(unity.back()["predicted_error"].get<double>() < 0.2);
+  CHECK(sh2.back()["predicted_error"] > unity.back()["predicted_error"]);
+  const Run refused = runTool({"study", sky, "-o", folder / "none", "--target", "lumen"});
+  CHECK(refused.status == 1);
+  CHECK(refused.said("--target"));
+}
+
 TEST_CASE("Study, WithoutGnuplotHasTablesAndWarnsOnce") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A game's editor, which bakes a sky in process. It stops a first bake midway and lets a second one end.
+// A game's editor, which bakes a sky in process. It stops a first bake midway and lets a second one end, for an engine
+// that reads spherical harmonics.
 //   editor SKY.toml FOLDER STOPPED_FOLDER      exit status 0 when both bakes end as they should
 #include <atomic>
 #include <cstdio>
@@ -32,12 +33,27 @@ int main(int argc, char** argv) {
     if (std::ifstream(options.folder + name)) return fail(name, stopped);
 
   options.folder = argv[2];
+  options.target = "unity";
+  options.cubemap_error = 0.0;
   std::atomic<bool> ended = false;
   const welkin::BakeResult baked = welkin::bakeFile(options, [&](const welkin::BakeProgress& progress) {
     if (progress.total > 0 && progress.done == progress.total) ended = true;
     return true;
   });
   if (!baked || !ended || baked.report.find("\"certificate\"") == std::string::npos) return fail("a bake", baked);
+  if (baked.report.find("\"target\": \"unity\"") == std::string::npos) return fail("the target", baked);
+  if (std::ifstream(options.folder + "/cubemaps/")) return fail("cubemaps that were not asked for", baked);
+
+  options.target = "lumen";
+  const welkin::BakeResult unknown = welkin::bakeFile(options);
+  if (unknown.exit_status != 1 || unknown.error.find("\"lumen\"") == std::string::npos)
+    return fail("a target that is none", unknown);
+  options.target.clear();
+  options.cubemap_error = 7.0;
+  const welkin::BakeResult coarse = welkin::bakeFile(options);
+  if (coarse.exit_status != 1 || coarse.error.find("cubemap_error") == std::string::npos)
+    return fail("a budget of cubemaps above 1", coarse);
+  options.cubemap_error.reset();
 
   options.max_error = -1.0;
   const welkin::BakeResult refused = welkin::bakeFile(options);

@@ -28,6 +28,8 @@ build::BakeRequest requestOf(const BakeOptions& options) {
   request.file = options.file;
   request.folder = options.folder;
   if (options.max_error != 0.0) request.max_error = options.max_error;
+  request.cubemap_error = options.cubemap_error;
+  request.target = options.target;
   request.certify = options.certificate == BakeCertificate::none   ? bake::Certify::none
                     : options.certificate == BakeCertificate::full ? bake::Certify::full
                                                                    : bake::Certify::fast;

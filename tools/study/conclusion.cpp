@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "study/study.h"
 
@@ -29,9 +30,10 @@ const Candidate* bestModes(const std::vector<Candidate>& candidates, std::size_t
   return best;
 }
 
-std::string budgetSentence(const BudgetRow& row) {
+std::string budgetSentence(const BudgetRow& row, const bake::Target& target) {
   if (!row.plan.met)
-    return fmt::format("Nothing that a file can hold keeps the irradiance within {}: the best is {}, by {}.",
+    return fmt::format("Nothing that {} keeps the irradiance within {}: the best is {}, by {}.",
+                       target.sh_bands == 0 ? "a file can hold" : fmt::format("target \"{}\" reads", target.name),
                        share(row.max_error), share(row.plan.predicted_error), row.plan.representation.name());
   const auto& modes = row.plan.representation.modes;
   return fmt::format("Within {} the least is {}: {} with {} keys of {}, at {}{}.", share(row.max_error),
@@ -40,17 +42,31 @@ std::string budgetSentence(const BudgetRow& row) {
                      modes && modes->count > 8 ? "; the shader includes do not read so many modes" : "");
 }
 
-std::string bandsParagraph(const std::vector<Candidate>& candidates) {
-  std::string text = "At exact keys";
+/// ", " before an item of a list, ", and " before the last, and nothing before the first.
+const char* jointOf(std::size_t item, std::size_t count) {
+  return item == 0 ? "" : item + 1 == count ? ", and" : ",";
+}
+
+/// Pairs of candidates that differ in the way to find their numbers alone, projected first, by rising bands.
+using Pair = std::pair<const Candidate*, const Candidate*>;
+std::vector<Pair> pairsWith(const std::vector<Candidate>& candidates, const char* fit) {
+  std::vector<Pair> pairs;
   for (const int bands : {2, 3, 5}) {
     const Candidate* projected = find(candidates, fmt::format("{} bands", bands));
-    const Candidate* fitted = find(candidates, fmt::format("{} bands, fitted", bands));
-    if (projected == nullptr || fitted == nullptr) continue;
-    text += fmt::format("{} {} bands {} {} projected and {} fitted",
-                        bands == 2   ? ""
-                        : bands == 5 ? ", and"
-                                     : ",",
-                        bands, bands == 2 ? "err by up to" : "by", share(projected->error), share(fitted->error));
+    const Candidate* other = find(candidates, fmt::format("{} bands, {}", bands, fit));
+    if (projected != nullptr && other != nullptr) pairs.emplace_back(projected, other);
+  }
+  return pairs;
+}
+
+std::string bandsParagraph(const std::vector<Candidate>& candidates) {
+  std::string text = "At exact keys";
+  const auto pairs = pairsWith(candidates, "fitted");
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [projected, fitted] = pairs[i];
+    text += fmt::format("{} {} bands {} {} projected and {} fitted", jointOf(i, pairs.size()),
+                        projected->representation.bands, i == 0 ? "err by up to" : "by", share(projected->error),
+                        share(fitted->error));
   }
   return text + ".";
 }
@@ -59,12 +75,12 @@ std::string windowParagraph(const std::vector<Candidate>& candidates) {
   std::string text = "The mildest window that keeps irradiance from being negative";
   bool wins = false;
   bool taken = false;
-  for (const int bands : {2, 3, 5}) {
-    const Candidate* projected = find(candidates, fmt::format("{} bands", bands));
-    const Candidate* windowed = find(candidates, fmt::format("{} bands, mildest window", bands));
-    if (projected == nullptr || windowed == nullptr) continue;
+  const auto pairs = pairsWith(candidates, "mildest window");
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [projected, windowed] = pairs[i];
+    const int bands = projected->representation.bands;
     wins = wins || windowed->error < projected->error;
-    const char* joint = bands == 2 ? "" : bands == 5 ? ", and" : ",";
+    const char* joint = jointOf(i, pairs.size());
     text += windowed->window_strength > 0.0
                 ? fmt::format("{}{} {} bands from {} to {}", joint, taken ? "" : " takes", bands,
                               share(projected->error), share(windowed->error))
@@ -75,7 +91,10 @@ std::string windowParagraph(const std::vector<Candidate>& candidates) {
                       : ". It lessens no error, so windows stay off unless negative light cannot be borne.");
 }
 
-std::string modesParagraph(const std::vector<Candidate>& candidates) {
+std::string modesParagraph(const std::vector<Candidate>& candidates, const bake::Target& target) {
+  if (target.sh_bands > 0)
+    return fmt::format("Target \"{}\" reads no more than {} bands, and no modes, which hold less error.", target.name,
+                       target.sh_bands);
   std::size_t first = 0;
   for (std::size_t count = 1; count <= table::DayModes::kMost && first == 0; ++count) {
     const Candidate* candidate = bestModes(candidates, count);
@@ -184,15 +203,15 @@ std::string quadratureParagraph(const QuadratureStudy& study) {
 
 }  // namespace
 
-std::vector<std::string> conclusionOf(const Study& study) {
+std::vector<std::string> conclusionOf(const Study& study, const bake::Target& target) {
   std::string budgets;
   for (const BudgetRow& row : study.tables.budgets) {
     if (!budgets.empty()) budgets += ' ';
-    budgets += budgetSentence(row);
+    budgets += budgetSentence(row, target);
   }
   return {
       budgets,
-      bandsParagraph(study.candidates) + " " + modesParagraph(study.candidates),
+      bandsParagraph(study.candidates) + " " + modesParagraph(study.candidates, target),
       windowParagraph(study.candidates),
       shadersParagraph(study.shaders),
       cubicParagraph(study.keys),

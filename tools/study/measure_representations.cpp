@@ -77,7 +77,8 @@ std::vector<Candidate> collectCandidates(const StudyDay& day, const StudyOptions
   std::vector<Candidate> candidates;
   for (const int bands : {2, 3, 5})
     for (const Fit fit : {Fit::projected, Fit::fitted, Fit::windowed})
-      candidates.push_back(bandsCandidate(day, bands, fit));
+      if (options.sh_bands == 0 || bands <= options.sh_bands) candidates.push_back(bandsCandidate(day, bands, fit));
+  if (options.sh_bands > 0) return candidates;
   const table::DayModes modes(day.fields(), day.grid());
   std::vector<MapSize> maps = {kSmallMap, kMiddleMap, kLargeMap, kLargestMap};
   if (options.quick) maps = {kSmallMap, kLargestMap};

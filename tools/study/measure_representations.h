@@ -11,7 +11,8 @@
 
 namespace welkin::study {
 
-/// The candidates of a study, in the order of its tables: bands, then modes. A quick one has a few.
+/// The candidates of a study, in the order of its tables: bands, then modes, as far as the target reads them. A quick
+/// one has a few.
 std::vector<Candidate> collectCandidates(const StudyDay& day, const StudyOptions& options);
 
 /// Cost of the shader that reads a candidate; none for more modes than the shader includes take.

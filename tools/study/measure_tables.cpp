@@ -64,6 +64,7 @@ std::vector<BudgetRow> measureBudgets(const StudyDay& day, const StudyOptions& o
     const auto start = std::chrono::steady_clock::now();
     table::PlanRequest request;
     request.max_error = budget;
+    request.sh_bands = options.sh_bands;
     BudgetRow row{budget, table::planDay(day.values(), request), 0.0};
     row.plan_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     rows.push_back(std::move(row));

@@ -32,9 +32,12 @@ Study measureSky(const StudyDay& day, const StudyOptions& options) {
   return study;
 }
 
-StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options) {
+StudyReport studySky(const bake::SkyFile& file, StudyOptions options) {
+  const bake::Target& target = file.bake.target;
+  options.sh_bands = target.sh_bands;
   StudyReport report;
   report.title = fmt::format("Cost against error: {}", file.inputs.empty() ? "a sky" : file.inputs.front().name);
+  if (target.sh_bands > 0) report.title += fmt::format(", as target \"{}\" shows it", target.name);
   const StudyDay day(file.sky, options.quick ? kQuickStep_h : kStep_h, options.progress.stage("day", 0));
   options.progress.step();
   const Study study = measureSky(day, options);
@@ -43,7 +46,7 @@ StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options) {
   reportKeys(study.keys, report);
   reportCubemaps(study.cubemaps, report);
   reportQuadrature(study.quadrature, report);
-  report.paragraphs = conclusionOf(study);
+  report.paragraphs = conclusionOf(study, target);
   options.progress.step();
   return report;
 }

@@ -27,10 +27,10 @@ Study measureSky(const StudyDay& day, const StudyOptions& options);
 /// Axes of a study: how often `progress` is told.
 inline constexpr std::size_t kAxes = 8;
 
-/// Samples the day, measures and reports; nothing is written. Throws as measureSky.
-StudyReport studySky(const bake::SkyFile& file, const StudyOptions& options);
+/// Samples the day, measures what the file's target can read, and reports; nothing is written. Throws as measureSky.
+StudyReport studySky(const bake::SkyFile& file, StudyOptions options);
 
 /// The conclusions in words: paragraphs of a sentence or a few.
-std::vector<std::string> conclusionOf(const Study& study);
+std::vector<std::string> conclusionOf(const Study& study, const bake::Target& target = bake::kTargets[0]);
 
 }  // namespace welkin::study

@@ -14,6 +14,7 @@ namespace welkin::study {
 struct StudyOptions {
   bool quick = false;            ///< fewer instants, candidates and cubemaps
   base::Progress progress = {};  ///< steps after every axis
+  int sh_bands = 0;              ///< bands of SH that the light's reader can use, of bake::Target; 0: modes and all
 };
 
 /// Irradiance at every few minutes and wherever the sun's path bends. Neither copied nor moved: parts point at others.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #if defined(__GNUC__)
@@ -30,6 +31,11 @@ struct BakeOptions {
   int shard_count = 0;  ///< levels only; 0: no shards
   std::string sectors;  ///< levels only: bakes these sectors alone, "X_Z,X_Z,..."; empty: all. Excludes shards.
   bool force = false;   ///< also bakes files that are up to date
+  std::string target;   ///< reader of the ambient light: "modes", "sh2", "sh3", "filament", "three", "unity", "unreal"
+                       ///< or "godot"; budget and certificate are of what it shows. Empty: the target of the sky file.
+  /// Error budget of the cubemaps, a fraction in the domain of cubemap_error (docs/sky_file.md), in place of the sky
+  /// file's settings of them; 0: no cubemaps. Absent: those settings.
+  std::optional<double> cubemap_error;
 };
 
 /// The state of a bake. `stage` is a name for people, such as "plan", "certificate" or "sectors".
