@@ -2,6 +2,8 @@
 // The checks of a sector's parts, for sector_check.h. Each adds to a Check.
 #pragma once
 
+#include <span>
+
 #include "format/sector_check.h"
 
 namespace welkin::format {
