@@ -50,6 +50,8 @@ foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp includ
     include/welkin/types.h include/welkin/engines.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
     share/doc/welkin/LICENSE share/doc/welkin/CHANGELOG.md share/doc/welkin/docs/runtime.md
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
+    share/welkin/shaders/welkin/modes_4.hlsl share/welkin/shaders/welkin/modes_8.hlsl share/welkin/shaders/welkin/modes_12.hlsl
+    share/welkin/shaders/welkin/modes_4.wgsl share/welkin/shaders/welkin/modes_8.wgsl share/welkin/shaders/welkin/modes_12.wgsl
     share/welkin/shaders/welkin/sky_constants.h
     share/welkin/shaders/shared/formulas.glsl)
   if(NOT EXISTS ${prefix}/${file})

@@ -4,8 +4,8 @@
 #   tools/setup.sh [--tests]      --tests: also the packages that only the tests need
 set -eu
 
-# to build: compiler, build system, shader compiler and optimiser, schema compiler
-build="g++ cmake ninja-build pkg-config glslang-tools spirv-tools spirv-headers flatbuffers-compiler"
+# to build: compiler, build system, shader compiler, translator and optimiser, schema compiler
+build="g++ cmake ninja-build pkg-config glslang-tools spirv-cross spirv-tools spirv-headers flatbuffers-compiler"
 # linked by the libraries and the tool
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libwebp-dev libjpeg-dev libpng-dev libtiff-dev libtomlplusplus-dev libxxhash-dev
 libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev"
@@ -13,7 +13,7 @@ libeigen3-dev libflatbuffers-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev
 draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"
 test=""
 if [ "${1-}" = --tests ]; then
-  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libfilament-dev libfilament-tools libnova-dev vulkan-validationlayers openexr parallel
+  test="catch2 clang libbenchmark-dev libclang-rt-14-dev libfilament-dev libfilament-tools libnova-dev libegl1 libgl1-mesa-dri libgles2 mono-mcs vulkan-validationlayers openexr parallel
 libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
   command -v npm >/dev/null || test="$test nodejs npm"  # other packages of Node.js bring an npm of their own
 fi
@@ -46,12 +46,21 @@ if [ "${1-}" = --tests ] && [ ! -x "$slurm/usr/sbin/slurmctld-wlm" ]; then
   fi
 fi
 
-# A reader of KTX2 by someone else, for the tests.
-npm="$(dirname "$0")/../build/npm"
-if [ "${1-}" = --tests ] && [ ! -d "$npm/node_modules/ktx-parse" ]; then
-  mkdir -p "$npm"
-  if ! (cd "$npm" && timeout 120 npm install --fetch-retries=1 --no-audit --no-fund --no-save --prefix . ktx-parse@2.0.0 >/dev/null 2>&1); then
-    rm -rf "$npm"
-    echo "setup: ktx-parse cannot be had from npm: its test will be skipped"
+# Readers by someone else, for the tests: of KTX2, and of WGSL (Dawn, of which the other systems' programs go again).
+fetch() {  # fetch FOLDER PACKAGE VERSION: by npm into build/FOLDER, once
+  folder="$(dirname "$0")/../build/$1"
+  [ ! -d "$folder/node_modules/$2" ] || return 0
+  mkdir -p "$folder"
+  if ! (cd "$folder" && timeout 120 npm install --fetch-retries=1 --no-audit --no-fund --no-save --ignore-scripts --prefix . "$2@$3" >/dev/null 2>&1); then
+    rm -rf "$folder"
+    echo "setup: $2 cannot be had from npm: its test will be skipped"
   fi
+}
+if [ "${1-}" = --tests ]; then
+  fetch npm ktx-parse 2.0.0
+  fetch webgpu webgpu 0.6.2
+  for system in darwin-universal win32-arm64 win32-x64 linux-arm64; do
+    [ "$system" = "linux-$(uname -m | sed 's/aarch64/arm64/')" ] ||
+      rm -rf "$(dirname "$0")/../build/webgpu/node_modules/webgpu/dist/$system"
+  done
 fi

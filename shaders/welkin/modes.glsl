@@ -19,7 +19,13 @@
 #define WELKIN_MODES 12
 #endif
 
+#ifdef WELKIN_BINDING_MODES_SAMPLER  // a sampler of its own, for a layout without combined ones
+layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES) uniform texture2DArray welkinModesTexture;
+layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES_SAMPLER) uniform sampler welkinModesSampler;
+#define welkinModesMap sampler2DArray(welkinModesTexture, welkinModesSampler)
+#else
 layout(set = WELKIN_SET, binding = WELKIN_BINDING_MODES) uniform sampler2DArray welkinModesMap;
+#endif
 
 // Irradiance of four modes in red, green and blue. `first` is their place in mode_weight.
 vec3 welkinModesOfLayer(vec2 at, float layer, int first) {

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light of a file's modes in a shader against welkin_sky_irradiance, in a compute shader and on the spheres of a
 // picture. Also the shader's result without modes.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "compute.h"
+#include "mode_normals.h"
 #include "object.h"
 #include "render/views.h"
 #include "shared.h"
 #include "spirv/kFourModesComp.h"
 #include "spirv/kModesComp.h"
+#ifdef WELKIN_MODES_HLSL
+#include "spirv/kModesHlsl12.h"
+#include "spirv/kModesHlsl4.h"
+#include "spirv/kModesHlsl8.h"
+#endif
 #include "test_sky.h"
 #include "worst.h"
 
@@ -19,8 +26,6 @@ namespace welkin::tests {
 namespace {
 
 using f64::Number3;
-using Vector = std::array<float, 3>;
-
 /// Tolerance relative to the largest irradiance of an instant. The map's coordinates have an error of 3 units of 2^-24.
 /// Neighbours in the map differ by as much as the modes are large. The map has 8 columns and 5 rows between its outer
 /// centres: 13 x 3 units. The sum of 16 products adds 16 units.
@@ -33,46 +38,12 @@ double tolerance(const render::VulkanDevice& device) {
   return kSoftware + std::ldexp(2.0, -static_cast<int>(properties.limits.subTexelPrecisionBits));
 }
 
-/// A golden-angle spiral, the poles, the four corners of the horizon, and normals just to either side of it and of the
-/// poles. 1e-30 is the smallest offset, because a denormal y may count as 0.
-std::vector<Vector> normals() {
-  constexpr std::size_t kSpiral = 642;
-  std::vector<Vector> all;
-  for (std::size_t i = 0; i < kSpiral; ++i) {
-    const double y = 1.0 - 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(kSpiral);
-    const double r = std::sqrt(1.0 - y * y);
-    const double angle = 2.39996322972865332 * static_cast<double>(i);
-    all.push_back(
-        {static_cast<float>(r * std::cos(angle)), static_cast<float>(y), static_cast<float>(r * std::sin(angle))});
-  }
-  const float below_1 = std::nextafter(1.0F, 0.0F);
-  const float beside = std::sqrt(1.0F - below_1 * below_1);
-  for (const float sign : {1.0F, -1.0F}) {
-    all.push_back({0.0F, sign, 0.0F});
-    all.push_back({0.0F, sign * below_1, beside});
-    all.push_back({-beside, sign * below_1, 0.0F});
-    all.push_back({1e-30F, sign, -1e-30F});
-    for (const float y : {0.0F, -0.0F, 1e-30F, -1e-30F, 0x1p-24F, -0x1p-24F}) {
-      all.push_back({sign, y, 0.0F});
-      all.push_back({0.0F, y, sign});
-      all.push_back({sign * 0.6F, y, 0.8F});
-    }
-  }
-  return all;
-}
-
 std::vector<float> shade(render::VulkanDevice& device, std::span<const uint32_t> shader, const WelkinVulkanSky* object,
                          const std::vector<Vector>& directions) {
   std::vector<float> input;
   for (const Vector& n : directions) input.insert(input.end(), {n[0], n[1], n[2], 0.0F});
   return runCompute(device, shader, input, 8 * directions.size(), 8, welkin_vulkan_descriptor_set_layout(object),
                     welkin_vulkan_descriptor_set(object, 0));
-}
-
-Vector expectedOf(const Sky& sky, const WelkinSkySample& sample, const Vector& normal) {
-  Vector e{};
-  REQUIRE(welkin_sky_irradiance(sky.get(), &sample, normal.data(), e.data()) == WELKIN_OK);
-  return e;
 }
 
 struct Comparison {
@@ -82,7 +53,7 @@ struct Comparison {
 
 /// Compares the shader's light at three hours with the runtime's.
 Comparison compare(render::VulkanDevice& device, const Sky& sky, std::span<const uint32_t> shader) {
-  const std::vector<Vector> directions = normals();
+  const std::vector<Vector> directions = modeNormals();
   const SkyObject object(device, sky, createInfo(device, 1));
   Comparison result;
   WelkinSkySample sample{};
@@ -131,6 +102,44 @@ TEST_CASE("VulkanModes, EqualRuntime", "[vulkan]") {
   CHECK(device.messageCount() == 0);
 }
 
+TEST_CASE("VulkanModes, InHlslEqualGlsl", "[vulkan]") {
+#ifdef WELKIN_MODES_HLSL
+  render::VulkanDevice device(true);
+  const std::pair<std::span<const uint32_t>, uint8_t> shaders[] = {
+      {kModesHlsl4, 4}, {kModesHlsl8, 8}, {kModesHlsl12, 12}};
+  double most = 0.0;
+  for (const uint8_t count : {1, 4, 5, 8, 9, 12})
+    for (const auto& [shader, holds] : shaders) {
+      CAPTURE(int{count}, int{holds});
+      const auto bytes = testSkyFile({.mode_count = count});
+      const Sky sky = openTestSky(bytes);
+      const Comparison hlsl = compare(device, sky, shader);
+      CAPTURE(hlsl.worst.where);
+      if (count > holds) {
+        CHECK(hlsl.worst.error > 0.01);  // a layer is not read
+        continue;
+      }
+      CHECK(hlsl.worst.error < tolerance(device));
+      const std::vector<Vector> directions = modeNormals();
+      const SkyObject object(device, sky, createInfo(device, 1));
+      WelkinSkySample sample{};
+      REQUIRE(sky.sample(12.2, sample));
+      REQUIRE(welkin_vulkan_update(object.get(), 0, &sample) == WELKIN_OK);
+      const auto expected = shade(device, kModesComp, object.get(), directions);
+      const auto results = shade(device, shader, object.get(), directions);
+      const double largest = double{*std::max_element(expected.begin(), expected.end())};
+      REQUIRE(results.size() == expected.size());
+      for (std::size_t i = 0; i < results.size(); ++i)
+        most = std::max(most, std::abs(double{results[i]} - double{expected[i]}) / largest);
+    }
+  WARN("HLSL differs from GLSL by " << most << " of the largest irradiance");
+  CHECK(most < kSoftware);
+  CHECK(device.messageCount() == 0);
+#else
+  WARN("skipped: the build has no spirv-cross, so there is no HLSL");
+#endif
+}
+
 TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
   const auto bytes = testSkyFile({.mode_count = 5});
   const Sky sky = openTestSky(bytes);
@@ -152,7 +161,7 @@ TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
 }
 
 TEST_CASE("VulkanModes, WithoutModesTheFirstTwoBandsAreShown", "[vulkan]") {
-  const std::vector<Vector> directions = normals();
+  const std::vector<Vector> directions = modeNormals();
   render::VulkanDevice device(true);
   const auto with_bytes = testSkyFile({.mode_count = 5});
   const auto without_bytes = testSkyFile({});
