@@ -2,7 +2,11 @@
 // A folder for a test's files, which goes away with everything in it.
 #pragma once
 
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,7 +24,12 @@ class Folder {
  public:
   explicit Folder(const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
     std::string name = (parent / "welkin_test_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+#ifdef _WIN32
+    const bool made = ::_mktemp(name.data()) != nullptr && std::filesystem::create_directory(name);
+#else
+    const bool made = ::mkdtemp(name.data()) != nullptr;
+#endif
+    if (!made) throw std::runtime_error("cannot make a temporary folder");
     path_ = name;
   }
   Folder(const Folder&) = delete;
@@ -30,8 +39,12 @@ class Folder {
     std::filesystem::remove_all(path_, ignored);
   }
 
-  const std::filesystem::path& path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const {
+    return path_;
+  }
+  std::string operator/(const std::string& name) const {
+    return (path_ / name).string();
+  }
 
   /// Writes a file, its folders included, and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const {

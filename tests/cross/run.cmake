@@ -2,7 +2,7 @@
 # Builds the runtime for another system, runs a program of it there on a sky that the host bakes, and compares the
 # numbers with the host's. Prints "skipped: " when a compiler or the emulator is missing or does not start.
 #   cmake -DSYSTEM=windows|arm64 -DSOURCE=checkout -DTOOL=welkin -DHOST=abi_today -DCOMPARE=cross_compare -DWORK=scratch
-#     -P run.cmake
+#     -DSMALL_FILE=cross_small_file -DCATCH=catch2/catch.hpp -DDOCS_CODE=folder of the docs' code -P run.cmake
 cmake_minimum_required(VERSION 3.25)
 if(SYSTEM STREQUAL "windows")
   set(prefix x86_64-w64-mingw32)
@@ -70,6 +70,16 @@ if(count LESS 30 OR exports)
   message(FATAL_ERROR "${shared} exports ${count} names; these are not of the C interface: ${exports}\n${output}")
 endif()
 
+# The static libraries export nothing from the program that links them.
+if(SYSTEM STREQUAL "windows")
+  foreach(archive core/libwelkin_runtime.a vulkan/libwelkin_vulkan.a)
+    run(${objdump} -h ${runtime}/${archive})
+    if(output MATCHES "[.]drectve" OR NOT output MATCHES "[.]text")
+      message(FATAL_ERROR "${archive} declares exports:\n${output}")
+    endif()
+  endforeach()
+endif()
+
 file(REMOVE_RECURSE ${WORK}/sky)
 run(${TOOL} bake ${SOURCE}/tests/consumer/sky/sky.toml -o ${WORK}/sky --progress none)
 run(${HOST} ${WORK}/sky/sky.welkin)
@@ -95,3 +105,30 @@ if(NOT result EQUAL 1 OR NOT text MATCHES "missing.welkin: [A-Z]")
   message(FATAL_ERROR "a missing file: status ${result}, ${text}")
 endif()
 message("a missing file: ${text}")
+
+# The runtime's unit tests, and those of the packings for engines. Left out are the tests that need the baker's libraries:
+# of the polar frame and of allocations.
+file(MAKE_DIRECTORY ${WORK}/headers/catch2)
+file(CREATE_LINK ${CATCH} ${WORK}/headers/catch2/catch.hpp SYMBOLIC)
+run(${SMALL_FILE} ${WORK}/small.welkin)
+set(ENV{WELKIN_SMALL_FILE} ${WORK}/small.welkin)
+set(tests ${SOURCE}/tests/cross/target_main.cpp)
+foreach(name runtime/api_test runtime/cell_cuts_test runtime/content_test runtime/day_table_test runtime/forge runtime/lighting_test
+    runtime/modes_test runtime/open_test engines/axes_test engines/godot_test engines/unity_test engines/unreal_scene_test
+    engines/unreal_test)
+  list(APPEND tests ${SOURCE}/tests/${name}.cpp)
+endforeach()
+set(flags -std=c++20 -O1 -ffp-contract=off -Dflatbuffers=welkin_flatbuffers -D_USE_MATH_DEFINES ${defines} -I${SOURCE} -I${SOURCE}/runtime
+  -I${SOURCE}/runtime/include -I${SOURCE}/shaders -I${SOURCE}/shaders/shared -I${DOCS_CODE} -isystem ${WORK}/headers
+  -isystem ${WORK}/build/host_headers -isystem ${WORK}/build/runtime/format/generated)
+set(unity "")
+foreach(test IN LISTS tests)
+  string(APPEND unity "#include \"${test}\"\n")
+endforeach()
+file(WRITE ${WORK}/unit.cpp "${unity}")
+run(${cxx} ${flags} ${WORK}/unit.cpp ${runtime}/core/libwelkin_runtime.a -static -o ${WORK}/unit.exe)
+execute_process(COMMAND ${emulator} ${WORK}/unit.exe --order lex RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+message("unit tests on ${SYSTEM}: ${output}")
+if(NOT result EQUAL 0 OR NOT output MATCHES "All tests passed")
+  message(FATAL_ERROR "the unit tests end with ${result}")
+endif()

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The day's table, written by hand: its encodings of coefficients and of modes' weights. Its frame is compared with
-// sh::Rotation.
+// The day's table, written by hand: its encodings of coefficients and of modes' weights.
 #include <welkin/welkin.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "core/polar_frame.h"
 #include "forge.h"
 #include "format/container.h"
 #include "format/half.h"
-#include "sh/rotation.h"
-#include "shared.h"
 
 namespace welkin::tests {
 namespace {
@@ -109,14 +105,14 @@ TEST_CASE("DayTable, CoefficientsInEveryEncoding") {
         CAPTURE(int{encoding}, time_h, c);
         const double albedo = 0.1F;
         const double ground = albedo * numbers.at(share, 3, c) / M_PI;
-        const auto near = [](double value) { return Approx(value).margin(kFloats * 4.0).epsilon(0.0); };
-        CHECK(double{sample.ground_radiance[c]} == near(ground));
+        const auto within = [](double value) { return Approx(value).margin(kFloats * 4.0).epsilon(0.0); };
+        CHECK(double{sample.ground_radiance[c]} == within(ground));
         // For a radiance of 1 below the horizon: 2 pi Y00 and -pi Y10(up).
-        CHECK(double{sample.radiance_sh[0][c]} == near(numbers.at(share, 0, c) + ground * std::sqrt(M_PI)));
+        CHECK(double{sample.radiance_sh[0][c]} == within(numbers.at(share, 0, c) + ground * std::sqrt(M_PI)));
         CHECK(double{sample.radiance_sh[1][c]} ==
-              near(numbers.at(share, 1, c) - ground * M_PI * std::sqrt(0.75 / M_PI)));
-        CHECK(double{sample.radiance_sh[3][c]} == near(numbers.at(share, 2, c) * double{sample.mode_azimuth[0]}));
-        CHECK(double{sample.radiance_sh[2][c]} == near(numbers.at(share, 2, c) * double{sample.mode_azimuth[1]}));
+              within(numbers.at(share, 1, c) - ground * M_PI * std::sqrt(0.75 / M_PI)));
+        CHECK(double{sample.radiance_sh[3][c]} == within(numbers.at(share, 2, c) * double{sample.mode_azimuth[0]}));
+        CHECK(double{sample.radiance_sh[2][c]} == within(numbers.at(share, 2, c) * double{sample.mode_azimuth[1]}));
       }
       const float* sun = sample.sun.direction;
       const double length = std::hypot(double{sun[0]}, double{sun[2]});
@@ -142,53 +138,20 @@ TEST_CASE("DayTable, WeightsOfModesInEveryEncoding") {
       REQUIRE(sample.mode_count == 4);
       for (std::size_t c = 0; c < 3; ++c) {
         CAPTURE(int{encoding}, time_h, c);
-        const auto near = [](double value) { return Approx(value).margin(kFloats * 16.0).epsilon(0.0); };
+        const auto within = [](double value) { return Approx(value).margin(kFloats * 16.0).epsilon(0.0); };
         double c0 = 0.0;
         double c1 = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
-          CHECK(double{sample.mode_weight[k][c]} == near(numbers.at(share, k, c)));
+          CHECK(double{sample.mode_weight[k][c]} == within(numbers.at(share, k, c)));
           c0 += numbers.at(share, k, c) * 0.25 * (3.0 * static_cast<double>(k));
           c1 += numbers.at(share, k, c) * 0.25 * (3.0 * static_cast<double>(k) + 1.0);
         }
-        CHECK(double{sample.radiance_sh[0][c]} == near(c0));
-        CHECK(double{sample.radiance_sh[1][c]} == near(c1));
+        CHECK(double{sample.radiance_sh[0][c]} == within(c0));
+        CHECK(double{sample.radiance_sh[1][c]} == within(c1));
         for (std::size_t k = 4; k < WELKIN_MAX_MODES; ++k) CHECK(sample.mode_weight[k][c] == 0.0F);
       }
     }
   }
-}
-
-TEST_CASE("PolarFrame, TurnsAsARotationDoes") {
-  constexpr double kTolerance = 1e-13;  // sums of some fifty products of numbers below 1, in double
-  std::mt19937 random(33);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const core::PolarFrame frame;
-  for (const std::size_t bands : {2U, 3U, 4U, 5U})
-    for (const double azimuth_rad : {0.0, 0.4, -2.2, 3.1, M_PI_2}) {
-      const det::Number3 towards(std::sin(azimuth_rad), 0.7, -std::cos(azimuth_rad));
-      const core::Azimuth azimuth(f64::Number3(towards.x, towards.y, towards.z));
-      std::vector<core::Channels> polar(bands * (bands + 1) / 2);
-      for (auto& p : polar) p = {number(random), number(random), number(random), number(random)};
-      std::vector<core::Channels> world(bands * bands);
-      frame.toWorld(bands, polar, azimuth, world);
-      // The frame's x points to the sun's azimuth and its z up; y completes it.
-      const sh::Matrix3 axes = {det::Number3(towards.x, 0, towards.z), det::Number3(towards.z, 0, -towards.x),
-                                det::Number3(0, 1, 0)};
-      const sh::Rotation rotation(static_cast<int>(bands), axes);
-      for (std::size_t c = 0; c < 4; ++c) {
-        std::vector<double> all(bands * bands), turned(bands * bands);
-        for (std::size_t l = 0; l < bands; ++l)
-          for (std::size_t m = 0; m <= l; ++m) all[l * (l + 1) + m] = polar[l * (l + 1) / 2 + m][c];
-        rotation.apply(all, turned);
-        for (std::size_t i = 0; i < bands * bands; ++i) {
-          CAPTURE(bands, azimuth_rad, i, c);
-          CHECK(world[i][c] == Approx(turned[i]).margin(kTolerance).epsilon(0.0));
-        }
-      }
-    }
-  // A sun in the zenith has no azimuth. The frame's azimuth is then that of the world's +z, and nothing is NaN.
-  const core::Azimuth none(f64::Number3(0.0, 1.0, 0.0));
-  CHECK((none.cosine == 1.0 && none.sine == 0.0));
 }
 
 }  // namespace welkin::tests

@@ -9,4 +9,7 @@ namespace welkin::tests {
 
 const std::vector<std::byte>& smallFile();
 
+/// A regular expression of a message about a file that is not there, in the words of POSIX, Wine and Windows.
+inline constexpr const char* kMissingFile = ".*: (No such file or directory|.*not found[.]|.*cannot find.*)";
+
 }  // namespace welkin::tests
