@@ -153,6 +153,7 @@ sectors::LevelIndex LevelBake::index() const {
     index.moon_path = moon_path_;
   }
   index.scale = section_.scale;
+  index.ground_albedo = {ground_albedo_.x, ground_albedo_.y, ground_albedo_.z};
   index.settings = settingsText(section_);
   return index;
 }

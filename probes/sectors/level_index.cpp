@@ -45,11 +45,13 @@ std::vector<std::byte> encodeLevel(const LevelIndex& index) {
   const auto sectors = b.CreateVectorOfStructs(entries);
   const auto sun_path = index.sun_path ? bake::encodePath(b, *index.sun_path) : 0;
   const auto moon_path = index.moon_path ? bake::encodePath(b, *index.moon_path) : 0;
+  const auto number = [&](std::size_t c) { return static_cast<float>(index.ground_albedo[c]); };
+  const format::Rgb ground(number(0), number(1), number(2));
   const format::Hash all_sectors = encode(index.all_sectors);
   const format::Hash sky_checksum = encode(index.sky_checksum.value_or(base::Hash128{}));
   const auto level = format::CreateLevel(b, sectors, &all_sectors, index.sky_checksum ? &sky_checksum : nullptr,
                                          static_cast<format::SunTransfer>(index.sun), sun_path, moon_path,
-                                         index.scale.sun_bounce, index.scale.sky);
+                                         index.scale.sun_bounce, index.scale.sky, &ground);
   const auto settings = b.CreateString(index.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, 0, level));
   return format::seal({b.GetBufferPointer(), b.GetSize()}, format::Kind::level);
@@ -69,6 +71,8 @@ LevelIndex decodeLevel(std::span<const std::byte> bytes, const std::string& name
   index.sun_path = decode(level.sun_path());
   index.moon_path = decode(level.moon_path());
   index.scale = {level.sky_scale(), level.sun_bounce_scale()};
+  if (const format::Rgb* a = level.ground_albedo(); a != nullptr)
+    index.ground_albedo = {double{a->r()}, double{a->g()}, double{a->b()}};
   index.settings = file.settings()->str();
   return index;
 }

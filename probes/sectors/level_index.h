@@ -2,6 +2,7 @@
 // The index of a level's files, DIR/level.welkin (table Level of runtime/format/welkin.fbs).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,7 +32,8 @@ struct LevelIndex {
   std::optional<model::LightPath> sun_path;  ///< path of the sun's baked transfer; only with `directional`
   std::optional<model::LightPath> moon_path;
   transfer::RelightScale scale;
-  std::string settings;  ///< JSON: the bake's sections of level.toml
+  std::array<double, 3> ground_albedo{};  ///< of the sky of the bake
+  std::string settings;                   ///< JSON: the bake's sections of level.toml
 };
 
 /// Hash of the sectors' ids and of their `baked_from`.

@@ -75,15 +75,20 @@ std::array<Number3, 4> skyShAt(const model::Sky& sky, double time_h) {
   return sh;
 }
 
+LightOfDay lightOfDay(const model::Sky& sky, double time_h) {
+  return {skyShAt(sky, time_h), lightAt(sky.sun, time_h), sky.moon ? lightAt(*sky.moon, time_h) : transfer::LightAt{}};
+}
+
 LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const model::Sky& sky, double time_h,
+                       const transfer::RelightScale& scale, transfer::SkyBounce sky_bounce)
+    : LevelLight(sectors, lightOfDay(sky, time_h), time_h, scale, sky_bounce) {}
+
+LevelLight::LevelLight(const std::vector<SectorFile>& sectors, const LightOfDay& day, double time_h,
                        const transfer::RelightScale& scale, transfer::SkyBounce sky_bounce) {
-  const std::array<Number3, 4> sky_sh = skyShAt(sky, time_h);
-  const transfer::LightAt sun = lightAt(sky.sun, time_h);
-  const transfer::LightAt moon = sky.moon ? lightAt(*sky.moon, time_h) : transfer::LightAt{};
   for (const SectorFile& file : sectors) {
     const transfer::SectorProbes probes = transfer::decodedProbes(file.probes, file.id);
     const transfer::Relight light =
-        transfer::relightAt(time_h, sky_sh, sun, moon, file.sun, probes.modes, scale, sky_bounce);
+        transfer::relightAt(time_h, day.sky_sh, day.sun, day.moon, file.sun, probes.modes, scale, sky_bounce);
     Sector sector{&file, {file.grid, file.low_y, file.cell_height_m, file.cuts.view()}, {}};
     for (std::size_t i = 0; i < probes.transfer.size(); ++i)
       sector.probe.push_back(transfer::relit(

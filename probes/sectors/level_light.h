@@ -23,11 +23,22 @@ struct LevelIrradiance {
   Number3 total() const { return sky + sun_bounce + local; }
 };
 
+/// Sky, sun and moon at one time.
+struct LightOfDay {
+  std::array<Number3, 4> sky_sh{};  ///< radiance in 2 bands, upper hemisphere only
+  transfer::LightAt sun, moon;
+};
+LightOfDay lightOfDay(const model::Sky& sky, double time_h);
+
 /// The probes of a level, relit for one time. Immutable after construction; any thread may use it.
 class LevelLight {
  public:
   /// `sectors` must belong to one level and its sky, and must outlive the object. `time_h` is finite.
   LevelLight(const std::vector<SectorFile>& sectors, const model::Sky& sky, double time_h,
+             const transfer::RelightScale& scale = {}, transfer::SkyBounce sky_bounce = transfer::SkyBounce::projected);
+
+  /// The same under any light.
+  LevelLight(const std::vector<SectorFile>& sectors, const LightOfDay& light, double time_h,
              const transfer::RelightScale& scale = {}, transfer::SkyBounce sky_bounce = transfer::SkyBounce::projected);
 
   /// Irradiance at a position on a surface with a unit normal. It interpolates trilinearly between the eight cells

@@ -32,7 +32,7 @@ bool decodeGradient(const format::Gradient& gradient, const HostMemory& memory, 
 bool listCubemaps(const format::Sky& sky, WelkinSky& opened) {
   if (sky.cubemaps() == nullptr || sky.cubemaps()->size() == 0) return true;
   opened.cubemap_count = sky.cubemaps()->size();
-  if (!opened.cubemap_time_h.allocate(opened.memory, opened.cubemap_count)) return false;
+  if (!opened.cubemap_time_h.allocate(opened.source.memory, opened.cubemap_count)) return false;
   double* time_h = opened.cubemap_time_h.get();
   for (const auto* cubemap : *sky.cubemaps()) *time_h++ = cubemap->time_h();
   return true;
@@ -56,74 +56,24 @@ WelkinResult keep(const format::File& file, WelkinSky&& opened, WelkinSky** sky,
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::uint32_t i = 0; i < 25; ++i) opened.ground_sh[i] = f64::groundLobe(bandOf(i)) * up.v[i];
   void* room = nullptr;
-  if (!listCubemaps(s, opened) || !decodeGradient(*s.gradient_sun(), opened.memory, opened.gradient_sun) ||
-      !decodeGradient(*s.gradient_anti(), opened.memory, opened.gradient_anti) ||
-      (room = opened.memory.allocate(sizeof(WelkinSky), alignof(WelkinSky))) == nullptr)
+  if (!listCubemaps(s, opened) || !decodeGradient(*s.gradient_sun(), opened.source.memory, opened.gradient_sun) ||
+      !decodeGradient(*s.gradient_anti(), opened.source.memory, opened.gradient_anti) ||
+      (room = opened.source.memory.allocate(sizeof(WelkinSky), alignof(WelkinSky))) == nullptr)
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   *sky = new (room) WelkinSky(std::move(opened));
   return WELKIN_OK;
 }
 
-/// Opens the sky in `bytes`. `opened` holds the memory that they lie in, unless that is the caller's.
-WelkinResult openBytes(std::span<const std::byte> bytes, WelkinSky&& opened, WelkinSky** sky, WelkinMessage* message) {
-  using format::Refusal;
-  const format::Opened container = format::openContainer(bytes);
-  const auto expected = static_cast<unsigned long long>(container.expected_size);
-  switch (container.refusal) {
-    case Refusal::none: {
-      if (container.kind != format::Kind::sky)
-        return fail(message, WELKIN_ERROR_KIND, "this is %s; a sky is needed (sky.welkin)", nameOf(container.kind));
-      const WelkinResult result = checkContent(*container.file, bytes.size(), message);
-      return result == WELKIN_OK ? keep(*container.file, std::move(opened), sky, message) : result;
-    }
-    case Refusal::misaligned:
-      return fail(message, WELKIN_ERROR_ARGUMENT, "the bytes start at %p; they must be aligned to %zu",
-                  static_cast<const void*>(bytes.data()), format::kAlignment);
-    case Refusal::foreign:
-      return fail(message, WELKIN_ERROR_FOREIGN, "not a .welkin file (it does not start with the .welkin signature)");
-    case Refusal::kind:
-      return fail(message, WELKIN_ERROR_KIND, "a .welkin file of kind %u, which this library does not know",
-                  static_cast<unsigned>(container.kind));
-    case Refusal::version:
-      if (container.kind != format::Kind::sky)
-        return fail(message, WELKIN_ERROR_KIND, "this is %s, of format version %u; a sky is needed (sky.welkin)",
-                    nameOf(container.kind), container.found_version);
-      return fail(message, WELKIN_ERROR_VERSION, "format version %u; this library reads version %u: bake again",
-                  container.found_version, format::kSkyVersion);
-    case Refusal::header:
-      return fail(message, WELKIN_ERROR_CONTENT, "damaged: its header states a size of %u bytes, must be %zu",
-                  container.found_header_size, sizeof(format::Header));
-    case Refusal::truncated:
-      return fail(message, WELKIN_ERROR_TRUNCATED, "%zu bytes; the header asks for %s%llu", bytes.size(),
-                  bytes.size() < sizeof(format::Header) ? "at least " : "", expected);
-    case Refusal::checksum:
-      return fail(message, WELKIN_ERROR_CHECKSUM, "damaged: the checksum of its %zu bytes does not match",
-                  bytes.size());
-    case Refusal::structure:
-      break;
-  }
-  return fail(message, WELKIN_ERROR_CONTENT, "damaged: an offset or length of its tables is out of bounds");
-}
-
 /// Opens the sky that `info` names; `message` gets the reason without the path.
 WelkinResult openFrom(const WelkinOpenInfo& info, WelkinSky** sky, WelkinMessage* message) {
+  FileBytes source;
+  if (const auto r = readBytes(info, source, message)) return r;
+  const format::File* file = nullptr;
+  if (const auto r = rootOf(source.bytes, format::Kind::sky, &file, message)) return r;
+  if (const auto r = checkContent(*file, source.bytes.size(), message)) return r;
   WelkinSky opened;
-  if (info.allocator != nullptr) opened.memory = HostMemory(take(*info.allocator));
-  std::span<const std::byte> bytes{static_cast<const std::byte*>(info.data), info.size};
-  if (info.path != nullptr) {
-    if (const int error = opened.map.open(info.path); error != 0) {
-      if (message != nullptr) FileMap::describe(error, message->text, sizeof message->text);
-      return WELKIN_ERROR_FILE;
-    }
-    bytes = opened.map.bytes();
-  }
-  if ((info.flags & WELKIN_OPEN_COPY) != 0 && !bytes.empty()) {
-    if (!opened.copy.allocate(opened.memory, bytes.size())) return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
-    std::memcpy(opened.copy.get(), bytes.data(), bytes.size());
-    bytes = {opened.copy.get(), bytes.size()};
-    opened.map = FileMap();
-  }
-  return openBytes(bytes, std::move(opened), sky, message);
+  opened.source = std::move(source);
+  return keep(*file, std::move(opened), sky, message);
 }
 
 /// Logs an opened sky and its stated error.
@@ -140,39 +90,15 @@ void logOpened(const WelkinLog& log, const WelkinOpenInfo& info, const WelkinSky
   log.write(log.user, WELKIN_LOG_INFO, text);
 }
 
-WelkinResult checkOpen(const char* function, const WelkinOpenInfo& info, WelkinSky** sky) {
-  if (const auto r = nonNull(function, {{"sky", sky}})) return r;
-  if ((info.path != nullptr) == (info.data != nullptr))
-    return refuse(function, info.path != nullptr ? "info has both path and data" : "path and data are null");
-  if (info.flags > WELKIN_OPEN_COPY) return refuse(function, "info->flags is %u, must be 0 or 1", info.flags);
-  if (info.allocator != nullptr) {
-    if (const auto r = sized(function, "info->allocator", info.allocator)) return r;
-    if (const auto r = nonNull(function, {{"info->allocator->allocate", asPointer(info.allocator->allocate)},
-                                          {"info->allocator->free", asPointer(info.allocator->free)}}))
-      return r;
-  }
-  if (info.log == nullptr) return WELKIN_OK;
-  if (const auto r = sized(function, "info->log", info.log)) return r;
-  return nonNull(function, {{"info->log->write", asPointer(info.log->write)}});
-}
-
 WelkinResult open(const char* function, const WelkinOpenInfo& info, WelkinSky** sky, WelkinMessage* message) {
   if (sky != nullptr) *sky = nullptr;
-  if (const auto r = checkOpen(function, info, sky)) return fail(message, r, "%s", welkin_argument_error());
+  WelkinResult fault = nonNull(function, {{"sky", sky}});
+  if (fault == WELKIN_OK) fault = checkOpenInfo(function, info);
+  if (fault != WELKIN_OK) return fail(message, fault, "%s", welkin_argument_error());
   WelkinMessage reason{};
   const WelkinResult result = openFrom(info, sky, &reason);
-  if (result == WELKIN_OK) {
-    if (info.log != nullptr) logOpened(*info.log, info, **sky);
-    return result;
-  }
-  if (result == WELKIN_ERROR_ARGUMENT) refuse(function, "%s", reason.text);
-  WelkinMessage whole{};
-  if (info.path != nullptr)
-    std::snprintf(whole.text, sizeof whole.text, "%.140s: %.112s", info.path, reason.text);
-  else
-    whole = reason;
-  if (info.log != nullptr) info.log->write(info.log->user, WELKIN_LOG_ERROR, whole.text);
-  return fail(message, result, "%s", whole.text);
+  if (result == WELKIN_OK && info.log != nullptr) logOpened(*info.log, info, **sky);
+  return endOpen(function, info, result, reason, message);
 }
 
 }  // namespace
@@ -216,7 +142,7 @@ WelkinResult welkin_sky_open_memory(const void* data, size_t size, WelkinSky** s
 
 void welkin_sky_close(WelkinSky* sky) {
   if (sky == nullptr) return;
-  const welkin::core::HostMemory memory = sky->memory;
+  const welkin::core::HostMemory memory = sky->source.memory;
   sky->~WelkinSky();
   memory.free(sky, sizeof(WelkinSky));
 }

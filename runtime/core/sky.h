@@ -10,9 +10,8 @@
 
 #include "core/arguments.h"
 #include "core/day.h"
-#include "core/file_map.h"
-#include "core/host_memory.h"
 #include "core/light.h"
+#include "core/open_file.h"
 #include "format/container.h"
 #include "format/domain_check.h"
 #include "shared.h"
@@ -40,9 +39,7 @@ inline constexpr double kLeastDivisor = 1e-30;
 }  // namespace welkin::core
 
 struct WelkinSky {
-  welkin::core::HostMemory memory;
-  welkin::core::FileMap map;
-  welkin::core::HostArray<std::byte> copy;
+  welkin::core::FileBytes source;
   const welkin::format::File* file = nullptr;  ///< checked by checkContent; points into the map or the caller's bytes
   welkin::core::Curve intensity, ambient_saturation, polarising_tint;
   welkin::core::Light sun;

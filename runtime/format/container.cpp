@@ -33,6 +33,11 @@ const char* nameOf(Kind kind) {
   return "of an unknown kind";
 }
 
+Hash hashOf(std::span<const std::byte> bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
+}
+
 std::optional<Kind> kindOf(std::span<const std::byte> bytes) {
   if (bytes.size() < sizeof(Header) || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return std::nullopt;
   Header header;

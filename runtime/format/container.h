@@ -63,6 +63,9 @@ struct Opened {
 /// does not allocate. The meaning of the values is not checked.
 Opened openContainer(std::span<const std::byte> bytes);
 
+/// XXH3-128 of a whole file, by which the index of a level names its files.
+Hash hashOf(std::span<const std::byte> bytes);
+
 /// The kind that the header at the front of `bytes` names; none for bytes that are not a header.
 std::optional<Kind> kindOf(std::span<const std::byte> bytes);
 

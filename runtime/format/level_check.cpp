@@ -16,6 +16,9 @@ Fault levelFaultOf(const File& file) {
     return check.fault;
   check.that(file.settings() != nullptr, "settings", "are missing");
   check.that(level->sun() <= SunTransfer::MAX, "sun", "must be none, sh or directional");
+  if (const Rgb* a = level->ground_albedo(); a != nullptr)
+    check.that(within(double{a->r()}, 0.0, 1.0) && within(double{a->g()}, 0.0, 1.0) && within(double{a->b()}, 0.0, 1.0),
+               "the ground's albedo", "must be in [0, 1]");
   check.that(within(level->sun_bounce_scale(), 0.0, kAny) && within(level->sky_scale(), 0.0, kAny), "scale",
              "has a value out of its domain");
   for (const auto& [path, name] : {std::pair(level->sun_path(), "sun"), std::pair(level->moon_path(), "moon")})

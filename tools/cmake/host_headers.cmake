@@ -4,7 +4,7 @@
 if(NOT CMAKE_PROJECT_NAME STREQUAL CMAKE_TRY_COMPILE)
   set(host_headers ${CMAKE_BINARY_DIR}/host_headers)
   file(MAKE_DIRECTORY ${host_headers})
-  foreach(header IN ITEMS flatbuffers vulkan vk_video xxhash.h)
+  foreach(header IN ITEMS flatbuffers hwy vulkan vk_video xxhash.h)
     if(EXISTS /usr/include/${header})
       file(CREATE_LINK /usr/include/${header} ${host_headers}/${header} SYMBOLIC)
     endif()

@@ -11,6 +11,7 @@
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/shared_options.h"
+#include "command/surface_points.h"
 #include "probes/build/subject.h"
 #include "sky/base/error.h"
 #include "sky/base/message.h"
@@ -19,7 +20,8 @@ namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string file, time, position, normal;
+  std::string file, time;
+  PointsOption points;
   ProgressOption progress;
   ThreadsOption threads;
   std::vector<std::string> lights;
@@ -46,10 +48,61 @@ reference::LocalLight parseLight(const std::string& text) {
   return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n.size() == 7 ? n[6] : 0.0};
 }
 
+using reference::ReferenceIrradiance;
+
+nlohmann::ordered_json json(const f64::Number3& v) {
+  return {v.x, v.y, v.z};
+}
+
+nlohmann::ordered_json jsonOf(const ReferenceIrradiance& light) {
+  return {{"irradiance", json(light.total.value)},
+          {"components",
+           {{"sky", json(light.sky.value)},
+            {"sun_bounce", json(light.sun_bounce.value)},
+            {"local", json(light.local.value)}}},
+          {"standard_error", json(light.total.standard_error)},
+          {"component_standard_error",
+           {{"sky", json(light.sky.standard_error)},
+            {"sun_bounce", json(light.sun_bounce.standard_error)},
+            {"local", json(light.local.standard_error)}}}};
+}
+
+void print(const ReferenceIrradiance& light) {
+  const auto line = [](const char* name, const reference::Estimate& e) {
+    fmt::print("{:<10} {:.6g} {:.6g} {:.6g} +- {:.2g} {:.2g} {:.2g}\n", name, e.value.x, e.value.y, e.value.z,
+               e.standard_error.x, e.standard_error.y, e.standard_error.z);
+  };
+  line("irradiance", light.total);
+  line("sky", light.sky);
+  line("sun_bounce", light.sun_bounce);
+  line("local", light.local);
+}
+
+/// Traces the points one after the other. Each has its own seed, so that their errors average out.
+std::vector<ReferenceIrradiance> traced(const build::Subject& subject, double time_h,
+                                        const std::vector<reference::LocalLight>& lights,
+                                        const std::vector<SurfacePoint>& points,
+                                        const reference::ReferenceSettings& settings, const base::Progress& progress) {
+  constexpr double kFar_m = 1024.0;  // a tracer's floats are rounded to 0.1 mm within that
+  std::vector<ReferenceIrradiance> result;
+  std::optional<geometry::Tracer> tracer;
+  f64::Number3 origin{0.0};
+  const reference::DistantLight distant(subject.sky.sky, time_h);
+  const std::size_t batches = reference::referenceBatches(settings);
+  for (const SurfacePoint& point : points) {
+    const f64::Number3 away = point.position - origin;
+    if (!tracer || dot(away, away) > kFar_m * kFar_m) tracer.emplace(subject.level->surfaces, origin = point.position);
+    reference::ReferenceSettings own = settings;
+    own.seed = settings.seed + 0x9e3779b97f4a7c15U * result.size();
+    result.push_back(reference::traceReference(*tracer, distant, lights, point.position, point.normal, own,
+                                               progress.stage("paths", batches)));
+  }
+  return result;
+}
+
 void reference(const Options& options) {
   catchInterrupts();
-  const f64::Number3 normal = parseDirection("--normal", options.normal);
-  const f64::Number3 position = parsePosition("--position", options.position);
+  const std::vector<SurfacePoint> points = options.points.points();
   const double time_h = parseTime(options.time);
   std::vector<reference::LocalLight> lights;
   for (const std::string& light : options.lights) lights.push_back(parseLight(light));
@@ -57,41 +110,27 @@ void reference(const Options& options) {
   const build::Subject subject = build::readLevel(options.file);
   for (const std::string& warning : subject.level->surfaces.warning)
     fmt::print(stderr, "welkin: warning: {}\n", base::oneLine(warning));
-  const geometry::Tracer tracer(subject.level->surfaces, position);
   const int bounces = options.bounces.value_or(subject.level->section.transfer.bounces);
   const reference::ReferenceSettings settings{options.samples, bounces, options.seed};
-  reference::ReferenceIrradiance result;
+  std::vector<ReferenceIrradiance> result;
   {
     ProgressReport shown(options.progress.style());
-    result =
-        reference::traceReference(tracer, reference::DistantLight(subject.sky.sky, time_h), lights, position, normal,
-                                  settings, shown.progress().stage("paths", reference::referenceBatches(settings)));
+    result = traced(subject, time_h, lights, points, settings, shown.progress());
   }
-  const auto json = [](const f64::Number3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
-  if (options.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"irradiance", json(result.total.value)},
-                                              {"components",
-                                               {{"sky", json(result.sky.value)},
-                                                {"sun_bounce", json(result.sun_bounce.value)},
-                                                {"local", json(result.local.value)}}},
-                                              {"standard_error", json(result.total.standard_error)},
-                                              {"component_standard_error",
-                                               {{"sky", json(result.sky.standard_error)},
-                                                {"sun_bounce", json(result.sun_bounce.standard_error)},
-                                                {"local", json(result.local.standard_error)}}},
-                                              {"samples", result.samples},
-                                              {"bounces", bounces}}
-                           .dump(2));
+  if (!options.json) {
+    for (const ReferenceIrradiance& light : result) print(light);
     return;
   }
-  const auto line = [](const char* name, const reference::Estimate& e) {
-    fmt::print("{:<10} {:.6g} {:.6g} {:.6g} +- {:.2g} {:.2g} {:.2g}\n", name, e.value.x, e.value.y, e.value.z,
-               e.standard_error.x, e.standard_error.y, e.standard_error.z);
-  };
-  line("irradiance", result.total);
-  line("sky", result.sky);
-  line("sun_bounce", result.sun_bounce);
-  line("local", result.local);
+  nlohmann::ordered_json output;
+  if (options.points.isOne()) {
+    output = jsonOf(result[0]);
+  } else {
+    output["points"] = nlohmann::ordered_json::array();
+    for (const ReferenceIrradiance& light : result) output["points"].push_back(jsonOf(light));
+  }
+  output["samples"] = result[0].samples;
+  output["bounces"] = bounces;
+  fmt::print("{}\n", output.dump(2));
 }
 
 }  // namespace
@@ -101,8 +140,7 @@ void addReference(CLI::App& app) {
   auto* command = app.add_subcommand("reference", "Irradiance in a level, path traced, with its standard error");
   command->add_option("LEVEL", options->file, "level.toml")->required();
   command->add_option("--time", options->time, "Hours")->required();
-  command->add_option("--position", options->position, "X,Y,Z in metres; it may lie on a surface")->required();
-  command->add_option("--normal", options->normal, "X,Y,Z of the surface")->required();
+  options->points.addTo(*command);
   command->add_option("--light", options->lights,
                       "X,Y,Z,R,G,B[,RADIUS]: a dynamic light, its radiant intensity and the radius of its sphere in "
                       "metres; as many as there are");

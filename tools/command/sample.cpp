@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin sample: prints a baked sky at one time, as the runtime gives it.
+// welkin sample: prints a baked sky at one time, or the light at points of a baked level, as the runtime gives it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,19 +8,71 @@
 
 #include "command/arguments.h"
 #include "command/commands.h"
+#include "command/level_folder.h"
+#include "command/surface_points.h"
 #include "command/welkin_file.h"
+#include "probes/build/level_files.h"
 #include "sky/base/error.h"
 
 namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string path, time, normal = "0,1,0";
+  std::string path, time;
+  PointsOption points;
   bool json = false;
 };
 
+nlohmann::ordered_json rgbJson(const Float3& v) {
+  return vectorJson(v.data());
+}
+
+nlohmann::ordered_json jsonOf(const std::optional<PointLight>& light) {
+  if (!light) return nullptr;
+  return {
+      {"irradiance", rgbJson(light->irradiance)},
+      {"components",
+       {{"sky", rgbJson(light->sky)}, {"sun_bounce", rgbJson(light->sun_bounce)}, {"local", rgbJson(light->local)}}}};
+}
+
+/// The light at points of a level.
+void sampleLevel(const Options& options) {
+  const double time_h = parseTime(options.time);
+  const std::vector<SurfacePoint> points = options.points.points();
+  LevelFolder level(options.path);
+  const auto lights = level.at(points, time_h);
+  if (options.json && options.points.isOne()) {
+    fmt::print("{}\n", jsonOf(lights[0]).dump(2));
+  } else if (options.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const auto& light : lights) list.push_back(jsonOf(light));
+    fmt::print("{}\n", nlohmann::ordered_json{{"points", std::move(list)}}.dump(2));
+  } else {
+    for (const auto& light : lights) {
+      if (!light) {
+        fmt::print("no probe serves this point\n");
+        continue;
+      }
+      const auto line = [](const char* name, const Float3& v) {
+        fmt::print("{:<10} {:.6g} {:.6g} {:.6g}\n", name, v[0], v[1], v[2]);
+      };
+      line("irradiance", light->irradiance);
+      line("sky", light->sky);
+      line("sun_bounce", light->sun_bounce);
+      line("local", light->local);
+    }
+  }
+}
+
 void sample(const Options& options) {
-  const auto n = parseDirection("--normal", options.normal);
+  const bool at_points = !options.points.position.empty() || !options.points.isOne();
+  if (at_points && !build::isLevelFolder(options.path))
+    throw base::Error(base::ExitStatus::usage,
+                      fmt::format("{}: not the folder of a baked level (it has no level.welkin), which --position and "
+                                  "--points need",
+                                  options.path));
+  if (at_points) return sampleLevel(options);
+  const auto n = parseDirection("--normal", options.points.normal.empty() ? "0,1,0" : options.points.normal);
   const double time_h = parseTime(options.time);
   const std::string file = skyFileOf(options.path);
   const Sky sky = openSky(file);
@@ -60,11 +112,10 @@ void sample(const Options& options) {
 
 void addSample(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("sample", "Sample a baked sky through the runtime");
-  command->add_option("PATH", options->path, "Folder of a bake, or a .welkin file")->required();
+  auto* command = app.add_subcommand("sample", "Sample a baked sky, or points of a baked level, through the runtime");
+  command->add_option("PATH", options->path, "Folder of a bake, or the .welkin file of a sky")->required();
   command->add_option("--time", options->time, "Hours")->required();
-  command->add_option("--normal", options->normal, "X,Y,Z of the surface whose irradiance to give")
-      ->capture_default_str();
+  options->points.addTo(*command);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { sample(*options); });
 }

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// An opened level and its resident sectors.
+#pragma once
+
+#include <welkin/level.h>
+
+#include <cstdint>
+#include <span>
+
+#include "core/arguments.h"
+#include "core/open_file.h"
+#include "probes/packed_probes.h"
+#include "probes/sector_light.h"
+
+namespace welkin::core {
+
+template <>
+inline constexpr std::size_t kFirstSize<WelkinLevelLimits> = 8;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinLevelInfo> = 48;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinLevelLight> = 32;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinRelight> = 12;
+
+}  // namespace welkin::core
+
+namespace welkin::probes {
+
+inline constexpr double kSector_m = 64.0;
+inline constexpr int kCells = 16;  ///< of a sector's grid, on each axis
+inline constexpr double kCell_m = kSector_m / kCells;
+inline constexpr double kPush_m = 1.0;  ///< a surface looks up its light this far off along its normal
+
+/// Some probes of one sector, to be relit together.
+struct RelightPiece {
+  WelkinSector* sector;
+  std::uint32_t first;  ///< probe of the sector
+  std::uint32_t start;  ///< number of the piece's first probe among all that are relit
+};
+
+}  // namespace welkin::probes
+
+struct WelkinSector {
+  welkin::core::HostMemory memory;
+  const WelkinLevel* level = nullptr;
+  const welkin::format::Sector* file = nullptr;  ///< checked; points into the caller's bytes
+  std::int32_t x = 0, z = 0;
+  std::uint32_t probes = 0;
+  std::size_t modes = 0;
+  std::size_t bytes = 0;                      ///< of the memory below
+  welkin::core::HostArray<std::byte> blocks;  ///< packProbes
+  welkin::core::HostArray<float> fixed;       ///< unpackEmitted
+  welkin::core::HostArray<float> light;       ///< [probe][channel][direction], relit
+  welkin::probes::SectorLight now{};          ///< the light of `pass`
+  std::uint64_t pass = 0;                     ///< WelkinLevel::instant at which the running pass began; 0: none
+  std::uint32_t done = 0;                     ///< probes that the running pass has relit
+  std::uint64_t complete = 0;                 ///< the instant that all probes have, or a later one; 0: none
+  std::uint32_t slot = 0;                     ///< place among the resident sectors
+  bool resident = false;
+};
+
+struct WelkinLevel {
+  welkin::core::FileBytes source;
+  const welkin::format::Level* index = nullptr;
+  std::uint32_t capacity = 0;
+  std::uint32_t count = 0;                          ///< of resident sectors
+  welkin::core::HostArray<WelkinSector*> resident;  ///< in no order
+  welkin::core::HostArray<std::uint32_t> table;     ///< open addressing: 1 + slot, or 0
+  std::uint32_t table_mask = 0;
+  std::uint32_t probes = 0;  ///< of the resident sectors
+  welkin::probes::LevelLight light;
+  std::uint64_t instant = 0;                                     ///< counts changes of the light; 0: none set
+  std::uint32_t next = 0;                                        ///< slot where relighting goes on
+  welkin::core::HostArray<welkin::probes::RelightPiece> pieces;  ///< of the relighting that has begun
+  std::uint32_t piece_count = 0;
+  std::uint32_t chosen = 0;  ///< probes of the pieces
+};
+
+namespace welkin::probes {
+
+/// The resident sector (x, z), or null.
+WelkinSector* residentAt(const WelkinLevel& level, std::int32_t x, std::int32_t z);
+
+}  // namespace welkin::probes

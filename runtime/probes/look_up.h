@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which probes light a point, and by how much: the grid's eight cells about it, without those of other rooms.
+#pragma once
+
+#include <array>
+
+#include "probes/level.h"
+#include "shared.h"
+
+namespace welkin::probes {
+
+/// A probe's share of a point's light. The shares of a point sum to 1.
+struct ProbeShare {
+  const float* light;  ///< of the probe: [channel][direction]
+  float weight;
+};
+
+/// The probes of a point, at most eight.
+struct PointProbes {
+  std::array<ProbeShare, 8> share;
+  std::size_t count = 0;
+};
+
+/// The probes for a point, metres, which has been pushed off its surface.
+PointProbes probesFor(const WelkinLevel& level, const f64::Number3& point);
+
+/// The light at a point: [channel][direction]; 0 without probes.
+void addLight(const PointProbes& probes, float* out);
+
+}  // namespace welkin::probes

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of the C interface that looks up the light of points.
+#include <algorithm>
+#include <cmath>
+
+#include "core/floats.h"
+#include "probes/look_up.h"
+
+namespace welkin::probes {
+namespace {
+
+static_assert(sizeof(WelkinColours) == kColours * sizeof(float));
+
+/// Weights of the directions for a normal, as floats.
+std::array<float, kDirections> weightsFor(const float normal[3]) {
+  const f64::TransferWeights weight = f64::transferWeights(core::load(normal));
+  std::array<float, kDirections> out;
+  for (std::size_t b = 0; b < kDirections; ++b) out[b] = static_cast<float>(weight.v[b]);
+  return out;
+}
+
+bool isFinite(const float v[3]) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+}  // namespace
+}  // namespace welkin::probes
+
+using namespace welkin::core;
+using namespace welkin::probes;
+
+WelkinResult welkin_level_irradiance(const WelkinLevel* level, size_t count, const float (*position)[3],
+                                     const float (*normal)[3], float (*irradiance)[3], uint8_t* served) {
+  if (const auto r = nonNull(__func__, {{"level", level}})) return r;
+  if (count == 0) return WELKIN_OK;
+  if (const auto r = nonNull(__func__, {{"position", position}, {"normal", normal}, {"irradiance", irradiance}}))
+    return r;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!isFinite(position[i])) return refuse(__func__, "position %zu is not finite", i);
+    if (const auto r = unit(__func__, "a normal", normal[i])) return r;
+    const welkin::f64::Number3 n = load(normal[i]);
+    const PointProbes probes = probesFor(*level, load(position[i]) + n * kPush_m);
+    float light[kColours];
+    addLight(probes, light);
+    const auto weight = weightsFor(normal[i]);
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      float sum = 0.0F;
+      for (std::size_t b = 0; b < kDirections; ++b) sum += weight[b] * light[c * kDirections + b];
+      irradiance[i][c] = std::max(sum, 0.0F);
+    }
+    if (served != nullptr) served[i] = probes.count > 0 ? 1 : 0;
+  }
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_level_colours(const WelkinLevel* level, size_t count, const float (*position)[3],
+                                  WelkinColours* colours, uint8_t* served) {
+  if (const auto r = nonNull(__func__, {{"level", level}})) return r;
+  if (count == 0) return WELKIN_OK;
+  if (const auto r = nonNull(__func__, {{"position", position}, {"colours", colours}})) return r;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!isFinite(position[i])) return refuse(__func__, "position %zu is not finite", i);
+    const PointProbes probes = probesFor(*level, load(position[i]));
+    float light[kColours];
+    addLight(probes, light);
+    for (std::size_t c = 0; c < kChannels; ++c)
+      for (std::size_t b = 0; b < kDirections; ++b) colours[i].irradiance[b][c] = light[c * kDirections + b];
+    if (served != nullptr) served[i] = probes.count > 0 ? 1 : 0;
+  }
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_colours_irradiance(const WelkinColours* colours, const float normal[3], float irradiance[3]) {
+  if (const auto r = nonNull(__func__, {{"colours", colours}, {"irradiance", irradiance}})) return r;
+  if (const auto r = unit(__func__, "normal", normal)) return r;
+  const auto weight = weightsFor(normal);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    float sum = 0.0F;
+    for (std::size_t b = 0; b < kDirections; ++b) sum += weight[b] * colours->irradiance[b][c];
+    irradiance[c] = std::max(sum, 0.0F);
+  }
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_colours_sh(const WelkinColours* colours, float radiance_sh[4][3]) {
+  using welkin::f64::transferWeights;
+  if (const auto r = nonNull(__func__, {{"colours", colours}, {"radiance_sh", radiance_sh}})) return r;
+  // The weights are linear in the normal: their values for +y, +z, +x and -y give the constant and the three slopes.
+  const auto up = transferWeights({0, 1, 0}), down = transferWeights({0, -1, 0});
+  const auto front = transferWeights({0, 0, 1}), side = transferWeights({1, 0, 0});
+  const double constant = welkin::f64::cosineLobe(0) * welkin::f64::kShConstant;
+  const double linear = welkin::f64::cosineLobe(1) * welkin::f64::kShLinear;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    double sh[4] = {};
+    for (std::size_t b = 0; b < kDirections; ++b) {
+      const double e = double{colours->irradiance[b][c]};
+      const double mean = (up.v[b] + down.v[b]) / 2.0;
+      sh[0] += e * mean / constant;
+      sh[1] += e * (up.v[b] - mean) / linear;
+      sh[2] += e * (front.v[b] - mean) / linear;
+      sh[3] += e * (side.v[b] - mean) / linear;
+    }
+    for (std::size_t k = 0; k < 4; ++k) radiance_sh[k][c] = toFloat(sh[k]);
+  }
+  return WELKIN_OK;
+}

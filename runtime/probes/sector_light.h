@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light of one instant, as the probes of a sector need it.
+#pragma once
+
+#include <welkin/level.h>
+
+#include <array>
+#include <cstdint>
+
+#include "format/sector_check.h"
+#include "welkin_generated.h"
+
+namespace welkin::probes {
+
+inline constexpr std::size_t kDirections = 4;  ///< of the transfer basis (shaders/shared/transfer_basis.glsl)
+
+/// Light of one instant that all sectors share. It has no padding, so its bytes tell whether it changed.
+struct LevelLight {
+  double time_h = 0.0;
+  std::array<std::array<double, 3>, 4> sky{};       ///< radiance in 2 bands, without ground; the factor is applied
+  std::array<std::array<double, 3>, 4> light_sh{};  ///< sun and moon in 2 bands, times the factor
+  std::array<std::array<double, 3>, 2> light_irradiance{};  ///< of sun and moon, times the factor; 0 when below
+  double local = 1.0;                                       ///< factor on local light
+};
+
+/// The light of a sample for a level whose factors are `sky_scale` and `sun_bounce_scale`.
+LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double sun_bounce_scale);
+
+/// That light in the steps of a sector's numbers.
+struct SectorLight {
+  float open[3][3];                         ///< upper direction, channel: by a step of visibility
+  float sky[4][3];                          ///< coefficient, channel: by a step of the sky's transfer
+  float mode[2][format::kMostSunModes][3];  ///< light that is up, mode, channel
+  float local;                              ///< factor on light that does not follow the day
+  std::uint32_t lights;                     ///< lights that are up and have a transfer of their own, 0..2
+};
+SectorLight sectorLightOf(const LevelLight& light, const format::Sector& sector);
+
+}  // namespace welkin::probes

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Probes in the runtime against the double reference (probes/sectors/level_light.h).
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <welkin/level.hpp>
+
+#include "tests/runtime/random_level.h"
+
+namespace welkin::tests {
+namespace {
+
+using f64::Number3;
+using transfer::SunTransfer;
+
+struct Point {
+  float position[3], normal[3];
+};
+
+/// Points in and about the level, with any normal.
+std::vector<Point> somePoints(std::size_t count) {
+  std::mt19937 random(5);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  std::vector<Point> points;
+  while (points.size() < count) {
+    const Number3 v(in(-1, 1), in(-1, 1), in(-1, 1));
+    if (dot(v, v) > 1.0 || dot(v, v) < 0.01) continue;
+    const Number3 n = v * (1.0 / std::sqrt(dot(v, v)));
+    const bool inside = points.size() % 4 == 0;  // of the room that lies across a border
+    const Number3 p = inside ? Number3(in(-6, 9), in(0, 6), in(20, 32)) : Number3(in(-66, 130), in(-8, 70), in(-2, 66));
+    points.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+                      {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}});
+  }
+  return points;
+}
+
+/// Largest difference between the runtime and the reference at many points, relative to the largest irradiance.
+/// Demands that both have light at the same points.
+double differenceOf(const RandomLevel& baked, OpenedLevel& opened, double time_h) {
+  const WelkinSkySample sample = opened.relight(time_h);
+  const sectors::LevelLight reference(baked.sector, lightOf(sample), sample.time_h, baked.index.scale);
+  double worst = 0.0, largest = 0.0;
+  std::size_t served_points = 0, compared = 0;
+  const bool has_sun =
+      baked.index.sun != SunTransfer::none && (sample.sun.direction[1] > 0 || sample.moon.direction[1] > 0);
+  const bool has_local = !baked.sector[0].probes.emitted.empty();
+  for (const Point& p : somePoints(3000)) {
+    float rgb[3];
+    std::uint8_t served = 2;
+    REQUIRE(welkin_level_irradiance(opened.level, 1, &p.position, &p.normal, &rgb, &served) == WELKIN_OK);
+    const auto wanted = reference.at({double{p.position[0]}, double{p.position[1]}, double{p.position[2]}},
+                                     {double{p.normal[0]}, double{p.normal[1]}, double{p.normal[2]}});
+    REQUIRE(served == (wanted ? 1 : 0));
+    if (!wanted) {
+      CHECK((rgb[0] == 0.0F && rgb[1] == 0.0F && rgb[2] == 0.0F));
+      continue;
+    }
+    ++served_points;
+    // The reference keeps each part from falling below 0, the runtime their sum alone: compare where no part does.
+    const Number3 total = wanted->total();
+    for (int c = 0; c < 3; ++c) {
+      largest = std::max(largest, total[c]);
+      const bool clamped =
+          wanted->sky[c] == 0.0 || (has_sun && wanted->sun_bounce[c] == 0.0) || (has_local && wanted->local[c] == 0.0);
+      if (clamped) continue;
+      ++compared;
+      worst = std::max(worst, std::abs(double{rgb[c]} - total[c]));
+    }
+  }
+  CHECK(served_points > 1500);
+  CHECK(compared > 1000);
+  CHECK(largest > 0.0);
+  return worst / largest;
+}
+
+}  // namespace
+
+TEST_CASE("Level, IrradianceIsTheReferencesAtEveryKindOfPoint") {
+  // Floats of 24 bits and sums of some fifty of them.
+  constexpr double kFloats = 2e-6;
+  for (const auto sun : {SunTransfer::none, SunTransfer::sh, SunTransfer::directional})
+    for (const bool emits : {false, true}) {
+      const RandomLevel baked(3, 37, sun == SunTransfer::directional ? 10 : 0, sun, emits);
+      OpenedLevel opened(baked);
+      for (const double time_h : {0.25, 5.0, 7.5, 12.0, 17.0, 21.0}) {
+        INFO("sun " << static_cast<int>(sun) << ", emits " << emits << ", hour " << time_h);
+        CHECK(differenceOf(baked, opened, time_h) < kFloats);
+      }
+    }
+}
+
+TEST_CASE("Level, TheBudgetAndTheThreadsDoNotChangeTheResult") {
+  const RandomLevel baked(3, 37, 10, SunTransfer::directional, true);
+  OpenedLevel whole(baked), pieces(baked);
+  const WelkinSkySample sample = whole.relight(9.25);
+  pieces.relight(8.0);
+  WelkinLevelLight light{};
+  light.sample = &sample;
+  light.sky = light.sun_bounce = light.local = 1.0F;
+  REQUIRE(welkin_level_set_light(pieces.level, &light) == WELKIN_OK);
+  WelkinRelight result{};
+  std::uint32_t calls = 0;
+  for (result.remaining = 1; result.remaining > 0; ++calls) {
+    std::uint32_t count = 0;
+    REQUIRE(welkin_level_relight_begin(pieces.level, 10, &count) == WELKIN_OK);
+    CHECK(count <= 10);
+    for (std::uint32_t i = count; i > 0; --i) REQUIRE(welkin_level_relight_range(pieces.level, i - 1, 1) == WELKIN_OK);
+    REQUIRE(welkin_level_relight_end(pieces.level, &result) == WELKIN_OK);
+    CHECK(result.remaining == 3 * 37 - std::min(3U * 37U, 10 * (calls + 1)));
+  }
+  CHECK(calls == 12);
+  for (const Point& p : somePoints(500)) {
+    float a[3], b[3];
+    REQUIRE(welkin_level_irradiance(whole.level, 1, &p.position, &p.normal, &a, nullptr) == WELKIN_OK);
+    REQUIRE(welkin_level_irradiance(pieces.level, 1, &p.position, &p.normal, &b, nullptr) == WELKIN_OK);
+    CHECK(std::memcmp(a, b, sizeof a) == 0);
+  }
+}
+
+TEST_CASE("Level, TheSameLightRelightsNothing") {
+  const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(9.25);
+  WelkinLevelLight light{};
+  light.sample = &sample;
+  light.sky = light.sun_bounce = light.local = 1.0F;
+  WelkinRelight result{};
+  REQUIRE(welkin_level_set_light(opened.level, &light) == WELKIN_OK);
+  REQUIRE(welkin_level_relight(opened.level, UINT32_MAX, &result) == WELKIN_OK);
+  CHECK((result.relit == 0 && result.remaining == 0));
+  light.sky = 0.5F;
+  REQUIRE(welkin_level_set_light(opened.level, &light) == WELKIN_OK);
+  REQUIRE(welkin_level_relight(opened.level, UINT32_MAX, &result) == WELKIN_OK);
+  CHECK(result.relit == 74);
+}
+
+TEST_CASE("Level, TheOrderInWhichSectorsStreamDoesNotMatter") {
+  const RandomLevel baked(4, 37, 10, SunTransfer::directional, true);
+  OpenedLevel a(baked), b(baked);
+  std::mt19937 random(3);
+  for (int i = 0; i < 200; ++i) {
+    const auto x = static_cast<std::int32_t>(random() % 4) - 1;
+    WelkinSector* sector = nullptr;
+    REQUIRE(welkin_level_remove(b.level, x, 0, &sector) == WELKIN_OK);
+    REQUIRE(sector != nullptr);
+    WelkinSector* none = nullptr;
+    REQUIRE(welkin_level_remove(b.level, x, 0, &none) == WELKIN_OK);
+    CHECK(none == nullptr);
+    if (i % 3 == 0) b.relight(i * 0.1);
+    REQUIRE(welkin_level_add(b.level, sector) == WELKIN_OK);
+    CHECK(welkin_level_add(b.level, sector) == WELKIN_ERROR_ARGUMENT);
+  }
+  a.relight(15.0);
+  b.relight(15.0);
+  for (const Point& p : somePoints(500)) {
+    float x[3], y[3];
+    REQUIRE(welkin_level_irradiance(a.level, 1, &p.position, &p.normal, &x, nullptr) == WELKIN_OK);
+    REQUIRE(welkin_level_irradiance(b.level, 1, &p.position, &p.normal, &y, nullptr) == WELKIN_OK);
+    CHECK(std::memcmp(x, y, sizeof x) == 0);
+  }
+}
+
+TEST_CASE("Level, ColoursGiveTheIrradianceOfEveryNormal") {
+  const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
+  OpenedLevel opened(baked);
+  opened.relight(10.0);
+  for (const Point& p : somePoints(300)) {
+    WelkinColours colours;
+    std::uint8_t served = 0;
+    REQUIRE(welkin_level_colours(opened.level, 1, &p.position, &colours, &served) == WELKIN_OK);
+    float rgb[3], sh[4][3];
+    REQUIRE(welkin_colours_irradiance(&colours, p.normal, rgb) == WELKIN_OK);
+    REQUIRE(welkin_colours_sh(&colours, sh) == WELKIN_OK);
+    const f64::ShBasis basis = f64::shBasis({double{p.normal[0]}, double{p.normal[1]}, double{p.normal[2]}});
+    for (int c = 0; c < 3; ++c) {
+      double e = 0.0;
+      for (int k = 0; k < 4; ++k) e += f64::cosineLobe(k == 0 ? 0 : 1) * double{sh[k][c]} * basis.v[k];
+      CHECK(double{rgb[c]} == Approx(std::max(e, 0.0)).margin(1e-5));
+    }
+    // The same light at a surface whose push ends there.
+    float position[3];
+    for (int c = 0; c < 3; ++c) position[c] = p.position[c] - p.normal[c];
+    float pushed[3];
+    REQUIRE(welkin_level_irradiance(opened.level, 1, &position, &p.normal, &pushed, nullptr) == WELKIN_OK);
+    for (int c = 0; c < 3; ++c) CHECK(double{pushed[c]} == Approx(double{rgb[c]}).margin(1e-3));
+  }
+}
+
+TEST_CASE("Level, FilesOfDifferentBakesAreRefused") {
+  const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
+  OpenedLevel opened(baked);
+  const auto refused = [&](const RandomLevel& other, const char* why) {
+    const AlignedBytes index(sectors::encodeLevel(other.index));
+    WelkinOpenInfo info{};
+    info.data = index.data();
+    info.size = index.size;
+    WelkinLevel* level = nullptr;
+    WelkinMessage message{};
+    CHECK(welkin_level_open(&info, opened.sky, nullptr, &level, &message) == WELKIN_ERROR_CONTENT);
+    CHECK(level == nullptr);
+    CHECK_THAT(message.text, Catch::Contains(why));
+  };
+  RandomLevel other = baked;
+  other.index.sun_path->declination_rad += 1e-9;
+  refused(other, "path than that of the sky's sun");
+  other = baked;
+  other.index.moon_path.reset();
+  refused(other, "moon");
+  other = baked;
+  other.index.ground_albedo[1] = 0.25;
+  refused(other, "albedo 0.3 0.25 0.1");
+  const RandomLevel another(2, 37, 10, SunTransfer::directional, false, 2);
+  const AlignedBytes sector(another.sectorBytes(1));
+  WelkinSector* of_another = nullptr;
+  WelkinMessage message{};
+  CHECK(welkin_sector_open(opened.level, sector.data(), sector.size, &of_another, &message) == WELKIN_ERROR_CONTENT);
+  CHECK(of_another == nullptr);
+  CHECK_THAT(message.text, Catch::Contains("different bakes"));
+  const AlignedBytes sky(baked.sky);
+  CHECK(welkin_sector_open(opened.level, sky.data(), sky.size, &of_another, &message) == WELKIN_ERROR_KIND);
+  CHECK_THAT(message.text, Catch::Contains("sector_X_Z"));
+}
+
+TEST_CASE("Level, TheFarthestSectorLeavesFirst") {
+  const RandomLevel baked(4, 8, 0, SunTransfer::none, false);
+  OpenedLevel opened(baked);
+  const float left[3] = {-40, 0, 30}, right[3] = {150, 0, 30}, middle[3] = {64, 0, 32};
+  std::int32_t x = 9, z = 9;
+  REQUIRE(welkin_level_farthest(opened.level, left, &x, &z) == WELKIN_OK);
+  CHECK((x == 2 && z == 0));
+  REQUIRE(welkin_level_farthest(opened.level, right, &x, &z) == WELKIN_OK);
+  CHECK((x == -1 && z == 0));
+  REQUIRE(welkin_level_farthest(opened.level, middle, &x, &z) == WELKIN_OK);
+  CHECK((x == -1 && z == 0));  // as far as the sector 2: the first one
+}
+
+}  // namespace welkin::tests

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// A folder of a baked level, opened by the runtime with all of its sectors resident.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+#include <welkin/level.hpp>
+
+#include "command/surface_points.h"
+
+namespace welkin::command {
+
+/// Irradiance of a surface by its sources, RGB, pi included.
+struct PointLight {
+  Float3 irradiance{};
+  Float3 sky{}, sun_bounce{}, local{};  ///< they add up to `irradiance`
+};
+
+class LevelFolder {
+ public:
+  /// Opens every file. Throws Error.
+  explicit LevelFolder(const std::filesystem::path& folder);
+
+  /// The light at each point, nothing where no probe serves.
+  std::vector<std::optional<PointLight>> at(const std::vector<SurfacePoint>& points, double time_h);
+
+  const Sky& sky() const { return sky_; }
+  Level& level() { return level_; }
+
+ private:
+  /// A file's bytes, aligned for the runtime.
+  struct Bytes {
+    std::vector<std::max_align_t> room;
+    std::size_t size = 0;
+  };
+
+  Sky sky_;
+  std::vector<Bytes> files_;
+  Level level_;  ///< last: it reads the files
+};
+
+}  // namespace welkin::command
