@@ -9,6 +9,7 @@
 
 #include "core/arguments.h"
 #include "core/open_file.h"
+#include "format/cut_lookup.h"
 #include "probes/packed_probes.h"
 #include "probes/sector_light.h"
 
@@ -28,8 +29,6 @@ inline constexpr std::size_t kFirstSize<WelkinRelight> = 12;
 namespace welkin::probes {
 
 inline constexpr double kSector_m = 64.0;
-inline constexpr int kCells = 16;  ///< of a sector's grid, on each axis
-inline constexpr double kCell_m = kSector_m / kCells;
 inline constexpr double kPush_m = 1.0;  ///< a surface looks up its light this far off along its normal
 
 /// Some probes of one sector, to be relit together.
@@ -45,18 +44,20 @@ struct WelkinSector {
   welkin::core::HostMemory memory;
   const WelkinLevel* level = nullptr;
   const welkin::format::Sector* file = nullptr;  ///< checked; points into the caller's bytes
+  welkin::format::GridView grid;
   std::int32_t x = 0, z = 0;
   std::uint32_t probes = 0;
   std::size_t modes = 0;
-  std::size_t bytes = 0;                      ///< of the memory below
-  welkin::core::HostArray<std::byte> blocks;  ///< packProbes
-  welkin::core::HostArray<float> fixed;       ///< unpackEmitted
-  welkin::core::HostArray<float> light;       ///< [probe][channel][direction], relit
-  welkin::probes::SectorLight now{};          ///< the light of `pass`
-  std::uint64_t pass = 0;                     ///< WelkinLevel::instant at which the running pass began; 0: none
-  std::uint32_t done = 0;                     ///< probes that the running pass has relit
-  std::uint64_t complete = 0;                 ///< the instant that all probes have, or a later one; 0: none
-  std::uint32_t slot = 0;                     ///< place among the resident sectors
+  std::size_t bytes = 0;                       ///< of the memory below
+  welkin::core::HostArray<std::byte> blocks;   ///< packProbes
+  welkin::core::HostArray<std::uint64_t> cut;  ///< a bit a cell of the grid that walls part; null without
+  welkin::core::HostArray<float> fixed;        ///< unpackEmitted
+  welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
+  welkin::probes::SectorLight now{};           ///< the light of `pass`
+  std::uint64_t pass = 0;                      ///< WelkinLevel::instant at which the running pass began; 0: none
+  std::uint32_t done = 0;                      ///< probes that the running pass has relit
+  std::uint64_t complete = 0;                  ///< the instant that all probes have, or a later one; 0: none
+  std::uint32_t slot = 0;                      ///< place among the resident sectors
   bool resident = false;
 };
 

@@ -8,7 +8,6 @@
 namespace welkin::probes {
 namespace {
 
-using f64::Number3;
 using format::spanOf;
 
 /// A box of a room in the world, metres.
@@ -35,15 +34,16 @@ bool isSame(const Box& a, const Box& b) {
 }
 
 /// 1 + the first of the sector's rooms that contains a point, or 0.
-std::uint32_t roomAt(const WelkinSector& sector, const Number3& p) {
+std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p) {
   if (sector.file->room() == nullptr) return 0;
   std::uint32_t number = 0;
   for (const format::Room* room : *sector.file->room()) {
     ++number;
     const Box box = boxOf(sector, *room);
-    if (p.x >= box.low[0] && p.x <= box.high[0] && p.y >= box.low[1] && p.y <= box.high[1] && p.z >= box.low[2] &&
-        p.z <= box.high[2])
-      return number;
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      inside = inside && p[axis] >= box.low[axis] && p[axis] <= box.high[axis];
+    if (inside) return number;
   }
   return 0;
 }
@@ -56,55 +56,120 @@ bool isIn(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& ho
   return isSame(boxOf(sector, *sector.file->room()->Get(own - 1)), boxOf(home, *home.file->room()->Get(number - 1)));
 }
 
-std::int32_t floorToInt(double v) {
-  return static_cast<std::int32_t>(std::floor(v));
+/// The grid of a resident sector, for format::probesAbout.
+auto gridsOf(const WelkinLevel& level) {
+  return [&level](int x, int z) -> const format::GridView* {
+    const WelkinSector* sector = residentAt(level, x, z);
+    return sector == nullptr ? nullptr : &sector->grid;
+  };
 }
 
-/// Two neighbouring cells on an axis and the share of the second.
-struct Pair {
-  double first;
-  double share;
-  explicit Pair(double v) : first(std::floor(v)), share(v - first) {}
-  double weight(int second) const { return second == 1 ? share : 1.0 - share; }
+/// Whether every cell's place fits into an int.
+bool isNear(const format::InWorld& p) {
+  constexpr double kFarthest_m = 0x1p30;
+  return std::abs(p[0]) < kFarthest_m && std::abs(p[1]) < kFarthest_m && std::abs(p[2]) < kFarthest_m;
+}
+
+/// std::floor of a value that an int holds; the library's is slow on older processors.
+int floorOf(double v) {
+  const int towards_0 = static_cast<int>(v);
+  return towards_0 - (v < towards_0 ? 1 : 0);
+}
+
+const WelkinSector* sectorAt(const WelkinLevel& level, const format::InWorld& p) {
+  return residentAt(level, floorOf(p[0] / kSector_m), floorOf(p[2] / kSector_m));
+}
+
+/// A place in cells from the sector's corner and the bottom of its grid.
+format::InWorld inCells(const WelkinSector& sector, const format::InWorld& p) {
+  constexpr double kCell_m = format::kCellWidth_m;
+  return {(p[0] - kSector_m * sector.x) / kCell_m, (p[1] - sector.grid.low_y) / sector.grid.cell_height_m,
+          (p[2] - kSector_m * sector.z) / kCell_m};
+}
+
+/// A box of at most 2 x 2 x 2 cells, all in the sector's grid, that no wall parts.
+struct OpenBox {
+  bool is_open = true;
+  int first[3], count[3];
+
+  /// The cells from `low` to `high`, in cells of the sector.
+  OpenBox(const WelkinSector& sector, const format::InWorld& low, const format::InWorld& high) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!(low[axis] >= 0.0 && high[axis] < format::kCellsAcross)) {
+        is_open = false;
+        return;
+      }
+      first[axis] = static_cast<int>(low[axis]);
+      count[axis] = static_cast<int>(high[axis]) - first[axis] + 1;
+    }
+    if (sector.cut.get() == nullptr) return;
+    for (int z = 0; z < count[2]; ++z)
+      for (int y = 0; y < count[1]; ++y)
+        for (int x = 0; x < count[0]; ++x) {
+          const auto cell = static_cast<unsigned>(first[0] + x + 16 * (first[1] + y + 16 * (first[2] + z)));
+          if ((sector.cut.get()[cell / 64] >> (cell % 64) & 1) != 0) is_open = false;
+        }
+  }
 };
 
-/// The sector of a column of cells, which counts from the level's origin: mostly the home sector.
-const WelkinSector* sectorOf(const WelkinLevel& level, const WelkinSector& home, std::int32_t x, std::int32_t z) {
-  const std::int32_t sx = x >= 0 ? x / kCells : -((kCells - 1 - x) / kCells);
-  const std::int32_t sz = z >= 0 ? z / kCells : -((kCells - 1 - z) / kCells);
-  return sx == home.x && sz == home.z ? &home : residentAt(level, sx, sz);
+/// The probes of a place whose eight cells no wall parts, in a sector without rooms. False if it is no such place.
+bool openProbes(const WelkinSector& sector, const format::InWorld& place, PointProbes& out) {
+  if (sector.file->room() != nullptr) return false;
+  const format::InWorld p = inCells(sector, place);
+  const OpenBox box(sector, {p[0] - 0.5, p[1] - 0.5, p[2] - 0.5}, {p[0] + 0.5, p[1] + 0.5, p[2] + 0.5});
+  if (!box.is_open) return false;
+  double share[3];
+  for (std::size_t axis = 0; axis < 3; ++axis) share[axis] = p[axis] - 0.5 - box.first[axis];
+  double weight[8], total = 0.0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const int dx = i & 1, dy = i >> 1 & 1, dz = i >> 2;
+    if (dx >= box.count[0] || dy >= box.count[1] || dz >= box.count[2]) continue;  // its share is 0
+    const int cell = box.first[0] + dx + 16 * (box.first[1] + dy + 16 * (box.first[2] + dz));
+    const std::uint8_t probe = sector.grid.grid[static_cast<std::size_t>(cell)];
+    const double w = (dx != 0 ? share[0] : 1.0 - share[0]) * (dy != 0 ? share[1] : 1.0 - share[1]) *
+                     (dz != 0 ? share[2] : 1.0 - share[2]);
+    if (probe == format::kNoProbe || !(w > 0.0)) continue;
+    total += weight[out.count] = w;
+    out.share[out.count++].light = sector.light.get() + kColours * probe;
+  }
+  for (std::size_t i = 0; i < out.count; ++i) out.share[i].weight = static_cast<float>(weight[i] / total);
+  return true;
 }
 
 }  // namespace
 
-PointProbes probesFor(const WelkinLevel& level, const Number3& p) {
-  constexpr double kFarthest_m = 0x1p30;  // every int below holds a cell of it
-  PointProbes out;
-  if (!(std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m && std::abs(p.z) < kFarthest_m)) return out;
-  const WelkinSector* home = residentAt(level, floorToInt(p.x / kSector_m), floorToInt(p.z / kSector_m));
-  if (home == nullptr) return out;
-  const double height = home->file->cell_height_m(), low_y = home->file->low_y();
-  const Pair x(p.x / kCell_m - 0.5), y((p.y - low_y) / height - 0.5), z(p.z / kCell_m - 0.5);
-  const std::uint32_t room = roomAt(*home, p);
-  double total = 0.0;
-  for (int dz = 0; dz < 2; ++dz)
-    for (int dx = 0; dx < 2; ++dx) {
-      const std::int32_t cx = static_cast<std::int32_t>(x.first) + dx, cz = static_cast<std::int32_t>(z.first) + dz;
-      const WelkinSector* sector = sectorOf(level, *home, cx, cz);
-      if (sector == nullptr) continue;
-      const std::uint8_t* column =
-          sector->file->grid()->data() + (cx - kCells * sector->x) + kCells * kCells * (cz - kCells * sector->z);
-      for (int dy = 0; dy < 2; ++dy) {
-        const double weight = x.weight(dx) * y.weight(dy) * z.weight(dz);
-        const double middle = low_y + (y.first + dy + 0.5) * height;
-        const double row = std::floor((middle - sector->file->low_y()) / sector->file->cell_height_m());
-        if (!(weight > 0.0) || !(row >= 0.0 && row < kCells)) continue;
-        const std::uint8_t probe = column[kCells * static_cast<int>(row)];
-        if (probe == format::kNoProbe || !isIn(*sector, probe, *home, room)) continue;
-        total += weight;
-        out.share[out.count++] = {sector->light.get() + kColours * probe, static_cast<float>(weight)};
-      }
+format::InWorld pushedOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal) {
+  if (!isNear(position)) return position;
+  const WelkinSector* home = sectorAt(level, position);
+  if (home != nullptr) {
+    format::InWorld low, high;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double end = position[axis] + 2.0 * kPush_m * normal[axis];
+      low[axis] = std::min(position[axis], end);
+      high[axis] = std::max(position[axis], end);
     }
+    if (OpenBox(*home, inCells(*home, low), inCells(*home, high)).is_open)
+      return {position[0] + normal[0] * kPush_m, position[1] + normal[1] * kPush_m, position[2] + normal[2] * kPush_m};
+  }
+  return format::pushedPlace(position, normal, kPush_m, gridsOf(level));
+}
+
+PointProbes probesFor(const WelkinLevel& level, const format::InWorld& p) {
+  PointProbes out;
+  if (!isNear(p)) return out;
+  const WelkinSector* home = sectorAt(level, p);
+  if (home == nullptr || openProbes(*home, p, out)) return out;
+  const std::uint32_t room = roomAt(*home, p);
+  const format::EightProbes about = format::probesAbout(p, gridsOf(level));
+  double total = 0.0;
+  for (std::size_t i = 0; i < about.count; ++i) {
+    const format::WeightedProbe& found = about.probe[i];
+    const bool is_home = found.sector_x == home->x && found.sector_z == home->z;
+    const WelkinSector& sector = is_home ? *home : *residentAt(level, found.sector_x, found.sector_z);
+    if (!isIn(sector, found.probe, *home, room)) continue;
+    total += found.weight;
+    out.share[out.count++] = {sector.light.get() + kColours * found.probe, static_cast<float>(found.weight)};
+  }
   if (out.count == 0) {
     const std::uint8_t probe = room == 0 ? format::kNoProbe : home->file->room()->Get(room - 1)->probe();
     if (probe != format::kNoProbe) out.share[out.count++] = {home->light.get() + kColours * probe, 1.0F};

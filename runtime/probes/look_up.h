@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which probes light a point, and by how much: the grid's eight cells about it, without those of other rooms.
+// Which probes light a point, and by how much: the grid's eight cells about it, without those behind walls or of other
+// rooms.
 #pragma once
 
 #include <array>
 
 #include "probes/level.h"
-#include "shared.h"
 
 namespace welkin::probes {
 
@@ -21,8 +21,11 @@ struct PointProbes {
   std::size_t count = 0;
 };
 
-/// The probes for a point, metres, which has been pushed off its surface.
-PointProbes probesFor(const WelkinLevel& level, const f64::Number3& point);
+/// The probes for a place, metres, as pushedOff gives it.
+PointProbes probesFor(const WelkinLevel& level, const format::InWorld& place);
+
+/// The place from where a point of a surface with a unit normal looks up its light (format::pushedPlace).
+format::InWorld pushedOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal);
 
 /// The light at a point: [channel][direction]; 0 without probes.
 void addLight(const PointProbes& probes, float* out);

@@ -87,6 +87,15 @@ const format::SectorEntry* entryOf(const format::Level& level, std::int32_t x, s
   return nullptr;
 }
 
+/// Marks the cells that walls part. False when memory runs out.
+bool markCuts(const format::CellCuts& cuts, const core::HostMemory& memory, core::HostArray<std::uint64_t>& cut) {
+  if (cuts.empty()) return true;
+  if (!cut.allocate(memory, format::kGridCells / 64)) return false;
+  std::fill_n(cut.get(), format::kGridCells / 64, std::uint64_t{0});
+  for (const std::uint16_t cell : cuts.cell) cut.get()[cell / 64] |= std::uint64_t{1} << (cell % 64);
+  return true;
+}
+
 WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> bytes, WelkinSector** sector,
                         WelkinMessage* message) {
   const format::File* file = nullptr;
@@ -96,6 +105,8 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   opened.memory = level.source.memory;
   opened.level = &level;
   opened.file = file->sector();
+  opened.grid = {spanOf(opened.file->grid()), opened.file->low_y(), opened.file->cell_height_m(),
+                 format::cutsOf(*opened.file)};
   opened.x = opened.file->x();
   opened.z = opened.file->z();
   const format::SectorEntry* entry = entryOf(*level.index, opened.x, opened.z);
@@ -114,12 +125,14 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   opened.modes = spanOf(probes.mode_scale()).size();
   void* room = nullptr;
   const std::size_t numbers = kColours * opened.probes;
-  if (!packProbes(probes, opened.memory, opened.blocks) || !unpackEmitted(probes, opened.memory, opened.fixed) ||
+  if (!markCuts(opened.grid.cuts, opened.memory, opened.cut) || !packProbes(probes, opened.memory, opened.blocks) ||
+      !unpackEmitted(probes, opened.memory, opened.fixed) ||
       (numbers > 0 && !opened.light.allocate(opened.memory, numbers)) ||
       (room = opened.memory.allocate(sizeof(WelkinSector), alignof(WelkinSector))) == nullptr)
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   if (numbers > 0) std::fill_n(opened.light.get(), numbers, 0.0F);
-  opened.bytes = sizeof(WelkinSector) + sizeof(float) * numbers * (opened.fixed.get() == nullptr ? 1 : 2) +
+  opened.bytes = sizeof(WelkinSector) + (opened.cut.get() == nullptr ? 0 : format::kGridCells / 8) +
+                 sizeof(float) * numbers * (opened.fixed.get() == nullptr ? 1 : 2) +
                  (opened.probes + kBlock - 1) / kBlock * BlockLayout{opened.modes}.bytes();
   *sector = new (room) WelkinSector(std::move(opened));
   return WELKIN_OK;

@@ -19,6 +19,10 @@ std::array<float, kDirections> weightsFor(const float normal[3]) {
   return out;
 }
 
+format::InWorld inWorld(const float v[3]) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
 bool isFinite(const float v[3]) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
@@ -38,8 +42,7 @@ WelkinResult welkin_level_irradiance(const WelkinLevel* level, size_t count, con
   for (std::size_t i = 0; i < count; ++i) {
     if (!isFinite(position[i])) return refuse(__func__, "position %zu is not finite", i);
     if (const auto r = unit(__func__, "a normal", normal[i])) return r;
-    const welkin::f64::Number3 n = load(normal[i]);
-    const PointProbes probes = probesFor(*level, load(position[i]) + n * kPush_m);
+    const PointProbes probes = probesFor(*level, pushedOff(*level, inWorld(position[i]), inWorld(normal[i])));
     float light[kColours];
     addLight(probes, light);
     const auto weight = weightsFor(normal[i]);
@@ -60,7 +63,7 @@ WelkinResult welkin_level_colours(const WelkinLevel* level, size_t count, const 
   if (const auto r = nonNull(__func__, {{"position", position}, {"colours", colours}})) return r;
   for (std::size_t i = 0; i < count; ++i) {
     if (!isFinite(position[i])) return refuse(__func__, "position %zu is not finite", i);
-    const PointProbes probes = probesFor(*level, load(position[i]));
+    const PointProbes probes = probesFor(*level, inWorld(position[i]));
     float light[kColours];
     addLight(probes, light);
     for (std::size_t c = 0; c < kChannels; ++c)
