@@ -9,6 +9,7 @@
 
 #include "sky/base/error.h"
 #include "sky/image/jpeg_read.h"
+#include "sky/image/pixel_aspect.h"
 #include "sky/image/png_read.h"
 
 namespace welkin::image {
@@ -37,7 +38,8 @@ StoredPicture readJpeg(const std::string& name, std::span<const std::byte> bytes
   const auto channels = static_cast<std::size_t>(jpeg.channels);
   StoredPicture picture = pictureOf(jpeg.width, jpeg.height, floatsOf(std::span(jpeg.code), channels, 255.0F));
   picture.icc = jpeg.icc;
-  picture.orientation = jpeg.orientation;
+  picture.exif = jpeg.exif;
+  notePixelAspect("the densities of JFIF", jpeg.pixel_aspect, picture.image);
   return picture;
 }
 
@@ -72,8 +74,9 @@ StoredPicture readPng(const std::string& name, std::span<const std::byte> bytes,
   picture.gamma = png.gamma;
   picture.colours = png.colours;
   picture.icc = png.icc;
-  picture.orientation = png.orientation;
+  picture.exif = png.exif;
   picture.image.notes = png.notes;
+  notePixelAspect("the chunk pHYs", png.pixel_aspect, picture.image);
   if (png.cicp) applyCicp(name, *png.cicp, picture);
   return picture;
 }

@@ -23,6 +23,7 @@
 #include "sky/image/colour.h"
 #include "sky/image/exr_layers.h"
 #include "sky/image/image_header.h"
+#include "sky/image/pixel_aspect.h"
 
 namespace welkin::image {
 namespace {
@@ -196,6 +197,7 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   if (Imf::hasWhiteLuminance(header) && Imf::whiteLuminance(header) != 1.0F)
     image.notes.push_back(
         fmt::format("whiteLuminance is {:.6g}; values are not multiplied by it", Imf::whiteLuminance(header)));
+  notePixelAspect("pixelAspectRatio", double{header.pixelAspectRatio()}, image);
   if (Imf::hasAdoptedNeutral(header))
     image.notes.push_back(fmt::format("adoptedNeutral ({:.4g}, {:.4g}) is not read; the white of the chromaticities is",
                                       Imf::adoptedNeutral(header).x, Imf::adoptedNeutral(header).y));

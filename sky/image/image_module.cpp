@@ -15,6 +15,7 @@
 #include "sky/image/coded_texels.h"
 #include "sky/image/dds_header.h"
 #include "sky/image/image_header.h"
+#include "sky/image/pixel_aspect.h"
 #include "sky/image/tiff_check.h"
 
 namespace welkin::image {
@@ -58,7 +59,8 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   for (std::size_t i = 0; grey && i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
   picture.gamma = spec.format.is_floating_point() ? 1.0 : 0.0;
   picture.colours = fields.colours;
-  picture.orientation = fields.orientation;
+  picture.exif = fields.exif;
+  notePixelAspect("XResolution and YResolution", fields.pixel_aspect, picture.image);
   if (fields.has_more) picture.image.notes.push_back("the first picture was read; those behind it were left out");
   if (const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile"); icc != nullptr) {
     const auto* first = static_cast<const std::byte*>(icc->data());

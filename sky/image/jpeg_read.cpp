@@ -14,7 +14,6 @@
 #include <jerror.h>
 
 #include "sky/base/error.h"
-#include "sky/image/exif.h"
 #include "sky/image/image_header.h"
 
 namespace welkin::image {
@@ -112,8 +111,10 @@ JpegPicture decodeJpeg(const std::string& name, std::span<const std::byte> bytes
     const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
     constexpr std::string_view kStart("Exif\0\0", 6);
     if (marker->marker == kExif && data.starts_with(kStart))
-      picture.orientation = exifOrientation(std::as_bytes(std::span(data.substr(kStart.size()))));
+      picture.exif = readExif(std::as_bytes(std::span(data.substr(kStart.size()))));
   }
+  if (state.saw_JFIF_marker != FALSE && state.X_density > 0 && state.Y_density > 0)
+    picture.pixel_aspect = static_cast<double>(state.Y_density) / static_cast<double>(state.X_density);
   JOCTET* profile = nullptr;
   unsigned size = 0;
   if (decoder.readIcc(&profile, &size)) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sky/image/exif.h"
 #include "sky/image/image.h"
 
 namespace welkin::image {
@@ -18,7 +19,8 @@ struct JpegPicture {
   int channels = 1;  ///< 1 or 3
   std::vector<std::uint8_t> code;
   std::vector<std::byte> icc;  ///< the profile, if there is one
-  int orientation = 1;         ///< Exif's tag
+  ExifFields exif;
+  double pixel_aspect = 1.0;  ///< width of a pixel over its height, by JFIF's densities
 };
 
 /// Throws Error(content), naming the file, for a damaged or cut file, sizes out of the limits, or colours in CMYK.

@@ -154,7 +154,14 @@ PngPicture decodePng(const std::string& name, std::span<const std::byte> bytes, 
   png_bytep exif = nullptr;
   png_uint_32 exif_size = 0;
   if (png_get_eXIf_1(decoder.png, decoder.info, &exif_size, &exif) != 0)
-    picture.orientation = exifOrientation(std::as_bytes(std::span(exif, exif_size)));
+    picture.exif = readExif(std::as_bytes(std::span(exif, exif_size)));
+  constexpr png_uint_32 kColours = PNG_INFO_gAMA | PNG_INFO_cHRM | PNG_INFO_sRGB | PNG_INFO_iCCP;
+  if (picture.cicp || png_get_valid(decoder.png, decoder.info, kColours) != 0)
+    picture.exif.colours = ExifColours::unsaid;
+  png_uint_32 across = 0, down = 0;
+  int unit = 0;
+  if (png_get_pHYs(decoder.png, decoder.info, &across, &down, &unit) != 0 && across > 0 && down > 0)
+    picture.pixel_aspect = static_cast<double>(down) / static_cast<double>(across);
   return picture;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sky/image/colour.h"
+#include "sky/image/exif.h"
 #include "sky/image/image.h"
 
 namespace welkin::image {
@@ -25,8 +26,9 @@ struct PngPicture {
   std::optional<Chromaticities> colours;
   std::vector<std::byte> icc;
   std::optional<std::array<std::uint8_t, 4>> cicp;  ///< code points of ITU-T H.273
-  int orientation = 1;
-  std::vector<std::string> notes;  ///< parts that were left out
+  ExifFields exif;                                  ///< its colours are unsaid where a chunk says them
+  double pixel_aspect = 1.0;                        ///< width of a pixel over its height, by pHYs
+  std::vector<std::string> notes;                   ///< parts that were left out
 };
 
 /// Throws Error(content), naming the file, for a damaged or cut file and sizes out of the limits.

@@ -14,6 +14,7 @@
 #include "sky/image/colour.h"
 #include "sky/image/image_header.h"
 #include "sky/image/orientation.h"
+#include "sky/image/pixel_aspect.h"
 #include "sky/image/text_reader.h"
 
 namespace welkin::image {
@@ -23,6 +24,8 @@ struct Header {
   bool xyz = false;
   std::array<double, 3> scale = {1.0, 1.0, 1.0};  ///< product of all exposures and colour corrections
   std::optional<Chromaticities> primaries;
+  double pixel_height = 1.0;           ///< over its width: the product of all PIXASPECT
+  bool view = false;                   ///< whether VIEW says where the camera stood and looked
   std::int64_t length = 0, lines = 0;  ///< of a line in texels, and their number
   Orientation orientation;
 };
@@ -102,6 +105,12 @@ void RadianceReader::field(std::string_view line, Header& header) const {
   } else if (key == "PRIMARIES") {
     const auto p = numbers<8>(key, value);
     header.primaries = Chromaticities{{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}};
+  } else if (key == "PIXASPECT") {
+    header.pixel_height *= numbers<1>(key, value)[0];
+    if (!(header.pixel_height >= 1e-6) || !(header.pixel_height <= 1e6))
+      throw refusal(fmt::format("PIXASPECT is {}; products of 1e-6 to 1e+6 are allowed", value));
+  } else if (key == "VIEW") {
+    header.view = true;
   } else if (key == "GAMMA" && numbers<1>(key, value)[0] != 1.0) {
     throw refusal("GAMMA is not 1; Radiance's values are linear");
   }
@@ -202,6 +211,8 @@ Image readRadiance(const std::string& name, std::span<const std::byte> bytes, co
   if (header.scale != std::array{1.0, 1.0, 1.0})
     image.notes.push_back(fmt::format("values were divided by EXPOSURE and COLORCORR, together {:.6g} {:.6g} {:.6g}",
                                       header.scale[0], header.scale[1], header.scale[2]));
+  notePixelAspect("PIXASPECT", 1.0 / header.pixel_height, image);
+  if (header.view) image.notes.push_back("VIEW is not read; the layout alone says where texels lie");
   if (header.xyz)
     convertColours(rec709OfXyz(kRec709.white), "CIE XYZ (FORMAT=32-bit_rle_xyze)", image);
   else if (header.primaries)

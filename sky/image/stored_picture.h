@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sky/image/colour.h"
+#include "sky/image/exif.h"
 #include "sky/image/image.h"
 
 namespace welkin::image {
@@ -17,7 +18,7 @@ struct StoredPicture {
   double gamma = 0.0;  ///< exponent of the decoding; 1 is linear, 0 stands for sRGB's own curve
   std::optional<Chromaticities> colours;
   std::vector<std::byte> icc;  ///< ICC profile; it comes before gamma and colours
-  int orientation = 1;         ///< the tag of TIFF and Exif
+  ExifFields exif;             ///< or the tag Orientation of TIFF; its colours come last
 };
 
 /// Linear Rec. 709, upright. Throws Error(content), naming the file, for a profile or colours that cannot be honoured.

@@ -113,7 +113,11 @@ TiffFields checkTiff(const std::string& name, std::span<const std::byte> bytes, 
     throw refuse("TransferFunction is not read; an ICC profile is");
 
   TiffFields fields;
-  fields.orientation = fieldOf<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, 1);
+  fields.exif = readExif(bytes);
+  fields.exif.orientation = fieldOf<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, 1);
+  const auto across = fieldOf<float>(tiff, TIFFTAG_XRESOLUTION, 0.0F),
+             down = fieldOf<float>(tiff, TIFFTAG_YRESOLUTION, 0.0F);
+  if (across > 0.0F && down > 0.0F) fields.pixel_aspect = double{down} / double{across};
   fields.has_more = TIFFLastDirectory(tiff) == 0;
   float* white = nullptr;
   float* p = nullptr;

@@ -9,15 +9,17 @@
 #include <string>
 
 #include "sky/image/colour.h"
+#include "sky/image/exif.h"
 #include "sky/image/image.h"
 
 namespace welkin::image {
 
 /// Fields of the first picture that OpenImageIO does not honour.
 struct TiffFields {
-  int orientation = 1;
+  ExifFields exif;  ///< and the tag Orientation
   std::optional<Chromaticities> colours;
-  bool has_more = false;  ///< whether further pictures follow
+  double pixel_aspect = 1.0;  ///< width of a pixel over its height, by XResolution and YResolution
+  bool has_more = false;      ///< whether further pictures follow
 };
 
 /// Throws Error(content), naming the file, for a damaged or cut picture, sizes out of the limits, and what is not read:

@@ -162,6 +162,18 @@ TEST_CASE("ExrHeader, FieldsThatAreNotAppliedAreSaid") {
   REQUIRE_THAT(image.notes[1], Catch::Contains("adoptedNeutral"));
 }
 
+TEST_CASE("ExrHeader, PixelsThatAreNotSquareAreSaid") {
+  for (const float aspect : {1.0F, 2.0F}) {
+    Imf::Header header(2, 1);
+    header.pixelAspectRatio() = aspect;
+    const image::Image image = roundTrip(header, {{"Y", {two}}});
+    requireTexel(image, 1, 0, Number3(2.0));
+    REQUIRE(image.notes.size() == (aspect == 1.0F ? 0U : 1U));
+    if (aspect != 1.0F)
+      REQUIRE_THAT(image.notes[0], Catch::Contains("pixelAspectRatio: pixels are 2 times as wide as high"));
+  }
+}
+
 TEST_CASE("ExrHeader, ThePictureIsTheDisplayWindow") {
   const auto place = [](int x, int y) { return static_cast<float>(100 + 10 * y + x); };
   const std::map<std::string, Stored> channels = {{"R", {place}}, {"G", {place}}, {"B", {place}}};

@@ -19,6 +19,7 @@
 #include "png_bytes.h"
 #include "sh/deterministic.h"
 #include "sky/image/colour.h"
+#include "sky/image/exif.h"
 #include "sky/image/image.h"
 #include "tests/folder.h"
 
@@ -80,6 +81,32 @@ std::string exif(int orientation, bool little) {
   return text + static_cast<char>(orientation) + std::string(7, '\0');
 }
 
+/// An entry of a directory of TIFF, in Motorola's order. Shorts and texts fill the value from the left.
+std::string entry(std::uint32_t tag, std::uint32_t type, std::uint32_t count, const std::string& value) {
+  return bigEndian(tag, 2) + bigEndian(type, 2) + bigEndian(count) + value + std::string(4 - value.size(), '\0');
+}
+
+std::string directory(const std::vector<std::string>& entries) {
+  std::string text = bigEndian(static_cast<std::uint32_t>(entries.size()), 2);
+  for (const std::string& e : entries) text += e;
+  return text + bigEndian(0);
+}
+
+/// A TIFF file, or Exif, of a first directory with `entries` and a pointer to Exif's, which has a ColorSpace and,
+/// unless `index` is empty, an InteroperabilityIndex.
+std::string exifColours(int space, const std::string& index, std::vector<std::string> entries = {}) {
+  const auto sizeOf = [](std::size_t count) { return static_cast<std::uint32_t>(6 + 12 * count); };
+  const std::uint32_t exif_at = 8 + sizeOf(entries.size() + 1), index_at = exif_at + sizeOf(2);
+  entries.push_back(entry(34665, 4, 1, bigEndian(exif_at)));
+  return std::string("MM\0*", 4) + bigEndian(8) + directory(entries) +
+         directory({entry(40961, 3, 1, bigEndian(static_cast<std::uint32_t>(space), 2)),
+                    entry(40965, 4, 1, bigEndian(index.empty() ? 0xffffU : index_at))}) +
+         (index.empty() ? "" : directory({entry(1, 2, 4, index)}));
+}
+
+const image::Chromaticities kAdobeRgb{{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, {0.3127, 0.3290}};
+constexpr double kAdobeGamma = 563.0 / 256.0;
+
 /// Places of the four corners of the upright picture, 0 the file's first row's first texel, 1 that row's last, 2 and 3
 /// the last row's: upper left, upper right, lower left, lower right. From TIFF 6.0's words on Orientation.
 constexpr std::array<std::array<int, 4>, 8> kCorners = {{{0, 1, 2, 3},    // 1: rows from the top, columns from the left
@@ -116,6 +143,7 @@ double cornerLevel(int corner) {
 struct Jpeg {
   std::string exif, icc;
   bool cmyk = false;
+  UINT16 lines_per_column = 1;  ///< JFIF's density down, beside 1 across
 };
 
 /// A picture of blocks of 16 x 16 of one code each, so that the codec keeps them. 3 x 2 blocks.
@@ -133,6 +161,7 @@ std::string jpegOf(const Jpeg& jpeg) {
   state.in_color_space = jpeg.cmyk ? JCS_CMYK : JCS_GRAYSCALE;
   jpeg_set_defaults(&state);
   jpeg_set_quality(&state, 100, TRUE);
+  state.Y_density = jpeg.lines_per_column;
   jpeg_start_compress(&state, TRUE);
   const auto* bytes = [](const std::string& text) { return reinterpret_cast<const JOCTET*>(text.data()); }(jpeg.exif);
   if (!jpeg.exif.empty()) jpeg_write_marker(&state, JPEG_APP0 + 1, bytes, static_cast<unsigned>(jpeg.exif.size()));
@@ -273,6 +302,81 @@ TEST_CASE("PictureHeader, PngTurns") {
     }
 }
 
+TEST_CASE("PictureHeader, ExifSaysAdobeRgb") {
+  const std::array<double, 3> adobe = converted(powers(kAdobeGamma), kAdobeRgb);
+  for (const auto& [space, index] : {std::pair(65535, "R03"), std::pair(2, "")}) {
+    const image::Image image = png({{"eXIf", exifColours(space, index)}});
+    requireTexel(image, adobe);
+    REQUIRE(image.notes.size() == 2);
+    REQUIRE_THAT(image.notes[0], Catch::Contains("Adobe RGB (1998)"));
+    REQUIRE_THAT(image.notes[1], Catch::Contains("green (0.21, 0.71)"));
+  }
+  // R98 is sRGB's index; 65535 beside it is no colour space.
+  for (const char* index : {"", "R98"}) {
+    const image::Image image = png({{"eXIf", exifColours(65535, index)}});
+    requireTexel(image, kSrgb);
+    REQUIRE(image.notes.size() == 1);
+    REQUIRE_THAT(image.notes[0], Catch::Contains("Exif's ColorSpace is 65535, uncalibrated"));
+  }
+  REQUIRE(png({{"eXIf", exifColours(1, "R98")}}).notes.empty());
+  // PNG's own chunks come first, and so does a profile.
+  const auto beside = [](const Chunks& chunks) {
+    Chunks all = chunks;
+    all.push_back({"eXIf", exifColours(65535, "R03")});
+    return png(all);
+  };
+  requireTexel(beside({{"sRGB", std::string(1, '\0')}}), kSrgb);
+  requireTexel(beside({{"gAMA", bigEndian(45455)}}), kSrgb);
+  requireTexel(beside({iccp(rgbProfile(gammaTag(2.0)))}), powers(2.0), kProfile);
+  // Every cut keeps within the bytes and says nothing that is not there.
+  const std::string whole = exifColours(65535, "R03");
+  for (std::size_t size = 0; size < whole.size() - 10; ++size) {
+    CAPTURE(size);
+    const image::ExifFields cut = image::readExif(std::as_bytes(std::span(whole).first(size)));
+    REQUIRE(cut.orientation == 1);
+    REQUIRE(cut.colours != image::ExifColours::adobe_rgb);
+  }
+}
+
+TEST_CASE("PictureHeader, ExifOfTiffSaysAdobeRgb") {
+  const auto file = [](const std::string& index) {
+    const auto number = [](std::uint32_t tag, std::uint32_t v) { return entry(tag, 4, 1, bigEndian(v)); };
+    const auto shortOf = [](std::uint32_t tag, std::uint32_t v) { return entry(tag, 3, 1, bigEndian(v, 2)); };
+    const auto bytes = [&](std::uint32_t strip_at) {
+      return exifColours(65535, index,
+                         {number(256, 1), number(257, 1), shortOf(258, 8), shortOf(262, 2), number(273, strip_at),
+                          shortOf(277, 3), number(278, 1), number(279, 3)});
+    };
+    const auto size = static_cast<std::uint32_t>(bytes(0).size());
+    return decode("a.tif", bytes(size) + "\x33\x66\xcc");
+  };
+  requireTexel(file("R03"), converted(powers(kAdobeGamma), kAdobeRgb));
+  const image::Image unknown = file("");
+  requireTexel(unknown, kSrgb);
+  REQUIRE_THAT(unknown.notes.at(0), Catch::Contains("65535, uncalibrated"));
+}
+
+TEST_CASE("PictureHeader, PixelsThatAreNotSquareAreSaid") {
+  const auto physical = [](std::uint32_t across, std::uint32_t down, char unit) {
+    return png({{"pHYs", bigEndian(across) + bigEndian(down) + unit}}).notes;
+  };
+  REQUIRE(physical(2834, 2835, '\1').empty());
+  REQUIRE(physical(0, 7, '\0').empty());
+  const auto wide = physical(100, 200, '\0');
+  REQUIRE(wide.size() == 1);
+  REQUIRE_THAT(wide[0], Catch::Contains("pHYs: pixels are 2 times as wide as high"));
+  const auto resolved = [](float across, float down) {
+    return tiff([&](TIFF* file) {
+             TIFFSetField(file, TIFFTAG_XRESOLUTION, double{across});
+             TIFFSetField(file, TIFFTAG_YRESOLUTION, double{down});
+           })
+        .notes;
+  };
+  REQUIRE(resolved(72.0F, 72.0F).empty());
+  REQUIRE(resolved(0.0F, 72.0F).empty());
+  REQUIRE_THAT(resolved(72.0F, 36.0F).at(0), Catch::Contains("XResolution and YResolution: pixels are 0.5 times"));
+}
+
 TEST_CASE("PictureHeader, TiffTurns") {
   for (int orientation = 1; orientation <= 8; ++orientation)
     requireUpright(tiff([&](TIFF* file) { TIFFSetField(file, TIFFTAG_ORIENTATION, orientation); }), orientation,
@@ -351,6 +455,26 @@ TEST_CASE("PictureHeader, JpegTurns") {
           blocks.rgb.push_back(image.rgb[static_cast<std::size_t>(3 * ((16 * y + 8) * image.width + 16 * x + 8) + c)]);
     requireUpright(blocks, orientation, cornerLevel, 0.01);  // the codec's rounding: a code of 255
   }
+}
+
+TEST_CASE("PictureHeader, JpegInAdobeRgbAndWithPixelsThatAreNotSquare") {
+  const std::string start("Exif\0\0", 6);
+  const auto at128 = static_cast<std::size_t>(3 * (24 * 48 + 8));
+  const image::Image adobe = decode("a.jpg", jpegOf({start + exifColours(65535, "R03"), "", false}));
+  REQUIRE(double{adobe.rgb[at128]} == Approx(std::pow(128.0 / 255.0, kAdobeGamma)).margin(0.005));
+  REQUIRE_THAT(adobe.notes.at(0), Catch::Contains("Adobe RGB (1998)"));
+  const image::Image unknown = decode("a.jpg", jpegOf({start + exifColours(65535, ""), "", false}));
+  REQUIRE(double{unknown.rgb[at128]} == Approx(det::srgbDecode(128.0 / 255.0)).margin(0.005));
+  REQUIRE_THAT(unknown.notes.at(0), Catch::Contains("uncalibrated"));
+  // A profile comes first.
+  const std::string profile = iccOf("GRAY", {{"kTRC", gammaTag(1.0)}});
+  const image::Image both = decode("a.jpg", jpegOf({start + exifColours(65535, "R03"), profile, false}));
+  REQUIRE(double{both.rgb[at128]} == Approx(128.0 / 255.0).margin(0.005));
+
+  REQUIRE(decode("a.jpg", jpegOf({"", "", false})).notes.empty());
+  const image::Image wide = decode("a.jpg", jpegOf({"", "", false, 2}));
+  REQUIRE(wide.notes.size() == 1);
+  REQUIRE_THAT(wide.notes[0], Catch::Contains("JFIF: pixels are 2 times as wide as high"));
 }
 
 TEST_CASE("PictureHeader, JpegProfilesAndCmyk") {

@@ -74,6 +74,22 @@ TEST_CASE("Radiance, ExposureAndColourCorrectionAreDividedOut") {
     requireRefused(radiance(field, "-Y 1 +X 1", texels), std::string(field).substr(0, 8));
 }
 
+TEST_CASE("Radiance, ViewsAndPixelsThatAreNotSquareAreSaid") {
+  const auto notes = [](const std::string& fields) {
+    return decode(radiance(kFormat + fields, "-Y 1 +X 1", texel(9, 9, 9))).notes;
+  };
+  REQUIRE(notes("PIXASPECT=1\n\tVIEW= -vtv\n\tPIXASPECT=3\n").empty());
+  REQUIRE(notes("PIXASPECT=2\nPIXASPECT= 0.5\n").empty());  // they multiply
+  const auto wide = notes("PIXASPECT= 0.25\n");
+  REQUIRE(wide.size() == 1);
+  REQUIRE_THAT(wide[0], Catch::Contains("PIXASPECT: pixels are 4 times as wide as high"));
+  const auto seen = notes("VIEW= -vtv -vp 0 0 0 -vd 0 1 0\nVIEW= -vth\n");
+  REQUIRE(seen.size() == 1);
+  REQUIRE_THAT(seen[0], Catch::Contains("VIEW is not read"));
+  for (const char* field : {"PIXASPECT=0\n", "PIXASPECT=-1\n", "PIXASPECT=nan\n", "PIXASPECT=\n", "PIXASPECT=1e7\n"})
+    requireRefused(radiance(field, "-Y 1 +X 1", texel(9, 9, 9)), "PIXASPECT");
+}
+
 TEST_CASE("Radiance, XyzAndPrimariesBecomeRec709") {
   // Rec. 709's green in XYZ: (0.3576, 0.7152, 0.1192).
   const image::Image green =
