@@ -4,6 +4,7 @@
 
 #include <welkin/level.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -53,11 +54,13 @@ struct WelkinSector {
   welkin::core::HostArray<std::uint64_t> cut;  ///< a bit a cell of the grid that walls part; null without
   welkin::core::HostArray<float> fixed;        ///< unpackEmitted
   welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
-  welkin::probes::SectorLight now{};           ///< the light of `pass`
-  std::uint64_t pass = 0;                      ///< WelkinLevel::instant at which the running pass began; 0: none
-  std::uint32_t done = 0;                      ///< probes that the running pass has relit
-  std::uint64_t complete = 0;                  ///< the instant that all probes have, or a later one; 0: none
-  std::uint32_t slot = 0;                      ///< place among the resident sectors
+  std::array<std::uint8_t, welkin::format::kGridCells> filled{};  ///< the grid, its holes as their nearest cells
+  welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;   ///< the light as texels of the volume
+  welkin::probes::SectorLight now{};                              ///< the light of `pass`
+  std::uint64_t pass = 0;      ///< WelkinLevel::instant at which the running pass began; 0: none
+  std::uint32_t done = 0;      ///< probes that the running pass has relit
+  std::uint64_t complete = 0;  ///< the instant that all probes have, or a later one; 0: none
+  std::uint32_t slot = 0;      ///< place among the resident sectors
   bool resident = false;
 };
 
@@ -72,6 +75,7 @@ struct WelkinLevel {
   std::uint32_t probes = 0;  ///< of the resident sectors
   welkin::probes::LevelLight light;
   std::uint64_t instant = 0;                                     ///< counts changes of the light; 0: none set
+  std::uint64_t changes = 0;                                     ///< counts relightings and changes of the residents
   std::uint32_t next = 0;                                        ///< slot where relighting goes on
   welkin::core::HostArray<welkin::probes::RelightPiece> pieces;  ///< of the relighting that has begun
   std::uint32_t piece_count = 0;

@@ -96,6 +96,28 @@ bool markCuts(const format::CellCuts& cuts, const core::HostMemory& memory, core
   return true;
 }
 
+/// The grid, with cells without a probe named as the nearest cell that has one, in steps to one of six neighbours.
+void fillHoles(std::span<const std::uint8_t> grid, std::array<std::uint8_t, format::kGridCells>& filled) {
+  constexpr int kSide = format::kCellsAcross;
+  constexpr int kSteps[6][3] = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 0, 1}};
+  std::array<std::uint16_t, format::kGridCells> queue;
+  std::size_t end = 0;
+  std::copy(grid.begin(), grid.end(), filled.begin());
+  for (std::size_t cell = 0; cell < filled.size(); ++cell)
+    if (filled[cell] != format::kNoProbe) queue[end++] = static_cast<std::uint16_t>(cell);
+  for (std::size_t begin = 0; begin < end; ++begin) {
+    const int cell = queue[begin];
+    for (const auto& step : kSteps) {
+      const int x = cell % kSide + step[0], y = cell / kSide % kSide + step[1], z = cell / (kSide * kSide) + step[2];
+      if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kSide) continue;
+      const auto next = static_cast<std::size_t>(x + kSide * (y + kSide * z));
+      if (filled[next] != format::kNoProbe) continue;
+      filled[next] = filled[static_cast<std::size_t>(cell)];
+      queue[end++] = static_cast<std::uint16_t>(next);
+    }
+  }
+}
+
 WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> bytes, WelkinSector** sector,
                         WelkinMessage* message) {
   const format::File* file = nullptr;
@@ -127,12 +149,15 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   const std::size_t numbers = kColours * opened.probes;
   if (!markCuts(opened.grid.cuts, opened.memory, opened.cut) || !packProbes(probes, opened.memory, opened.blocks) ||
       !unpackEmitted(probes, opened.memory, opened.fixed) ||
-      (numbers > 0 && !opened.light.allocate(opened.memory, numbers)) ||
+      (numbers > 0 &&
+       (!opened.light.allocate(opened.memory, numbers) || !opened.packed.allocate(opened.memory, opened.probes))) ||
       (room = opened.memory.allocate(sizeof(WelkinSector), alignof(WelkinSector))) == nullptr)
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   if (numbers > 0) std::fill_n(opened.light.get(), numbers, 0.0F);
+  fillHoles(opened.grid.grid, opened.filled);
   opened.bytes = sizeof(WelkinSector) + (opened.cut.get() == nullptr ? 0 : format::kGridCells / 8) +
                  sizeof(float) * numbers * (opened.fixed.get() == nullptr ? 1 : 2) +
+                 opened.probes * sizeof *opened.packed.get() +
                  (opened.probes + kBlock - 1) / kBlock * BlockLayout{opened.modes}.bytes();
   *sector = new (room) WelkinSector(std::move(opened));
   return WELKIN_OK;

@@ -114,6 +114,7 @@ WelkinResult welkin_level_relight_end(WelkinLevel* level, WelkinRelight* result)
     out.remaining = remainingOf(*level);
     give(out, result);
   }
+  if (level->chosen > 0) ++level->changes;
   level->piece_count = level->chosen = 0;
   return WELKIN_OK;
 }

@@ -58,6 +58,7 @@ WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector) {
   level->resident.get()[sector->slot] = sector;
   level->table.get()[bucket] = sector->slot + 1;
   level->probes += sector->probes;
+  ++level->changes;
   return WELKIN_OK;
 }
 
@@ -77,6 +78,7 @@ WelkinResult welkin_level_remove(WelkinLevel* level, int32_t x, int32_t z, Welki
   }
   --level->count;
   level->probes -= gone.probes;
+  ++level->changes;
   gone.resident = false;
   return WELKIN_OK;
 }

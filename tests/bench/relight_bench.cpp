@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Costs of probes in a frame, for the talk's 51 sectors of 70 probes: relighting beside reading the bytes that it reads,
-// and look-ups.
+// Costs of probes in a frame, for the talk's 51 sectors of 70 probes: relighting beside reading the bytes that it
+// reads, and look-ups.
 #include <benchmark/benchmark.h>
+#include <welkin/volume.h>
 
 #include <cstring>
 #include <random>
@@ -49,6 +50,24 @@ void copyBytes(benchmark::State& state) {
   }
 }
 BENCHMARK(copyBytes)->Unit(benchmark::kMicrosecond);
+
+void fillVolume(benchmark::State& state, WelkinVolumeFormat format) {
+  OpenedLevel& opened = talkLevel();
+  WelkinVolumeSettings settings{};
+  settings.format = format;
+  WelkinVolume* volume = nullptr;
+  welkin_volume_create(&settings, &volume);
+  WelkinVolumeUpdate update{};
+  float camera[3] = {1600, 20, 32};
+  for (auto _ : state) {
+    camera[0] = 2400 - camera[0];  // 200 texels away
+    welkin_volume_update(volume, opened.level, &sampleOfTurn(0), camera, UINT32_MAX, &update);
+  }
+  state.SetItemsProcessed(state.iterations() * update.filled);
+  welkin_volume_destroy(volume);
+}
+BENCHMARK_CAPTURE(fillVolume, halfs, WELKIN_VOLUME_RGBA16F)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(fillVolume, bytes, WELKIN_VOLUME_RGBA8)->Unit(benchmark::kMicrosecond);
 
 void query1000(benchmark::State& state) {
   OpenedLevel& opened = talkLevel();

@@ -105,6 +105,12 @@ RandomLevel::RandomLevel(int count, std::size_t probes, std::size_t modes, trans
   index.settings = "{}";
 }
 
+void RandomLevel::seal(std::size_t i) {
+  const auto bytes = sectorBytes(i);
+  index.sector[i].bytes = bytes.size();
+  index.sector[i].checksum = base::hashOf(std::span<const std::byte>(bytes));
+}
+
 OpenedLevel::OpenedLevel(const RandomLevel& baked) {
   files.emplace_back(baked.sky);
   demand(welkin_sky_open_memory(files[0].data(), files[0].size, &sky, nullptr), welkin_argument_error());

@@ -32,6 +32,8 @@ struct RandomLevel {
   RandomLevel(int count, std::size_t probes, std::size_t modes, transfer::SunTransfer sun, bool emits,
               unsigned seed = 1);
 
+  /// Makes the index name a sector that was changed.
+  void seal(std::size_t i);
   std::vector<std::byte> sectorBytes(std::size_t i) const { return sectors::encodeSector(sector[i]); }
 };
 

@@ -43,7 +43,7 @@ endforeach()
 
 install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
-install(FILES shaders/welkin/sky_constants.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/welkin COMPONENT runtime)
+install(FILES shaders/welkin/sky_constants.h shaders/welkin/volume_constants.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/welkin COMPONENT runtime)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "welkin_vulkan*" EXCLUDE)
 install(DIRECTORY runtime/include/welkin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT vulkan

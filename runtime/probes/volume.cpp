@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of the C interface that keeps the volume filled as light, sectors and camera change.
+#include "probes/volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/floats.h"
+#include "shared.h"
+
+namespace welkin::probes {
+namespace {
+
+/// Light that no place has more of: the largest number of the resident probes and of the open sky.
+float largestOf(const WelkinLevel& level, const float* open) {
+  float largest = *std::max_element(open, open + kColours);
+  for (std::uint32_t i = 0; i < level.count; ++i) {
+    const WelkinSector& s = *level.resident.get()[i];
+    for (std::size_t n = 0; n < kColours * s.probes; ++n) largest = std::max(largest, s.light.get()[n]);
+  }
+  return largest;
+}
+
+/// The scale for light up to `largest`, near the present one. Steps of RGBA8 are an eighth of an octave, so that slow
+/// light seldom changes it; it falls only by two of them. Halfs need one only where they would overflow or lose digits.
+float scaleFor(float largest, WelkinVolumeFormat format, float present) {
+  if (!(largest > 0.0F) || !std::isfinite(largest)) return present;
+  if (format == WELKIN_VOLUME_RGBA16F)
+    return largest > 1e-3F * present && largest < 30000.0F * present ? present
+                                                                     : std::exp2(std::ceil(std::log2(largest)));
+  if (largest <= present && largest > 0.8F * present) return present;
+  return std::exp2(std::ceil(8.0F * std::log2(largest)) / 8.0F);
+}
+
+/// The open sky's irradiance in the directions of the basis, from the bands 0 to 2 of a sample: [channel][direction].
+void openLight(const WelkinSkySample& sample, float* out) {
+  const f64::TransferBasis basis = f64::transferBasis();
+  for (std::size_t b = 0; b < kDirections; ++b) {
+    const f64::ShBasis at = f64::shBasis(basis.v[b]);
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      double sum = 0.0;
+      for (std::uint32_t k = 0; k < std::min(sample.coefficient_count, 9U); ++k)
+        sum += double{sample.ambient_sh[k][c]} * f64::cosineLobe(k == 0 ? 0 : k < 4 ? 1 : 2) * at.v[k];
+      out[c * kDirections + b] = static_cast<float>(std::max(sum, 0.0));
+    }
+  }
+}
+
+/// Packs the light of the resident probes as texels.
+void packLight(const WelkinLevel& level, WelkinVolume& volume) {
+  for (std::uint32_t i = 0; i < level.count; ++i) {
+    WelkinSector& s = *level.resident.get()[i];
+    for (std::size_t p = 0; p < s.probes; ++p)
+      s.packed.get()[p] = packTexel(s.light.get() + kColours * p, volume.format, volume.scale);
+  }
+}
+
+void addBox(WelkinVolumeUpdate& update, const std::array<std::uint32_t, 3>& first,
+            const std::array<std::uint32_t, 3>& size) {
+  WelkinVolumeBox& box = update.box[update.box_count++];
+  std::copy(first.begin(), first.end(), box.first);
+  std::copy(size.begin(), size.end(), box.size);
+  update.filled += size[0] * size[1] * size[2];
+}
+
+void fillAll(WelkinVolume& volume, const WelkinLevel& level, WelkinVolumeUpdate& update) {
+  Cells high = volume.first;
+  for (std::size_t a = 0; a < 3; ++a) high[a] += volume.count[a];
+  fillCells(volume, level, volume.first, high);
+  std::fill_n(volume.slice.get(), volume.count[2], volume.version);
+  addBox(update, {0, 0, 0}, volume.count);
+}
+
+/// Fills the slab of cells that the volume enters along an axis. `first` is the new corner.
+void enter(WelkinVolume& volume, const WelkinLevel& level, const Cells& first, std::size_t axis,
+           WelkinVolumeUpdate& update) {
+  const std::int64_t n = volume.count[axis];
+  const std::int64_t moved = first[axis] - volume.first[axis];
+  Cells low = first, high = first;
+  for (std::size_t a = 0; a < 3; ++a) high[a] += volume.count[a];
+  low[axis] = moved > 0 ? volume.first[axis] + n : first[axis];
+  high[axis] = moved > 0 ? first[axis] + n : volume.first[axis];
+  fillCells(volume, level, low, high);
+  const auto start = static_cast<std::uint32_t>(((low[axis] % n) + n) % n);
+  const auto width = static_cast<std::uint32_t>(high[axis] - low[axis]);
+  const std::uint32_t until_end = std::min(width, volume.count[axis] - start);
+  for (const auto& [from, size] : {std::pair(start, until_end), std::pair(0U, width - until_end)}) {
+    if (size == 0) continue;
+    std::array<std::uint32_t, 3> corner{}, edges = volume.count;
+    corner[axis] = from;
+    edges[axis] = size;
+    addBox(update, corner, edges);
+    if (axis == 2) std::fill_n(volume.slice.get() + from, size, volume.version);
+  }
+}
+
+/// Fills slices along z that show earlier light: at most two runs of neighbours.
+void refresh(WelkinVolume& volume, const WelkinLevel& level, std::uint32_t max_texels, WelkinVolumeUpdate& update) {
+  const std::uint32_t texels = volume.count[0] * volume.count[1], slices = volume.count[2];
+  std::uint32_t left = std::max(1U, max_texels / texels);
+  std::uint32_t runs = 0, looked = 0;
+  while (left > 0 && looked < slices && runs < 2) {
+    std::uint32_t size = 0;
+    const std::uint32_t from = volume.next;
+    while (size < left && from + size < slices && looked < slices &&
+           volume.slice.get()[from + size] != volume.version) {
+      ++size;
+      ++looked;
+    }
+    if (size == 0) {
+      ++looked;
+      volume.next = (from + 1) % slices;
+      continue;
+    }
+    for (std::uint32_t s = from; s < from + size; ++s) {
+      const std::int64_t n = slices;
+      Cells low = volume.first, high = volume.first;
+      low[2] += ((s - volume.first[2]) % n + n) % n;  // the cell of the window whose remainder is s
+      high[0] += volume.count[0];
+      high[1] += volume.count[1];
+      high[2] = low[2] + 1;
+      fillCells(volume, level, low, high);
+      volume.slice.get()[s] = volume.version;
+    }
+    addBox(update, {0, 0, from}, {volume.count[0], volume.count[1], size});
+    left -= size;
+    ++runs;
+    volume.next = (from + size) % slices;
+  }
+  for (std::uint32_t s = 0; s < slices; ++s) update.remaining += volume.slice.get()[s] != volume.version ? texels : 0;
+}
+
+void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sample, const Cells& first,
+            std::uint32_t max_texels, WelkinVolumeUpdate& out) {
+  const std::uint64_t version = level.changes + level.instant;
+  const bool changed = !volume.filled || version != volume.version;
+  bool whole = !volume.filled;
+  if (changed) {
+    float open[kColours];
+    openLight(sample, open);
+    const float scale = scaleFor(largestOf(level, open), volume.format, volume.scale);
+    whole = whole || scale != volume.scale;
+    volume.scale = scale;
+    volume.open = packTexel(open, volume.format, scale);
+    volume.version = version;
+    packLight(level, volume);
+  }
+  for (std::size_t a = 0; a < 3; ++a) whole = whole || std::abs(first[a] - volume.first[a]) >= volume.count[a];
+  if (whole) {
+    volume.first = first;
+    volume.filled = true;
+    return fillAll(volume, level, out);
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (first[a] == volume.first[a]) continue;
+    enter(volume, level, first, a, out);
+  }
+  volume.first = first;
+  refresh(volume, level, max_texels, out);
+}
+
+}  // namespace
+}  // namespace welkin::probes
+
+using namespace welkin::core;
+using namespace welkin::probes;
+
+WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVolume** volume) {
+  if (volume != nullptr) *volume = nullptr;
+  if (const auto r = nonNull(__func__, {{"volume", volume}})) return r;
+  if (const auto r = sized(__func__, "settings", settings)) return r;
+  const WelkinVolumeSettings s = take(*settings);
+  if (s.format != WELKIN_VOLUME_RGBA16F && s.format != WELKIN_VOLUME_RGBA8)
+    return refuse(__func__, "settings->format is %d, must be one of WelkinVolumeFormat", static_cast<int>(s.format));
+  WelkinVolume made;
+  constexpr std::uint32_t kUsual[3] = {96, 16, 96};
+  for (std::size_t a = 0; a < 3; ++a) {
+    made.count[a] = s.texels[a] == 0 ? kUsual[a] : s.texels[a];
+    if (made.count[a] < 2 || made.count[a] > 512)
+      return refuse(__func__, "settings->texels[%zu] is %u, must be 0 or 2 to 512", a, s.texels[a]);
+  }
+  const float height = s.texel_height_m == 0.0F ? 4.0F : s.texel_height_m;
+  if (!(height >= 0.5F && height <= 1e4F))
+    return refuse(__func__, "settings->texel_height_m is %g, must be 0 or 0.5 to 10000", double{s.texel_height_m});
+  if (s.allocator != nullptr) {
+    if (const auto r = sized(__func__, "settings->allocator", s.allocator)) return r;
+    if (const auto r = nonNull(__func__, {{"settings->allocator->allocate", asPointer(s.allocator->allocate)},
+                                          {"settings->allocator->free", asPointer(s.allocator->free)}}))
+      return r;
+    made.memory = HostMemory(take(*s.allocator));
+  }
+  made.format = s.format;
+  made.texel_m = {welkin::format::kCellWidth_m, double{height}, welkin::format::kCellWidth_m};
+  made.texel_bytes = s.format == WELKIN_VOLUME_RGBA16F ? 8 : 4;
+  const std::size_t texels = std::size_t{made.count[0]} * made.count[1] * made.count[2];
+  bool room = made.slice.allocate(made.memory, made.count[2]);
+  for (auto& channel : made.texels) room = room && channel.allocate(made.memory, texels * made.texel_bytes);
+  void* place = room ? made.memory.allocate(sizeof(WelkinVolume), alignof(WelkinVolume)) : nullptr;
+  if (place == nullptr) return WELKIN_ERROR_MEMORY;
+  for (auto& channel : made.texels) std::fill_n(channel.get(), texels * made.texel_bytes, std::byte{0});
+  std::fill_n(made.slice.get(), made.count[2], std::uint64_t{0});
+  *volume = new (place) WelkinVolume(std::move(made));
+  return WELKIN_OK;
+}
+
+void welkin_volume_destroy(WelkinVolume* volume) {
+  if (volume == nullptr) return;
+  const HostMemory memory = volume->memory;
+  volume->~WelkinVolume();
+  memory.free(volume, sizeof(WelkinVolume));
+}
+
+WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, const WelkinSkySample* sample,
+                                  const float camera[3], uint32_t max_texels, WelkinVolumeUpdate* update) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"level", level}, {"camera", camera}})) return r;
+  if (const auto r = sized(__func__, "update", update)) return r;
+  if (const auto r = checkSample(__func__, "sample", sample)) return r;
+  Cells first;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!(std::abs(camera[a]) <= 1e7F))
+      return refuse(__func__, "camera[%zu] is %g, must be within 1e7 m", a, double{camera[a]});
+    first[a] = static_cast<std::int64_t>(std::floor(double{camera[a]} / volume->texel_m[a])) - volume->count[a] / 2;
+  }
+  WelkinVolumeUpdate out{};
+  welkin::probes::update(*volume, *level, take(*sample), first, max_texels, out);
+  give(out, update);
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, const void** texels, size_t* bytes) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"texels", texels}, {"bytes", bytes}})) return r;
+  if (channel > 2) return refuse(__func__, "channel is %u, must be 0 to 2", channel);
+  *texels = volume->texels[channel].get();
+  *bytes = std::size_t{volume->count[0]} * volume->count[1] * volume->count[2] * volume->texel_bytes;
+  return WELKIN_OK;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The volume of texels around the camera.
+#pragma once
+
+#include <welkin/volume.h>
+
+#include <array>
+#include <cstdint>
+
+#include "probes/level.h"
+
+namespace welkin::core {
+
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVolumeSettings> = 32;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinVolumeUpdate> = 208;
+
+}  // namespace welkin::core
+
+namespace welkin::probes {
+
+/// Indices of cells, counted from the world's origin.
+using Cells = std::array<std::int64_t, 3>;
+
+/// A texel: one word for each channel, of which RGBA8 uses the lower half.
+using TexelWords = std::array<std::uint64_t, kChannels>;
+
+/// The words of a probe's light, [channel][direction], over a scale.
+TexelWords packTexel(const float* light, WelkinVolumeFormat format, float scale);
+/// The four numbers of such a word, times the scale.
+std::array<float, kDirections> unpackTexel(std::uint64_t word, WelkinVolumeFormat format, float scale);
+
+/// Fills the texels of the cells from `low` up to but not including `high`.
+void fillCells(WelkinVolume& volume, const WelkinLevel& level, const Cells& low, const Cells& high);
+
+}  // namespace welkin::probes
+
+struct WelkinVolume {
+  welkin::core::HostMemory memory;
+  WelkinVolumeFormat format = WELKIN_VOLUME_RGBA16F;
+  std::array<std::uint32_t, 3> count{};  ///< texels on each axis
+  std::array<double, 3> texel_m{};
+  std::size_t texel_bytes = 0;
+  welkin::core::HostArray<std::byte> texels[3];
+  welkin::core::HostArray<std::uint64_t> slice;  ///< version of the light in each slice along z
+  welkin::probes::Cells first{};                 ///< cell of least indices
+  bool filled = false;
+  float scale = 1.0F;                 ///< irradiance of a texel's value 1
+  std::uint64_t version = 0;          ///< of the light that texels are filled with
+  std::uint32_t next = 0;             ///< slice where filling goes on
+  welkin::probes::TexelWords open{};  ///< beyond the resident sectors
+};

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of the C interface that reads the volume: the shader's constants, and its irradiance on the CPU.
+#include <welkin/volume_constants.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/floats.h"
+#include "probes/volume.h"
+#include "shared.h"
+
+namespace welkin::probes {
+namespace {
+
+WelkinVolumeConstants constantsOf(const WelkinVolume& volume) {
+  WelkinVolumeConstants out{};
+  const auto set = [](WelkinFloat4& to, const std::array<double, 3>& v, double w) {
+    to = {core::toFloat(v[0]), core::toFloat(v[1]), core::toFloat(v[2]), core::toFloat(w)};
+  };
+  std::array<double, 3> low, high, size;
+  for (std::size_t a = 0; a < 3; ++a) {
+    size[a] = volume.count[a] * volume.texel_m[a];
+    low[a] = static_cast<double>(volume.first[a]) * volume.texel_m[a];
+    high[a] = low[a] + size[a];
+  }
+  set(out.low, low, double{volume.scale});
+  set(out.high, high, kPush_m);
+  set(out.size, size, 0.0);
+  set(out.texel, volume.texel_m, 1.0 / (2.0 * *std::max_element(volume.texel_m.begin(), volume.texel_m.end())));
+  return out;
+}
+
+/// Texel numbers of one channel at a place, filtered as a GPU does.
+std::array<double, kDirections> filtered(const WelkinVolume& volume, std::size_t channel,
+                                         const std::array<double, 3>& place) {
+  std::array<std::size_t, 3> index[2];
+  std::array<double, 3> share;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double at = place[a] / volume.texel_m[a] - 0.5;
+    share[a] = at - std::floor(at);
+    const auto n = static_cast<std::int64_t>(volume.count[a]);
+    for (std::int64_t i = 0; i < 2; ++i)
+      index[i][a] = static_cast<std::size_t>(((static_cast<std::int64_t>(std::floor(at)) + i) % n + n) % n);
+  }
+  std::array<double, kDirections> sum{};
+  for (unsigned i = 0; i < 8; ++i) {
+    double weight = 1.0;
+    std::array<std::size_t, 3> at{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const bool second = (i >> a & 1) != 0;
+      weight *= second ? share[a] : 1.0 - share[a];
+      at[a] = index[second ? 1 : 0][a];
+    }
+    const std::size_t texel = at[0] + volume.count[0] * (at[1] + volume.count[1] * at[2]);
+    std::uint64_t word = 0;
+    std::memcpy(&word, volume.texels[channel].get() + texel * volume.texel_bytes, volume.texel_bytes);
+    const auto numbers = unpackTexel(word, volume.format, volume.scale);
+    for (std::size_t b = 0; b < kDirections; ++b) sum[b] += weight * double{numbers[b]};
+  }
+  return sum;
+}
+
+}  // namespace
+}  // namespace welkin::probes
+
+using namespace welkin::core;
+using namespace welkin::probes;
+
+WelkinResult welkin_volume_constants(const WelkinVolume* volume, WelkinVolumeConstants* constants, size_t size) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"constants", constants}})) return r;
+  if (size != sizeof *constants) return refuse(__func__, "size is %zu, must be %zu", size, sizeof *constants);
+  *constants = constantsOf(*volume);
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float position[3], const float normal[3],
+                                      float irradiance[3], float* inside) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"position", position}, {"irradiance", irradiance}}))
+    return r;
+  if (const auto r = unit(__func__, "normal", normal)) return r;
+  std::array<double, 3> place;
+  double margin = 1e30;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!(std::abs(position[a]) <= 1e7F))
+      return refuse(__func__, "position[%zu] is %g, must be within 1e7 m", a, double{position[a]});
+    const double low = (static_cast<double>(volume->first[a]) + 0.5) * volume->texel_m[a];
+    const double high = (static_cast<double>(volume->first[a] + volume->count[a]) - 0.5) * volume->texel_m[a];
+    place[a] = std::clamp(double{position[a]} + kPush_m * double{normal[a]}, low, high);
+    margin = std::min({margin, double{position[a]} - low, high - double{position[a]}});
+  }
+  const welkin::f64::TransferWeights weight = welkin::f64::transferWeights(load(normal));
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const auto light = filtered(*volume, c, place);
+    double sum = 0.0;
+    for (std::size_t b = 0; b < kDirections; ++b) sum += weight.v[b] * light[b];
+    irradiance[c] = toFloat(std::max(sum, 0.0));
+  }
+  const double widest = *std::max_element(volume->texel_m.begin(), volume->texel_m.end());
+  if (inside != nullptr) *inside = static_cast<float>(std::clamp(margin / (2.0 * widest), 0.0, 1.0));
+  return WELKIN_OK;
+}

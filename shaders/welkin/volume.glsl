@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light of a level's probes at a pixel, from the volume around the camera. `position` and unit `normal` are in world axes.
+// Stefanov, "Deferred Radiance Transfer Volumes" (GDC 2012): the position is pushed off the surface, three fetches give
+// the irradiance in four directions, and the normal weighs them.
+// Needs: #extension GL_GOOGLE_include_directive : require; WELKIN_VOLUME_SET, and in that set
+// WELKIN_VOLUME_BINDING_CONSTANTS and WELKIN_VOLUME_BINDING_TEXELS, an array of three textures.
+#ifndef WELKIN_VOLUME_GLSL
+#define WELKIN_VOLUME_GLSL
+
+#include "formulas.glsl"
+#include "volume_constants.h"
+
+#ifndef WELKIN_VOLUME_SET
+#error "define WELKIN_VOLUME_SET, the descriptor set of the volume, before volume.glsl"
+#endif
+#ifndef WELKIN_VOLUME_BINDING_CONSTANTS
+#define WELKIN_VOLUME_BINDING_CONSTANTS 0  // uniform buffer, WelkinVolumeConstants
+#endif
+#ifndef WELKIN_VOLUME_BINDING_TEXELS
+#define WELKIN_VOLUME_BINDING_TEXELS 1  // sampler3D[3]: red, green, blue; linear, repeating
+#endif
+
+layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_CONSTANTS, std140) uniform WelkinVolumeBlock {
+  WelkinVolumeConstants welkinVolume;
+};
+layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_TEXELS) uniform sampler3D welkinVolumeTexels[3];
+
+// Share of the volume at a position, in [0, 1]: 1 inside, falling to 0 at the outermost texels' middles.
+float welkinVolumeWeight(vec3 position) {
+  vec3 half_texel = 0.5 * welkinVolume.texel.xyz;
+  vec3 inside = min(position - (welkinVolume.low.xyz + half_texel), welkinVolume.high.xyz - half_texel - position);
+  return clamp(min(min(inside.x, inside.y), inside.z) * welkinVolume.texel.w, 0.0, 1.0);
+}
+
+// Irradiance of a surface, pi included, at least 0. Outside of the volume it is that of the nearest place inside: mix it
+// with the sky's own by welkinVolumeWeight.
+vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
+  vec3 half_texel = 0.5 * welkinVolume.texel.xyz;
+  vec3 at = clamp(position + normal * welkinVolume.high.w, welkinVolume.low.xyz + half_texel,
+                  welkinVolume.high.xyz - half_texel);
+  vec3 uvw = at / welkinVolume.size.xyz;
+  TransferWeights w = transferWeights(normal);
+  vec4 weight = vec4(w.v[0], w.v[1], w.v[2], w.v[3]);
+  vec3 light = vec3(dot(textureLod(welkinVolumeTexels[0], uvw, 0.0), weight),
+                    dot(textureLod(welkinVolumeTexels[1], uvw, 0.0), weight),
+                    dot(textureLod(welkinVolumeTexels[2], uvw, 0.0), weight));
+  return max(light * welkinVolume.low.w, vec3(0.0));
+}
+
+#endif

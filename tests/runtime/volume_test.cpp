@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// The volume against look-ups of the level, and against itself filled at once.
+#include <welkin/volume.h>
+#include <welkin/volume_constants.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "tests/runtime/random_level.h"
+
+namespace welkin::tests {
+namespace {
+
+using transfer::SunTransfer;
+
+struct Volume {
+  WelkinVolume* volume = nullptr;
+  explicit Volume(WelkinVolumeFormat format, std::array<std::uint32_t, 3> texels = {0, 0, 0}) {
+    WelkinVolumeSettings settings{};
+    settings.format = format;
+    std::copy(texels.begin(), texels.end(), settings.texels);
+    REQUIRE(welkin_volume_create(&settings, &volume) == WELKIN_OK);
+  }
+  Volume(const Volume&) = delete;
+  Volume& operator=(const Volume&) = delete;
+  ~Volume() { welkin_volume_destroy(volume); }
+
+  WelkinVolumeUpdate update(OpenedLevel& level, const WelkinSkySample& sample, std::array<float, 3> camera,
+                            std::uint32_t texels = UINT32_MAX) {
+    WelkinVolumeUpdate result{};
+    REQUIRE(welkin_volume_update(volume, level.level, &sample, camera.data(), texels, &result) == WELKIN_OK);
+    return result;
+  }
+  std::vector<std::byte> bytes() const {
+    std::vector<std::byte> all;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const void* texels = nullptr;
+      std::size_t size = 0;
+      REQUIRE(welkin_volume_texels(volume, c, &texels, &size) == WELKIN_OK);
+      const auto* first = static_cast<const std::byte*>(texels);
+      all.insert(all.end(), first, first + size);
+    }
+    return all;
+  }
+};
+
+struct Difference {
+  double worst = 0.0, largest = 0.0;  ///< of irradiances
+};
+
+/// Differences between volume and look-up at middles of cells, pushed back by the push. There the volume's filter meets
+/// one texel, and the look-up one cell.
+Difference differenceAtMiddles(const OpenedLevel& opened, const Volume& volume) {
+  std::mt19937 random(4);
+  Difference d;
+  int compared = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto in = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+    const float normal[3] = {0.0F, i % 2 == 0 ? 1.0F : -1.0F, 0.0F};
+    const float place[3] = {4.0F * static_cast<float>(in(-16, 31)) + 2.0F, 4.0F * static_cast<float>(in(0, 6)) + 2.0F,
+                            4.0F * static_cast<float>(in(8, 15)) + 2.0F};
+    const float position[3] = {place[0], place[1] - normal[1], place[2]};
+    float wanted[3], found[3], inside = 0.0F;
+    std::uint8_t served = 0;
+    REQUIRE(welkin_level_irradiance(opened.level, 1, &position, &normal, &wanted, &served) == WELKIN_OK);
+    REQUIRE(welkin_volume_irradiance(volume.volume, position, normal, found, &inside) == WELKIN_OK);
+    if (served == 0) continue;
+    CHECK(inside == 1.0F);
+    ++compared;
+    for (int c = 0; c < 3; ++c) {
+      d.largest = std::max(d.largest, double{wanted[c]});
+      d.worst = std::max(d.worst, std::abs(double{wanted[c]} - double{found[c]}));
+    }
+  }
+  CHECK(compared > 1000);
+  return d;
+}
+
+/// A level whose grids are those of whole cells, as a bake makes them, without rooms.
+RandomLevel wholeLevel(SunTransfer sun = SunTransfer::directional) {
+  RandomLevel baked(2, 60, sun == SunTransfer::directional ? 6 : 0, sun, false);
+  for (std::size_t i = 0; i < baked.sector.size(); ++i) {
+    sectors::SectorFile& s = baked.sector[i];
+    s.low_y = i == 0 ? 0.0 : -4.0;
+    s.cell_height_m = 4.0;
+    s.room.clear();
+    s.in_room.clear();
+    baked.seal(i);
+  }
+  return baked;
+}
+
+}  // namespace
+
+TEST_CASE("Volume, AtTheMiddleOfACellItIsTheLookUp") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  Volume half(WELKIN_VOLUME_RGBA16F);
+  half.update(opened, sample, {10, 10, 50});
+  // Half an ulp of 11 bits in each of four numbers, whose weights' sizes sum to at most 2.
+  const Difference of_halfs = differenceAtMiddles(opened, half);
+  CHECK(of_halfs.worst < 2.0 * 0x1p-11 * of_halfs.largest);
+}
+
+TEST_CASE("Volume, BytesAreOffByHalfAStepOfTheScale") {
+  RandomLevel baked = wholeLevel(SunTransfer::none);  // without the sun, whose random bounce may be below 0
+  for (std::size_t i = 0; i < baked.sector.size(); ++i) {
+    std::fill(baked.sector[i].probes.sky_side.begin(), baked.sector[i].probes.sky_side.end(), std::int8_t{0});
+    baked.seal(i);
+  }
+  OpenedLevel opened(baked);
+  Volume volume(WELKIN_VOLUME_RGBA8);
+  float before = 0.0F;
+  for (const double time_h : {5.0, 6.0, 8.0, 12.0, 12.01}) {
+    const WelkinSkySample sample = opened.relight(time_h);
+    volume.update(opened, sample, {10, 10, 50});
+    WelkinVolumeConstants k{};
+    REQUIRE(welkin_volume_constants(volume.volume, &k, sizeof k) == WELKIN_OK);
+    const Difference d = differenceAtMiddles(opened, volume);
+    CHECK(d.worst < 2.0 * 0.5 / 255.0 * double{k.low.w} * (1.0 + 1e-5));
+    const float up[3] = {0, 1, 0};
+    float open[3];
+    REQUIRE(welkin_sample_irradiance(&sample, up, open) == WELKIN_OK);
+    CHECK(double{k.low.w} < 2.0 * std::max(d.largest, double{*std::max_element(open, open + 3)}));
+    if (time_h == 12.01) CHECK(k.low.w == before);  // a minute's change of the light leaves the scale alone
+    before = k.low.w;
+  }
+}
+
+TEST_CASE("Volume, ItMovesAsIfFilledAtOnce") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  std::mt19937 random(7);
+  Volume moved(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+  std::array<float, 3> camera = {0, 10, 30};
+  moved.update(opened, sample, camera);
+  for (int i = 0; i < 60; ++i) {
+    for (float& c : camera) c += std::uniform_real_distribution<float>(-9, 9)(random);
+    if (i % 20 == 19) camera[0] += 300;
+    if (i % 20 == 0) camera[0] = 0;
+    const WelkinVolumeUpdate update = moved.update(opened, sample, camera);
+    CHECK(update.box_count <= WELKIN_VOLUME_MAX_BOXES);
+    CHECK(update.remaining == 0);
+    Volume fresh(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+    fresh.update(opened, sample, camera);
+    CHECK(moved.bytes() == fresh.bytes());
+  }
+}
+
+TEST_CASE("Volume, TheBoxesHoldEveryTexelThatChanged") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  Volume volume(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+  std::vector<std::byte> copy;
+  std::mt19937 random(8);
+  std::array<float, 3> camera = {0, 10, 30};
+  WelkinSkySample sample = opened.relight(9.0);
+  for (int i = 0; i < 40; ++i) {
+    if (i % 4 == 3) sample = opened.relight(9.0 + 0.1 * i);
+    for (float& c : camera) c += std::uniform_real_distribution<float>(-6, 6)(random);
+    const WelkinVolumeUpdate update = volume.update(opened, sample, camera, 24 * 8 * 7);
+    const std::vector<std::byte> now = volume.bytes();
+    if (copy.empty()) copy.resize(now.size());
+    std::uint32_t filled = 0;
+    for (std::uint32_t b = 0; b < update.box_count; ++b) {
+      const WelkinVolumeBox& box = update.box[b];
+      filled += box.size[0] * box.size[1] * box.size[2];
+      for (std::uint32_t c = 0; c < 3; ++c)
+        for (std::uint32_t z = box.first[2]; z < box.first[2] + box.size[2]; ++z)
+          for (std::uint32_t y = box.first[1]; y < box.first[1] + box.size[1]; ++y) {
+            const std::size_t at = 8 * (box.first[0] + 24 * (y + 8 * (z + 20 * std::size_t{c})));
+            std::memcpy(copy.data() + at, now.data() + at, 8 * box.size[0]);
+          }
+    }
+    CHECK(filled == update.filled);
+    CHECK(copy == now);
+  }
+  // Once the light stands still, a few updates end all that remains.
+  WelkinVolumeUpdate update{};
+  int updates = 0;
+  do {
+    update = volume.update(opened, sample, camera, 24 * 8 * 7);
+    ++updates;
+  } while (update.remaining > 0);
+  CHECK(updates <= 3);
+  CHECK(volume.update(opened, sample, camera).box_count == 0);
+  Volume fresh(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+  fresh.update(opened, sample, camera);
+  CHECK(volume.bytes() == fresh.bytes());
+}
+
+TEST_CASE("Volume, BeyondTheSectorsItIsTheOpenSky") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(13.0);
+  Volume volume(WELKIN_VOLUME_RGBA16F);
+  volume.update(opened, sample, {1e4F, 10, 30});
+  for (const auto& normal : {std::array<float, 3>{0, 1, 0}, {0, -1, 0}, {0.6F, 0.8F, 0}}) {
+    const float position[3] = {1e4F, 12, 30};
+    float wanted[3], found[3];
+    REQUIRE(welkin_sample_irradiance(&sample, normal.data(), wanted) == WELKIN_OK);
+    REQUIRE(welkin_volume_irradiance(volume.volume, position, normal.data(), found, nullptr) == WELKIN_OK);
+    // The volume is linear in the normal, the sky not quite.
+    for (int c = 0; c < 3; ++c) CHECK(double{found[c]} == Approx(double{wanted[c]}).epsilon(0.25));
+    if (normal[1] == -1.0F)
+      for (int c = 0; c < 3; ++c) CHECK(double{found[c]} == Approx(double{wanted[c]}).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("Volume, ConstantsPlaceTheTexels") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(13.0);
+  Volume volume(WELKIN_VOLUME_RGBA8, {24, 8, 20});
+  volume.update(opened, sample, {-1, 17, 3});
+  WelkinVolumeConstants k{};
+  REQUIRE(welkin_volume_constants(volume.volume, &k, sizeof k) == WELKIN_OK);
+  CHECK((k.low.x == -52.0F && k.low.y == 0.0F && k.low.z == -40.0F));
+  CHECK((k.high.x == 44.0F && k.high.y == 32.0F && k.high.z == 40.0F && k.high.w == 1.0F));
+  CHECK((k.size.x == 96.0F && k.size.y == 32.0F && k.size.z == 80.0F));
+  CHECK((k.texel.x == 4.0F && k.texel.y == 4.0F && k.texel.z == 4.0F));
+  CHECK(k.low.w > 0.0F);
+  CHECK(welkin_volume_constants(volume.volume, &k, 48) == WELKIN_ERROR_ARGUMENT);
+}
+
+}  // namespace welkin::tests
