@@ -53,6 +53,11 @@ WelkinResult allocate(const Device& device, const VkMemoryRequirements& needs, V
 
 }  // namespace
 
+WelkinResult allocateImages(const Device& device, const VkMemoryRequirements& block, const char* name,
+                            WelkinVulkanAllocation& allocation, WelkinMessage* message) {
+  return allocate(device, block, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, name, allocation, message);
+}
+
 WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
                           MappedBuffer& buffer, WelkinMessage* message) {
   VkBufferCreateInfo info{};
@@ -160,9 +165,7 @@ WelkinResult createImages(const Device& device, Image* images, uint32_t count, W
     block.size = roundUp(block.size, needs.alignment) + needs.size;
   }
   if (block.size > 0) {
-    if (const auto r =
-            allocate(device, block, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, "welkin images", allocation, message))
-      return r;
+    if (const auto r = allocateImages(device, block, "welkin images", allocation, message)) return r;
   }
   memory_bytes = block.size;
   VkDeviceSize offset = 0;

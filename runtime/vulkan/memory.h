@@ -55,6 +55,9 @@ VkImageCreateInfo imageInfo(const Image& image);
 /// Creates the images that are not borrowed, their memory as one allocation, and the views of all.
 WelkinResult createImages(const Device& device, Image* images, uint32_t count, WelkinVulkanAllocation& allocation,
                           VkDeviceSize& memory_bytes, WelkinMessage* message);
+/// Device memory for images that need `block`, local to the device where it can be.
+WelkinResult allocateImages(const Device& device, const VkMemoryRequirements& block, const char* name,
+                            WelkinVulkanAllocation& allocation, WelkinMessage* message);
 void destroy(const Device& device, Image& image);
 void freeMemory(const Device& device, WelkinVulkanAllocation& allocation);
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The C interface of welkin_vulkan_volume.h.
+#include "probes/volume.h"
+
+#include <welkin/volume_constants.h>
+
+#include <cstring>
+#include <new>
+
+#include "vulkan/volume_images.h"
+
+namespace welkin::vulkan {
+namespace {
+
+using core::nonNull;
+using core::refuse;
+
+/// Copies a box of one channel to `to`, row by row. Returns the bytes after it.
+unsigned char* stage(const WelkinVulkanVolume& o, const std::byte* texels, const WelkinVolumeBox& box,
+                     unsigned char* to) {
+  const std::size_t row = box.size[0] * o.texel_bytes;
+  for (uint32_t z = box.first[2]; z < box.first[2] + box.size[2]; ++z)
+    for (uint32_t y = box.first[1]; y < box.first[1] + box.size[1]; ++y, to += row) {
+      const std::size_t texel = box.first[0] + o.extent.width * (y + std::size_t{o.extent.height} * z);
+      std::memcpy(to, texels + texel * o.texel_bytes, row);
+    }
+  return to;
+}
+
+VkImageMemoryBarrier2 barrier(VkImage image, VkPipelineStageFlags2 from, VkAccessFlags2 read, VkImageLayout old_layout,
+                              VkPipelineStageFlags2 to, VkAccessFlags2 access, VkImageLayout layout) {
+  VkImageMemoryBarrier2 b{};
+  b.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+  b.srcStageMask = from;
+  b.srcAccessMask = read;
+  b.dstStageMask = to;
+  b.dstAccessMask = access;
+  b.oldLayout = old_layout;
+  b.newLayout = layout;
+  b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  b.image = image;
+  b.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  return b;
+}
+
+void record(const WelkinVulkanVolume& o, VkCommandBuffer commands, const VkImageMemoryBarrier2* barriers) {
+  VkDependencyInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+  info.imageMemoryBarrierCount = 3;
+  info.pImageMemoryBarriers = barriers;
+  o.device.fn.CmdPipelineBarrier2(commands, &info);
+}
+
+constexpr VkPipelineStageFlags2 kShaders =
+    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+
+/// Copies the boxes to the frame's staging memory and records their way to the images.
+void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
+                 const WelkinVolumeUpdate& update) {
+  VkImageMemoryBarrier2 before[3], after[3];
+  for (int c = 0; c < 3; ++c) {
+    before[c] =
+        barrier(o.images[c], o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
+                o.recorded ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_UNDEFINED,
+                VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    after[c] = barrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kShaders, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  }
+  record(o, commands, before);
+  unsigned char* frame_memory = o.staging.mapped + frame * o.frame_bytes;
+  unsigned char* to = frame_memory + o.constants_bytes;
+  // Boxes that overlap hold the same texels, but two copies to one texel must not race: each waits for the one before.
+  for (uint32_t b = 0; b < update.box_count; ++b) {
+    const WelkinVolumeBox& box = update.box[b];
+    if (b > 0) {
+      VkImageMemoryBarrier2 between[3];
+      for (int c = 0; c < 3; ++c)
+        between[c] = barrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,
+                             VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+      record(o, commands, between);
+    }
+    for (int c = 0; c < 3; ++c) {
+      VkBufferImageCopy region{};
+      region.bufferOffset = static_cast<VkDeviceSize>(to - o.staging.mapped);
+      region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+      region.imageOffset = {static_cast<int32_t>(box.first[0]), static_cast<int32_t>(box.first[1]),
+                            static_cast<int32_t>(box.first[2])};
+      region.imageExtent = {box.size[0], box.size[1], box.size[2]};
+      to = stage(o, volume.texels[c].get(), box, to);
+      o.device.fn.CmdCopyBufferToImage(commands, o.staging.buffer, o.images[c], VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                                       &region);
+    }
+  }
+  record(o, commands, after);
+}
+
+}  // namespace
+}  // namespace welkin::vulkan
+
+namespace core = welkin::core;
+using namespace welkin::vulkan;
+
+WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, const WelkinVolume* volume,
+                                         WelkinVulkanVolume** out, WelkinMessage* message) {
+  if (out == nullptr) return fail(message, WELKIN_ERROR_ARGUMENT, "out is null");
+  *out = nullptr;
+  if (nonNull(__func__, {{"volume", volume}}) != WELKIN_OK || core::sized(__func__, "info", info) != WELKIN_OK)
+    return fail(message, WELKIN_ERROR_ARGUMENT, "%s", welkin_argument_error());
+  const WelkinVulkanCreateInfo given = core::take(*info);
+  if (given.frames_in_flight < 1 || given.frames_in_flight > WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT)
+    return fail(message, WELKIN_ERROR_ARGUMENT, "frames_in_flight is %u, must be 1 to %d", given.frames_in_flight,
+                WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT);
+  auto* object = new (std::nothrow) WelkinVulkanVolume;
+  if (object == nullptr) return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
+  if (const auto result = openDevice(given, object->device, message)) {
+    delete object;  // some functions may be missing, and nothing has been created
+    return result;
+  }
+  object->frame_count = given.frames_in_flight;
+  object->extent = {volume->count[0], volume->count[1], volume->count[2]};
+  object->texel_bytes = volume->texel_bytes;
+  object->format = volume->format == WELKIN_VOLUME_RGBA16F ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM;
+  if (const auto result = createVolumeImages(*object, message)) {
+    welkin_vulkan_volume_destroy(object);
+    return result;
+  }
+  *out = object;
+  return WELKIN_OK;
+}
+
+void welkin_vulkan_volume_destroy(WelkinVulkanVolume* object) {
+  if (object == nullptr) return;
+  destroy(*object);
+  delete object;
+}
+
+WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBuffer commands, uint32_t frame,
+                                         const WelkinVolume* volume, const WelkinVolumeUpdate* update) {
+  if (const auto r = nonNull(__func__, {{"object", object}, {"commands", commands}, {"volume", volume}})) return r;
+  if (const auto r = core::sized(__func__, "update", update)) return r;
+  if (frame >= object->frame_count)
+    return refuse(__func__, "frame is %u, must be below frames_in_flight, %u", frame, object->frame_count);
+  const VkExtent3D& e = object->extent;
+  if (e.width != volume->count[0] || e.height != volume->count[1] || e.depth != volume->count[2] ||
+      object->texel_bytes != volume->texel_bytes)
+    return refuse(__func__, "the volume is not the one that this object was created for");
+  const WelkinVolumeUpdate changed = core::take(*update);
+  if (changed.box_count > WELKIN_VOLUME_MAX_BOXES)
+    return refuse(__func__, "update->box_count is %u, must be at most %d", changed.box_count, WELKIN_VOLUME_MAX_BOXES);
+  const uint32_t all = e.width * e.height * e.depth;
+  for (uint32_t b = 0; b < changed.box_count; ++b)
+    for (int a = 0; a < 3; ++a)
+      if (changed.box[b].first[a] >= volume->count[static_cast<std::size_t>(a)] ||
+          changed.box[b].size[a] > volume->count[static_cast<std::size_t>(a)] - changed.box[b].first[a])
+        return refuse(__func__, "update->box[%u] passes the volume", b);
+  if (!object->recorded && (changed.box_count == 0 || changed.filled < all))
+    return refuse(__func__, "the first update that is recorded must fill the whole volume");
+  WelkinVolumeConstants constants{};
+  if (const auto r = welkin_volume_constants(volume, &constants, sizeof constants)) return r;
+  std::memcpy(object->staging.mapped + frame * object->frame_bytes, &constants, sizeof constants);
+  if (changed.box_count == 0) return WELKIN_OK;
+  recordBoxes(*object, commands, frame, *volume, changed);
+  object->recorded = true;
+  return WELKIN_OK;
+}
+
+VkDescriptorSetLayout welkin_vulkan_volume_descriptor_set_layout(const WelkinVulkanVolume* object) {
+  return object == nullptr ? VkDescriptorSetLayout{VK_NULL_HANDLE} : object->layout;
+}
+
+VkDescriptorSet welkin_vulkan_volume_descriptor_set(const WelkinVulkanVolume* object, uint32_t frame) {
+  return object == nullptr || frame >= object->frame_count ? VkDescriptorSet{VK_NULL_HANDLE} : object->sets[frame];
+}
+
+WelkinResult welkin_vulkan_volume_memory(const WelkinVulkanVolume* object, WelkinVulkanMemory* memory) {
+  if (const auto r = nonNull(__func__, {{"object", object}})) return r;
+  if (const auto r = core::sized(__func__, "memory", memory)) return r;
+  WelkinVulkanMemory out{};
+  out.images = object->image_bytes;
+  out.staging = object->staging.bytes;
+  core::give(out, memory);
+  return WELKIN_OK;
+}

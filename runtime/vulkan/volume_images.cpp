@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vulkan/volume_images.h"
+
+#include <welkin/volume_constants.h>
+
+#include <algorithm>
+
+namespace welkin::vulkan {
+namespace {
+
+WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
+  const Device& device = o.device;
+  const uint32_t limit = device.properties.limits.maxImageDimension3D;
+  if (std::max({o.extent.width, o.extent.height, o.extent.depth}) > limit)
+    return fail(message, WELKIN_ERROR_DEVICE, "a volume of %u x %u x %u texels: the device allows %u", o.extent.width,
+                o.extent.height, o.extent.depth, limit);
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = VK_IMAGE_TYPE_3D;
+  info.format = o.format;
+  info.extent = o.extent;
+  info.mipLevels = 1;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  VkMemoryRequirements block{0, 1, ~0U};
+  VkDeviceSize offset[3];
+  for (int c = 0; c < 3; ++c) {
+    if (const auto r = check(device.fn.CreateImage(device.handle, &info, device.allocator, &o.images[c]),
+                             "welkin volume", message))
+      return r;
+    device.name(VK_OBJECT_TYPE_IMAGE, o.images[c], "welkin volume");
+    VkMemoryRequirements needs;
+    device.fn.GetImageMemoryRequirements(device.handle, o.images[c], &needs);
+    block.memoryTypeBits &= needs.memoryTypeBits;
+    block.alignment = std::max(block.alignment, needs.alignment);
+    offset[c] = (block.size + needs.alignment - 1) / needs.alignment * needs.alignment;
+    block.size = offset[c] + needs.size;
+  }
+  if (const auto r = allocateImages(device, block, "welkin volume", o.image_memory, message)) return r;
+  o.image_bytes = block.size;
+  for (int c = 0; c < 3; ++c) {
+    if (const auto r = check(device.fn.BindImageMemory(device.handle, o.images[c], o.image_memory.memory,
+                                                       o.image_memory.offset + offset[c]),
+                             "welkin volume", message))
+      return r;
+    VkImageViewCreateInfo view{};
+    view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    view.image = o.images[c];
+    view.viewType = VK_IMAGE_VIEW_TYPE_3D;
+    view.format = o.format;
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    if (const auto r = check(device.fn.CreateImageView(device.handle, &view, device.allocator, &o.views[c]),
+                             "welkin volume", message))
+      return r;
+  }
+  return WELKIN_OK;
+}
+
+WelkinResult createSets(WelkinVulkanVolume& o, WelkinMessage* message) {
+  const Device& device = o.device;
+  VkSamplerCreateInfo sampler{};
+  sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+  sampler.magFilter = sampler.minFilter = VK_FILTER_LINEAR;
+  sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  if (const auto r = check(device.fn.CreateSampler(device.handle, &sampler, device.allocator, &o.sampler),
+                           "vkCreateSampler", message))
+    return r;
+  VkDescriptorSetLayoutBinding bindings[2] = {};
+  for (uint32_t i = 0; i < 2; ++i) {
+    bindings[i].binding = i;
+    bindings[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    bindings[i].descriptorCount = i == 0 ? 1 : 3;
+    bindings[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+  }
+  VkDescriptorSetLayoutCreateInfo layout{};
+  layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  layout.bindingCount = 2;
+  layout.pBindings = bindings;
+  if (const auto r = check(device.fn.CreateDescriptorSetLayout(device.handle, &layout, device.allocator, &o.layout),
+                           "vkCreateDescriptorSetLayout", message))
+    return r;
+  const VkDescriptorPoolSize sizes[2] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, o.frame_count},
+                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3 * o.frame_count}};
+  VkDescriptorPoolCreateInfo pool{};
+  pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  pool.maxSets = o.frame_count;
+  pool.poolSizeCount = 2;
+  pool.pPoolSizes = sizes;
+  if (const auto r = check(device.fn.CreateDescriptorPool(device.handle, &pool, device.allocator, &o.pool),
+                           "vkCreateDescriptorPool", message))
+    return r;
+  VkDescriptorSetLayout layouts[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT];
+  std::fill_n(layouts, o.frame_count, o.layout);
+  VkDescriptorSetAllocateInfo sets{};
+  sets.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+  sets.descriptorPool = o.pool;
+  sets.descriptorSetCount = o.frame_count;
+  sets.pSetLayouts = layouts;
+  return check(device.fn.AllocateDescriptorSets(device.handle, &sets, o.sets), "vkAllocateDescriptorSets", message);
+}
+
+void writeSets(const WelkinVulkanVolume& o) {
+  VkDescriptorImageInfo textures[3];
+  for (int c = 0; c < 3; ++c) textures[c] = {o.sampler, o.views[c], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  for (uint32_t frame = 0; frame < o.frame_count; ++frame) {
+    const VkDescriptorBufferInfo constants{o.staging.buffer, frame * o.frame_bytes, sizeof(WelkinVolumeConstants)};
+    VkWriteDescriptorSet writes[2] = {};
+    for (uint32_t i = 0; i < 2; ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = o.sets[frame];
+      writes[i].dstBinding = i;
+      writes[i].descriptorCount = i == 0 ? 1 : 3;
+      writes[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    }
+    writes[0].pBufferInfo = &constants;
+    writes[1].pImageInfo = textures;
+    o.device.fn.UpdateDescriptorSets(o.device.handle, 2, writes, 0, nullptr);
+  }
+}
+
+}  // namespace
+
+WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message) {
+  if (const auto r = createImages(o, message)) return r;
+  const auto round = [](VkDeviceSize bytes, VkDeviceSize to) { return (bytes + to - 1) / to * to; };
+  // A multiple of 16 suits the copies of every texel, too.
+  const VkDeviceSize alignment = std::max<VkDeviceSize>(o.device.properties.limits.minUniformBufferOffsetAlignment, 16);
+  o.constants_bytes = round(sizeof(WelkinVolumeConstants), 16);
+  const VkDeviceSize texels = VkDeviceSize{o.extent.width} * o.extent.height * o.extent.depth * o.texel_bytes;
+  // An update's boxes may overlap, such as two slabs that meet at an edge: at most three of them, and two runs.
+  o.frame_bytes = round(o.constants_bytes + 3 * 4 * texels, alignment);
+  if (const auto r = createMapped(o.device, o.frame_bytes * o.frame_count,
+                                  VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                  "welkin volume staging", o.staging, message))
+    return r;
+  if (const auto r = createSets(o, message)) return r;
+  writeSets(o);
+  return WELKIN_OK;
+}
+
+void destroy(WelkinVulkanVolume& o) {
+  const Device& device = o.device;
+  device.fn.DestroyDescriptorPool(device.handle, o.pool, device.allocator);
+  device.fn.DestroyDescriptorSetLayout(device.handle, o.layout, device.allocator);
+  device.fn.DestroySampler(device.handle, o.sampler, device.allocator);
+  destroy(device, o.staging);
+  for (int c = 0; c < 3; ++c) {
+    device.fn.DestroyImageView(device.handle, o.views[c], device.allocator);
+    device.fn.DestroyImage(device.handle, o.images[c], device.allocator);
+  }
+  freeMemory(device, o.image_memory);
+}
+
+}  // namespace welkin::vulkan

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three textures of a volume and the descriptor sets that read them.
+#pragma once
+
+#include <welkin/welkin_vulkan_volume.h>
+
+#include "vulkan/memory.h"
+
+struct WelkinVulkanVolume {
+  welkin::vulkan::Device device;
+  VkExtent3D extent{};
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkDeviceSize texel_bytes = 0;
+  VkImage images[3] = {};
+  VkImageView views[3] = {};
+  WelkinVulkanAllocation image_memory{};
+  VkDeviceSize image_bytes = 0;
+  welkin::vulkan::MappedBuffer staging;  ///< of each frame: its constants, then the texels that it copies
+  VkDeviceSize constants_bytes = 0;      ///< room for a frame's constants
+  VkDeviceSize frame_bytes = 0;
+  uint32_t frame_count = 0;
+  VkSampler sampler = VK_NULL_HANDLE;
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  VkDescriptorSet sets[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT] = {};
+  bool recorded = false;  ///< the images have their texels
+};
+
+namespace welkin::vulkan {
+
+/// Creates images, staging buffer and sets. `o` has the device, extent, format and frame_count.
+WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message);
+void destroy(WelkinVulkanVolume& o);
+
+}  // namespace welkin::vulkan
