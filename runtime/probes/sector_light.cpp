@@ -52,7 +52,7 @@ LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double 
   LevelLight out;
   out.time_h = sample.time_h;
   out.local = double{light.local};
-  const double of_sky = sky_scale * double{light.sky};
+  const double of_sky = out.sky_factor = sky_scale * double{light.sky};
   const double of_sun = sun_bounce_scale * double{light.sun_bounce};
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::size_t k = 0; k < 4; ++k)

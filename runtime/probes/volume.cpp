@@ -33,8 +33,9 @@ float scaleFor(float largest, WelkinVolumeFormat format, float present) {
   return std::exp2(std::ceil(8.0F * std::log2(largest)) / 8.0F);
 }
 
-/// The open sky's irradiance in the directions of the basis, from the bands 0 to 2 of a sample: [channel][direction].
-void openLight(const WelkinSkySample& sample, float* out) {
+/// The open sky's irradiance in the directions of the basis, from the bands 0 to 2 of a sample, times a factor:
+/// [channel][direction].
+void openLight(const WelkinSkySample& sample, double factor, float* out) {
   const f64::TransferBasis basis = f64::transferBasis();
   for (std::size_t b = 0; b < kDirections; ++b) {
     const f64::ShBasis at = f64::shBasis(basis.v[b]);
@@ -42,7 +43,7 @@ void openLight(const WelkinSkySample& sample, float* out) {
       double sum = 0.0;
       for (std::uint32_t k = 0; k < std::min(sample.coefficient_count, 9U); ++k)
         sum += double{sample.ambient_sh[k][c]} * f64::cosineLobe(k == 0 ? 0 : k < 4 ? 1 : 2) * at.v[k];
-      out[c * kDirections + b] = static_cast<float>(std::max(sum, 0.0));
+      out[c * kDirections + b] = static_cast<float>(std::max(sum * factor, 0.0));
     }
   }
 }
@@ -138,7 +139,7 @@ void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sam
   bool whole = !volume.filled;
   if (changed) {
     float open[kColours];
-    openLight(sample, open);
+    openLight(sample, level.light.sky_factor, open);
     const float scale = scaleFor(largestOf(level, open), volume.format, volume.scale);
     whole = whole || scale != volume.scale;
     volume.scale = scale;

@@ -8,6 +8,7 @@
 
 #include "command/arguments.h"
 #include "command/commands.h"
+#include "command/level_folder.h"
 #include "command/render_options.h"
 #include "command/render_picture.h"
 #include "command/welkin_file.h"
@@ -37,12 +38,15 @@ void runRender(const RenderOptions& options) {
   const bool level = parseView(options) == View::level;
   const base::TomlFile file = level ? base::readToml(options.level) : base::TomlFile{};
   const level::Scene scene = level ? sceneOf(file) : level::Scene{};
+  std::optional<LevelFolder> baked;
+  if (level && parseLevelLight(options) == LevelLight::probes) baked.emplace(options.sky);
   std::optional<render::LevelProbes> probes;
   if (!options.probes.empty()) probes.emplace(file, options.probes);
   render::VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
-  const render::Picture picture =
-      level ? drawLevel(device, sky, scene, probes ? &*probes : nullptr, options) : drawSky(device, sky, options);
+  const render::Picture picture = level ? drawLevel(device, sky, scene, baked ? baked->level().get() : nullptr,
+                                                    probes ? &*probes : nullptr, options)
+                                        : drawSky(device, sky, options);
   if (device.messageCount() > 0)
     throw base::Error(base::ExitStatus::internal,
                       std::to_string(device.messageCount()) + " Vulkan validation messages");
@@ -55,7 +59,7 @@ void addRender(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   auto* command =
       app.add_subcommand("render", "Draw a baked sky, or a level under it, with the runtime's own Vulkan passes");
-  command->add_option("sky", options->sky, "A baked sky, or the directory that holds sky.welkin")->required();
+  command->add_option("path", options->sky, "A baked sky, or the folder of a baked sky or level")->required();
   command->add_option("-o,--output", options->output, "The PNG to write")->required();
   command->add_option("--time", options->times, "Hour of the day; several make a contact sheet, a column each")
       ->required()
@@ -64,8 +68,13 @@ void addRender(CLI::App& app) {
                       "dome: the hemisphere, looking up; horizon; spheres; sheet: all of them; level: the level");
   command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT; in a sheet those of its horizon pictures");
   command->add_option("--sky", options->source, "analytic: formulas and gradients; cubemap: the baked cubemaps");
-  command->add_option("--sky-light", options->sky_light,
-                      "Ambient light: flat, sh, or for the spheres both: left and right");
+  command->add_option(
+      "--sky-light", options->sky_light,
+      "Ambient light: of a level flat, sh or probes, by default the probes where the folder has them; of the "
+      "spheres flat, sh or both: left and right");
+  command->add_option("--component", options->component,
+                      "The part of a level's light: all, ambient (without sun, moon, lamps and emission), or of the "
+                      "probes' light sky, sun-bounce or local");
   command->add_option("--exposure", options->exposure, "auto, or stops: radiance is multiplied by 2^EV");
   command->add_option("--yaw", options->yaw_deg,
                       "Degrees clockwise from north; default: towards the sun or the moon, for the spheres 120 degrees "

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "command/arguments.h"
+#include "probes/build/level_files.h"
 #include "sky/base/error.h"
 
 namespace welkin::command {
@@ -45,11 +46,26 @@ WelkinVulkanSource parseSource(const RenderOptions& options) {
 }
 
 render::SkyLight parseSkyLight(const RenderOptions& options) {
-  if (options.sky_light.empty())
-    return parseView(options) == View::level ? render::SkyLight::sh : render::SkyLight::both;
+  if (options.sky_light.empty() || parseView(options) == View::level) return render::SkyLight::both;
   return choose<render::SkyLight>(
       "--sky-light", options.sky_light,
       {{"flat", render::SkyLight::flat}, {"sh", render::SkyLight::sh}, {"both", render::SkyLight::both}});
+}
+
+LevelLight parseLevelLight(const RenderOptions& options) {
+  if (options.sky_light.empty()) return build::isLevelFolder(options.sky) ? LevelLight::probes : LevelLight::sh;
+  return choose<LevelLight>("--sky-light", options.sky_light,
+                            {{"flat", LevelLight::flat}, {"sh", LevelLight::sh}, {"probes", LevelLight::probes}});
+}
+
+Component parseComponent(const RenderOptions& options) {
+  if (options.component.empty()) return Component::all;
+  return choose<Component>("--component", options.component,
+                           {{"all", Component::all},
+                            {"ambient", Component::ambient},
+                            {"sky", Component::sky},
+                            {"sun-bounce", Component::sun_bounce},
+                            {"local", Component::local}});
 }
 
 Size parseSize(const RenderOptions& options, Size fallback) {
@@ -97,7 +113,8 @@ void checkOptions(const RenderOptions& options) {
   for (const std::string& time : options.times) parseTime(time);
   const bool level = parseView(options) == View::level;
   const bool cubemap = parseSource(options) == WELKIN_VULKAN_CUBEMAP;
-  const render::SkyLight light = parseSkyLight(options);
+  parseSkyLight(options);
+  const Component component = parseComponent(options);
   parseExposure(options.exposure);
   parseSize(options, {});
   parseCamera(options);
@@ -105,7 +122,12 @@ void checkOptions(const RenderOptions& options) {
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
   if (!level && !options.probes.empty()) refuse("--probes: only a level has probes; give --level LEVEL.toml");
   if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
-  if (level && light == render::SkyLight::both) refuse("--sky-light both: for a level it is flat or sh");
+  const bool probes = level && parseLevelLight(options) == LevelLight::probes;
+  if (probes && !build::isLevelFolder(options.sky))
+    refuse("--sky-light probes: " + options.sky + " is not the folder of a baked level (it has no level.welkin)");
+  if (!probes && component != Component::all && component != Component::ambient)
+    refuse("--component " + options.component + ": only probes tell these parts apart; give --sky-light probes");
+  if (!level && component != Component::all) refuse("--component: only a level has parts; give --level LEVEL.toml");
   if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");
 }
 

@@ -14,14 +14,20 @@ namespace welkin::command {
 
 enum class View { dome, horizon, spheres, sheet, level };
 
+/// Ambient light of a level, and the part of its light that is drawn.
+enum class LevelLight { flat, sh, probes };
+enum class Component { all, ambient, sky, sun_bounce, local };
+
 struct RenderOptions {
   std::string sky;
   std::string output;
   std::vector<std::string> times;
   std::string view;  ///< empty: "level" if a level is given, else "dome" for one time, "sheet" for several
   std::string size;
-  std::string source;     ///< empty: analytic
-  std::string sky_light;  ///< empty: sh for a level, both for the spheres
+  std::string source;  ///< empty: analytic
+  std::string
+      sky_light;  ///< empty: both for the spheres; for a level its probes, or sh where `sky` is no level's folder
+  std::string component;  ///< empty: all
   std::string exposure = "auto";
   std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
   std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
@@ -40,6 +46,8 @@ struct Size {
 View parseView(const RenderOptions& options);
 WelkinVulkanSource parseSource(const RenderOptions& options);
 render::SkyLight parseSkyLight(const RenderOptions& options);
+LevelLight parseLevelLight(const RenderOptions& options);
+Component parseComponent(const RenderOptions& options);
 Size parseSize(const RenderOptions& options, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);

@@ -77,7 +77,7 @@ render::Picture drawSky(render::VulkanDevice& device, const Sky& sky, const Rend
   });
 }
 
-render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene,
+render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene, WelkinLevel* baked,
                           const render::LevelProbes* probes, const RenderOptions& options) {
   constexpr uint32_t kSamples = 2;  // along each side of a pixel
   const bool sheet = options.times.size() > 1;
@@ -89,10 +89,17 @@ render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const le
   }
   if (options.yaw_deg) from.camera.yaw_rad = *options.yaw_deg * f64::kDegree;
   if (options.pitch_deg) from.camera.pitch_rad = *options.pitch_deg * f64::kDegree;
+  const Component part = parseComponent(options);
+  const auto factor = [&](Component own) {
+    return part == Component::all || part == Component::ambient || part == own ? 1.0F : 0.0F;
+  };
   render::LevelView view(device, sky, scene,
-                         {.flat_light = parseSkyLight(options) == render::SkyLight::flat,
+                         {.flat_light = parseLevelLight(options) == LevelLight::flat,
                           .tint = !options.no_tint,
-                          .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP});
+                          .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
+                          .direct = part == Component::all,
+                          .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}},
+                         baked);
   return drawTimes(sky, options, sheet, kSamples, [&](double time_h) {
     view.setTime(time_h);
     if (probes != nullptr) view.setProbes(probes->at(time_h));

@@ -15,8 +15,9 @@ namespace welkin::command {
 /// A view of the sky, or a sheet of several views and hours.
 render::Picture drawSky(render::VulkanDevice& device, const Sky& sky, const RenderOptions& options);
 
-/// A level under the sky, or a sheet of several hours. `probes`: null for none.
-render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene,
+/// A level under the sky, or a sheet of several hours. `baked`: the level whose probes light it, or null. `probes`:
+/// those drawn as spheres, or null.
+render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene, WelkinLevel* baked,
                           const render::LevelProbes* probes, const RenderOptions& options);
 
 }  // namespace welkin::command

@@ -106,17 +106,22 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
     const float* d = light->direction;
     const float* e = light->normal_irradiance;
     towards = {double{d[0]}, double{d[1]}, double{d[2]}};
-    setVector(constants.light_irradiance, {double{e[0]}, double{e[1]}, double{e[2]}}, 0.0);
+    if (options.direct) setVector(constants.light_irradiance, {double{e[0]}, double{e[1]}, double{e[2]}}, 0.0);
   }
   const level::Bounds& bounds = scene.bounds.empty() ? scene.water : scene.bounds;
   const double texel = setShadow(constants, bounds, towards, options.shadow_size);
   setVector(constants.light, light != nullptr ? towards : Number3(0.0, -1.0, 0.0), texel);
   constants.light_irradiance[3] = static_cast<float>(1.0 / options.shadow_size);
   const double pixel_rad = 2.0 * std::tan(0.5 * camera.fov_rad) / height;
-  setVector(constants.options, {options.mist_per_m, options.flat_light ? 1.0 : 0.0, mirrored ? level : -1e30},
+  setVector(constants.options,
+            {options.mist_per_m,
+             options.probes       ? double{options.parts.sky}
+             : options.flat_light ? 1.0
+                                  : 0.0,
+             mirrored ? level : -1e30},
             pixel_rad);
   setVector(constants.water, {sea ? level : 0.0, options.waves ? kRippleVariance : 0.0, options.cubemaps ? 1.0 : 0.0},
-            static_cast<double>(scene.lights.size()));
+            options.direct ? static_cast<double>(scene.lights.size()) : 0.0);
   setVector(constants.floor_edge, {bounds.low.x, bounds.low.z, bounds.high.x}, bounds.high.z);
   if (options.waves) {
     const auto waves = wavesAt(sample.time_h);

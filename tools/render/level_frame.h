@@ -6,6 +6,7 @@
 
 #include "probes/level/scene.h"
 #include "render/camera.h"
+#include "render/level_volume.h"
 #include "render/shaders/level_constants.h"
 
 namespace welkin::render {
@@ -16,6 +17,9 @@ struct LevelOptions {
   bool tint = true;             ///< the dome's polarising tint
   bool waves = true;            ///< false: the sea is a mirror
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
+  bool direct = true;           ///< false: sun, moon, lamps and emission light nothing; their bounced light stays
+  bool probes = false;          ///< the ambient light is that of a baked level's probes
+  ProbeParts parts;             ///< factors on the light of probes
   double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
   uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels
 };

@@ -28,12 +28,15 @@ struct PlacedInstance {
   float emission[4];
 };
 
-std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double luminance_unit) {
+std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double luminance_unit, bool emits) {
   std::vector<PlacedInstance> instances;
   for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}});
   for (const level::Draw& draw : scene.draws) {
     const geometry::Material& surface = scene.materials[draw.material].surface;
-    const f64::Number3 emission = surface.emission * ((surface.blended ? surface.alpha : 1.0) / luminance_unit);
+    const f64::Number3 emission = surface.emission * ((!emits            ? 0.0
+                                                       : surface.blended ? surface.alpha
+                                                                         : 1.0) /
+                                                      luminance_unit);
     for (uint32_t i = 0; i < draw.instance_count; ++i)
       for (int c = 0; c < 3; ++c) instances[draw.first_instance + i].emission[c] = static_cast<float>(emission[c]);
   }
@@ -42,7 +45,7 @@ std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double lumina
 
 }  // namespace
 
-LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit)
+LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit, bool emits)
     : scene_(scene),
       vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
       indices_(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
@@ -50,7 +53,7 @@ LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, doub
                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
   fill(vertices_, scene.vertices);
   fill(indices_, scene.indices);
-  fill(instances_, instancesOf(scene, luminance_unit));
+  fill(instances_, instancesOf(scene, luminance_unit, emits));
 }
 
 std::span<const VkVertexInputAttributeDescription> LevelMesh::attributes() {

@@ -12,8 +12,9 @@ namespace welkin::render {
 
 class LevelMesh {
  public:
-  /// `scene` must outlive the object. Its emission, cd/m2, over `luminance_unit`, cd/m2, is in scene units.
-  LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit);
+  /// `scene` must outlive the object. Its emission, cd/m2, over `luminance_unit`, cd/m2, is in scene units;
+  /// without `emits` nothing glows.
+  LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit, bool emits = true);
 
   VkBuffer instances() const { return instances_.handle(); }
 

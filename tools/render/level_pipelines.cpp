@@ -12,8 +12,12 @@
 #include "spirv/kFullscreenVert.h"
 #include "spirv/kLevelGlassFrag.h"
 #include "spirv/kLevelGlassOfModesFrag.h"
+#include "spirv/kLevelGlassOfProbesAndModesFrag.h"
+#include "spirv/kLevelGlassOfProbesFrag.h"
 #include "spirv/kLevelLightFrag.h"
 #include "spirv/kLevelLightOfModesFrag.h"
+#include "spirv/kLevelLightOfProbesAndModesFrag.h"
+#include "spirv/kLevelLightOfProbesFrag.h"
 #include "spirv/kLevelProbesFrag.h"
 #include "spirv/kLevelProbesVert.h"
 #include "spirv/kLevelShadowVert.h"
@@ -21,16 +25,19 @@
 #include "spirv/kLevelSurfaceVert.h"
 #include "spirv/kLevelWaterFrag.h"
 #include "spirv/kLevelWaterOfModesFrag.h"
+#include "spirv/kLevelWaterOfProbesAndModesFrag.h"
+#include "spirv/kLevelWaterOfProbesFrag.h"
 #include "spirv/kLevelWaterVert.h"
 
 namespace welkin::render {
 
-LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes)
+LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, VkDescriptorSetLayout volume,
+                               bool light_of_modes)
     : device_(device.device()) {
   try {
-    createLayouts(sky);
+    createLayouts(sky, volume);
     createSamplers();
-    createPipelines(light_of_modes);
+    createPipelines(light_of_modes, volume != VK_NULL_HANDLE);
   } catch (...) {
     destroy();
     throw;
@@ -46,7 +53,7 @@ void LevelPipelines::destroy() {
   vkDestroySampler(device_, sampler_, nullptr);
 }
 
-void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
+void LevelPipelines::createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLayout volume) {
   VkDescriptorSetLayoutBinding bindings[WELKIN_LEVEL_BINDINGS] = {};
   for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
     bindings[i].binding = i;
@@ -63,10 +70,10 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky) {
   set.bindingCount = WELKIN_LEVEL_BINDINGS;
   set.pBindings = bindings;
   require(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_), "vkCreateDescriptorSetLayout");
-  const VkDescriptorSetLayout sets[2] = {sky, set_};
+  const VkDescriptorSetLayout sets[3] = {sky, set_, volume};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  info.setLayoutCount = 2;
+  info.setLayoutCount = volume == VK_NULL_HANDLE ? 2 : 3;
   info.pSetLayouts = sets;
   const VkPushConstantRange of_glass{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(shaders::GlassPush)};
   info.pushConstantRangeCount = 1;
@@ -91,8 +98,11 @@ void LevelPipelines::createSamplers() {
   require(vkCreateSampler(device_, &info, nullptr, &shadow_sampler_), "vkCreateSampler");
 }
 
-void LevelPipelines::createPipelines(bool light_of_modes) {
+void LevelPipelines::createPipelines(bool light_of_modes, bool of_probes) {
   using Words = std::span<const uint32_t>;
+  const auto variant = [&](Words sh, Words modes, Words probes_and_sh, Words probes_and_modes) {
+    return of_probes ? (light_of_modes ? probes_and_modes : probes_and_sh) : (light_of_modes ? modes : sh);
+  };
   const auto attributes = LevelMesh::attributes();
   shadow = createGraphicsPipeline(device_, {.layout = layout_,
                                             .vertex = kLevelShadowVert,
@@ -113,13 +123,14 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                              .depth_write = true,
                                              .dynamic_culling = true});
   // The full-screen triangle has depth 0, less than any surface.
-  light = createGraphicsPipeline(device_,
-                                 {.layout = layout_,
-                                  .vertex = kFullscreenVert,
-                                  .fragment = light_of_modes ? Words(kLevelLightOfModesFrag) : Words(kLevelLightFrag),
-                                  .colours = {Offscreen::kFormat},
-                                  .depth = kDepthFormat,
-                                  .depth_compare = VK_COMPARE_OP_LESS});
+  light =
+      createGraphicsPipeline(device_, {.layout = layout_,
+                                       .vertex = kFullscreenVert,
+                                       .fragment = variant(kLevelLightFrag, kLevelLightOfModesFrag,
+                                                           kLevelLightOfProbesFrag, kLevelLightOfProbesAndModesFrag),
+                                       .colours = {Offscreen::kFormat},
+                                       .depth = kDepthFormat,
+                                       .depth_compare = VK_COMPARE_OP_LESS});
   probes = createGraphicsPipeline(device_, {.layout = layout_,
                                             .vertex = kLevelProbesVert,
                                             .fragment = kLevelProbesFrag,
@@ -130,23 +141,25 @@ void LevelPipelines::createPipelines(bool light_of_modes) {
                                             .depth = kDepthFormat,
                                             .depth_compare = VK_COMPARE_OP_GREATER,
                                             .depth_write = true});
-  glass = createGraphicsPipeline(device_,
-                                 {.layout = layout_,
-                                  .vertex = kLevelSurfaceVert,
-                                  .fragment = light_of_modes ? Words(kLevelGlassOfModesFrag) : Words(kLevelGlassFrag),
-                                  .attributes = attributes,
-                                  .vertex_bytes = sizeof(level::Vertex),
-                                  .colours = {Offscreen::kFormat},
-                                  .depth = kDepthFormat,
-                                  .depth_compare = VK_COMPARE_OP_GREATER,
-                                  .dual_source = true});
-  water = createGraphicsPipeline(device_,
-                                 {.layout = layout_,
-                                  .vertex = kLevelWaterVert,
-                                  .fragment = light_of_modes ? Words(kLevelWaterOfModesFrag) : Words(kLevelWaterFrag),
-                                  .colours = {Offscreen::kFormat},
-                                  .depth = kDepthFormat,
-                                  .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
+  glass =
+      createGraphicsPipeline(device_, {.layout = layout_,
+                                       .vertex = kLevelSurfaceVert,
+                                       .fragment = variant(kLevelGlassFrag, kLevelGlassOfModesFrag,
+                                                           kLevelGlassOfProbesFrag, kLevelGlassOfProbesAndModesFrag),
+                                       .attributes = attributes,
+                                       .vertex_bytes = sizeof(level::Vertex),
+                                       .colours = {Offscreen::kFormat},
+                                       .depth = kDepthFormat,
+                                       .depth_compare = VK_COMPARE_OP_GREATER,
+                                       .dual_source = true});
+  water =
+      createGraphicsPipeline(device_, {.layout = layout_,
+                                       .vertex = kLevelWaterVert,
+                                       .fragment = variant(kLevelWaterFrag, kLevelWaterOfModesFrag,
+                                                           kLevelWaterOfProbesFrag, kLevelWaterOfProbesAndModesFrag),
+                                       .colours = {Offscreen::kFormat},
+                                       .depth = kDepthFormat,
+                                       .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL});
 }
 
 }  // namespace welkin::render

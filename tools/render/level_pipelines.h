@@ -12,9 +12,10 @@ class LevelPipelines {
   static constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
   static constexpr VkFormat kSurfaceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< albedo, normal
 
-  /// `sky` is the layout of set 0. With `light_of_modes` the ambient light comes from the modes of the sky's
-  /// irradiance.
-  LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, bool light_of_modes);
+  /// `sky` is the layout of set 0, and `volume` that of set 2, or VK_NULL_HANDLE without probes. With `light_of_modes`
+  /// the open sky's light comes from the modes of its irradiance.
+  LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, VkDescriptorSetLayout volume,
+                 bool light_of_modes);
   ~LevelPipelines() { destroy(); }
   LevelPipelines(const LevelPipelines&) = delete;
   LevelPipelines& operator=(const LevelPipelines&) = delete;
@@ -32,9 +33,9 @@ class LevelPipelines {
   VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea, where nothing is in front of it
 
  private:
-  void createLayouts(VkDescriptorSetLayout sky);
+  void createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLayout volume);
   void createSamplers();
-  void createPipelines(bool light_of_modes);
+  void createPipelines(bool light_of_modes, bool of_probes);
   void destroy();
 
   VkDevice device_;

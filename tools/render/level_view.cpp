@@ -103,17 +103,21 @@ void recordCopy(VkCommandBuffer commands, Image& from, Image& to) {
 
 }  // namespace
 
-LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options)
+LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options,
+                     WelkinLevel* baked)
     : device_(device),
       scene_(scene),
       options_(options),
       sky_(device, sky, LevelPipelines::kDepthFormat, VK_COMPARE_OP_EQUAL),
-      mesh_(device, scene, double{sky.info().luminance_unit}),
+      mesh_(device, scene, double{sky.info().luminance_unit}, options.direct),
       lamps_(device, scene, double{sky.info().luminance_unit}),
       blockers_(device, levelTree(scene.lights.empty() ? level::Scene{} : scene)),
-      pipelines_(device, sky_.layout(), sky.info().mode_count > 0),
+      volume_(baked == nullptr ? nullptr : std::make_unique<LevelVolume>(device, *baked, options.parts)),
+      pipelines_(device, sky_.layout(), volume_ ? volume_->layout() : VkDescriptorSetLayout{VK_NULL_HANDLE},
+                 sky.info().mode_count > 0),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
+  options_.probes = volume_ != nullptr;
   pool_ = createSets(device.device(), pipelines_.setLayout(), sets_);
 }
 
@@ -122,9 +126,10 @@ LevelView::~LevelView() {
 }
 
 void LevelView::bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const {
-  const VkDescriptorSet sets[2] = {sky_.set(), target.set};
+  const VkDescriptorSet sets[3] = {sky_.set(), target.set, volume_ ? volume_->set() : VkDescriptorSet{VK_NULL_HANDLE}};
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 2, sets, 0, nullptr);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, volume_ ? 3 : 2, sets, 0,
+                          nullptr);
 }
 
 void LevelView::beginOver(VkCommandBuffer commands, Target& target, const ImageUse& depth_use, Image& radiance,
@@ -214,6 +219,7 @@ void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& rad
 }
 
 FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position) {
+  if (volume_) volume_->update(sample(), position);
   const bool sea = !scene_.water.empty() && position.y > scene_.water.high.y;
   const VkExtent2D extent{width, height};
   const VkExtent2D half{std::max(width / 2, 1U), std::max(height / 2, 1U)};

@@ -12,6 +12,7 @@
 #include "render/level_lamps.h"
 #include "render/level_mesh.h"
 #include "render/level_pipelines.h"
+#include "render/level_volume.h"
 #include "render/offscreen.h"
 #include "render/probe_sphere.h"
 #include "render/runtime_sky.h"
@@ -20,8 +21,10 @@ namespace welkin::render {
 
 class LevelView {
  public:
-  /// `device`, `sky` and `scene` must outlive the object.
-  LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options);
+  /// `device`, `sky` and `scene` must outlive the object; `baked` too, whose probes give the ambient light. Null: the
+  /// open sky does.
+  LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options,
+            WelkinLevel* baked = nullptr);
   ~LevelView();
   LevelView(const LevelView&) = delete;
   LevelView& operator=(const LevelView&) = delete;
@@ -60,6 +63,7 @@ class LevelView {
   LevelMesh mesh_;
   LevelLamps lamps_;
   LevelBlockers blockers_;
+  std::unique_ptr<LevelVolume> volume_;  ///< null without probes' light
   LevelPipelines pipelines_;
   std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;

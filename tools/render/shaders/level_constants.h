@@ -41,8 +41,8 @@ struct LevelConstants {
   WELKIN_VECTOR camera;            // xyz: position; w: distance of the near plane
   WELKIN_VECTOR light;             // xyz: unit, towards the sun or the moon; w: edge of a shadow texel, metres
   WELKIN_VECTOR light_irradiance;  // rgb: normal irradiance; w: 1 / edge of the shadow map in texels
-  WELKIN_VECTOR options;     // x: mist, extinction per metre; y: 1 flat ambient light, else 0; z: lowest height drawn;
-                             // w: angle of a pixel, radians
+  WELKIN_VECTOR options;     // x: mist, extinction per metre; y: 1 flat ambient light, else 0, and with probes the
+                             // factor on the open sky's light; z: lowest height drawn; w: angle of a pixel, radians
   WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
                              // z: 1 mirrors the baked cubemaps, else 0; w: number of lamps
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres

@@ -29,14 +29,26 @@ float lightReaching(vec3 p, vec3 normal) {
   return sum / 9.0;
 }
 
-vec3 ambientIrradiance(vec3 normal) { return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal); }
+// Ambient light of a surface: that of the probes, and beyond their volume the open sky's; or without probes the open
+// sky's, or one colour.
+#ifdef WELKIN_LIGHT_OF_PROBES
+#define WELKIN_VOLUME_SET 2
+#include "welkin/volume.glsl"
+vec3 ambientIrradiance(vec3 p, vec3 normal) {
+  return mix(skyIrradiance(normal) * level.options.y, welkinVolumeIrradiance(p, normal), welkinVolumeWeight(p));
+}
+#else
+vec3 ambientIrradiance(vec3 p, vec3 normal) {
+  return level.options.y > 0.0 ? welkinFlatIrradiance() : skyIrradiance(normal);
+}
+#endif
 
 // Irradiance of a surface from the sky, the light and the level's own lamps.
 vec3 surfaceIrradiance(vec3 p, vec3 normal) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
   if (cosine > 0.0) direct = level.light_irradiance.rgb * (cosine * lightReaching(p, normal));
-  return ambientIrradiance(normal) + direct + lampsIrradiance(p, normal);
+  return ambientIrradiance(p, normal) + direct + lampsIrradiance(p, normal);
 }
 
 // Radiance seen through `distance_m` of air. The air replaces the light it absorbs by the sky's radiance at the horizon

@@ -109,7 +109,7 @@ void main() {
   left *= smoothstep(0.0, kFloorFade, min(inside.x, inside.y));
   float shadow = lightReaching(p, vec3(0.0, 1.0, 0.0));
   float light_y = max(level.light.y, 0.0);
-  vec3 irradiance = ambientIrradiance(vec3(0.0, 1.0, 0.0)) + level.light_irradiance.rgb * (light_y * shadow);
+  vec3 irradiance = ambientIrradiance(p, vec3(0.0, 1.0, 0.0)) + level.light_irradiance.rgb * (light_y * shadow);
   vec3 body = mix(kWaterAlbedo / kPi * irradiance, texelFetch(levelScene, bent, 0).rgb, left);
 
   vec3 half_vector = normalize(view + level.light.xyz);
