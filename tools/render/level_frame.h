@@ -19,7 +19,7 @@ struct LevelOptions {
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   bool direct = true;           ///< false: sun, moon, lamps and emission light nothing; their bounced light stays
   bool probes = false;          ///< the ambient light is that of a baked level's probes
-  ProbeParts parts;             ///< factors on the light of probes
+  ProbeParts parts{};           ///< factors on the light of probes
   double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
   uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels
 };
