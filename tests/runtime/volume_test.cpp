@@ -210,6 +210,7 @@ TEST_CASE("Volume, BeyondTheSectorsItIsTheOpenSky") {
     REQUIRE(welkin_sample_irradiance(&sample, normal.data(), wanted) == WELKIN_OK);
     REQUIRE(welkin_volume_irradiance(volume.volume, position, normal.data(), found, nullptr) == WELKIN_OK);
     // The volume is linear in the normal, the sky not quite.
+    for (float& w : wanted) w *= static_cast<float>(baked.index.scale.sky);
     for (int c = 0; c < 3; ++c) CHECK(double{found[c]} == Approx(double{wanted[c]}).epsilon(0.25));
     if (normal[1] == -1.0F)
       for (int c = 0; c < 3; ++c) CHECK(double{found[c]} == Approx(double{wanted[c]}).epsilon(2e-3));
