@@ -28,9 +28,9 @@ while read -r file; do
   path=$(realpath "$file")
   printf '[level]\nsky = "sky.toml"\noutside_files = "allow"\n[[geometry]]\nfile = "%s"\n' "$path" >"$work/level.toml"
   status=0
-  timeout 60 "$welkin" plan "$work/level.toml" --progress none >/dev/null 2>"$work/said" || status=$?
+  timeout 600 "$welkin" plan "$work/level.toml" --progress none >/dev/null 2>"$work/said" || status=$?
   if [ "$status" = 0 ]; then
-    timeout 60 "$welkin" reference "$work/level.toml" --time 12 --position 0,1,0 --normal 0,1,0 --samples 1024 \
+    timeout 600 "$welkin" reference "$work/level.toml" --time 12 --position 0,1,0 --normal 0,1,0 --samples 1024 \
       --progress none >/dev/null 2>"$work/said" || status=$?
   fi
   what=read

@@ -84,6 +84,18 @@ tinygltf::Model parse(nlohmann::json& gltf, GltfBuffers buffers, const std::stri
   return model;
 }
 
+/// Refuses another version before the types, which glTF 1.0 has others of. Types refuse a version that is no string.
+void requireVersion(const nlohmann::json& gltf, const std::string& name) {
+  const auto asset = gltf.find("asset");
+  if (asset == gltf.end() || !asset->is_object()) return;
+  const auto version = asset->find("version");
+  if (version == asset->end() || !version->is_string()) return;
+  const auto text = version->get<std::string>();
+  if (!text.starts_with("2."))
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: asset.version = \"{}\": must be 2.0", name, base::shortened(text, 20)));
+}
+
 }  // namespace
 
 tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files,
@@ -93,10 +105,8 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
   files.push_back(path);
   const GltfParts parts = partsOfGltf(bytes, name);
   nlohmann::json gltf = parseGltfJson(parts.json, name);
+  requireVersion(gltf, name);
   checkGltfTypes(gltf, name);
-  if (const auto version = gltf["asset"]["version"].get<std::string>(); !version.starts_with("2."))
-    throw base::Error(base::ExitStatus::content,
-                      fmt::format("{}: asset.version = \"{}\": must be 2.0", name, base::shortened(version, 20)));
   requireKnownExtensions(gltf, name);
   for (std::string& warning : extensionWarnings(gltf, name)) warnings.push_back(std::move(warning));
   GltfBuffers buffers = readGltfBuffers(gltf, parts.binary, path, files);

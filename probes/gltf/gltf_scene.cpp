@@ -26,6 +26,9 @@ class GltfSource : public level::GeometrySource {
     warn(std::any_of(model_.nodes.begin(), model_.nodes.end(),
                      [](const tinygltf::Node& node) { return node.skin >= 0 && node.mesh >= 0; }),
          "skins: skinned meshes stand as their nodes place them");
+    warn(std::any_of(model_.animations.begin(), model_.animations.end(),
+                     [](const tinygltf::Animation& animation) { return !animation.channels.empty(); }),
+         "animations: what they move stands as the nodes and weights of the file say");
   }
 
   void place(const level::GeometryEntry& entry) override {

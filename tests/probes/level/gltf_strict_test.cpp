@@ -67,6 +67,18 @@ TEST_CASE("GltfStrict, NodesMayBe256Deep") {
   });
 }
 
+TEST_CASE("GltfStrict, AnotherVersionIsNamedBeforeItsTypes") {
+  const auto ofVersion = [](const json& version) {
+    return squareText([&](json& gltf) {
+      gltf["asset"]["version"] = version;
+      gltf["scene"] = "defaultScene";  // as in glTF 1.0
+    });
+  };
+  checkRefused(ofVersion("1.0"), base::ExitStatus::content, "asset.version = \"1.0\": must be 2.0");
+  checkRefused(ofVersion("2.0"), base::ExitStatus::content, "scene = \"defaultScene\"");
+  checkRefused(ofVersion(2), base::ExitStatus::content, "asset.version = 2: must be a string");
+}
+
 TEST_CASE("GltfStrict, AKeyIsThereOnce") {
   const std::string text = squareText([](json&) {});
   checkRefused("{\"scene\":0," + text.substr(1), base::ExitStatus::content, "the key \"scene\" twice");

@@ -98,6 +98,28 @@ TEST_CASE("Gltf, WithoutNormalsTrianglesAreFlat") {
   }
 }
 
+TEST_CASE("Gltf, SkinsAndAnimationsStandStillAndAreWarnedOf") {
+  GltfText gltf;
+  gltf.addNode(gltf.addMesh(squareMesh()), {{"translation", {1, 2, 3}}});
+  gltf.json["nodes"].push_back({{"name", "joint"}, {"translation", {7, 7, 7}}});
+  const level::Scene plain = sceneOf(gltf.text());
+  REQUIRE(plain.warnings.empty());
+  gltf.json["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
+  REQUIRE(sceneOf(gltf.text()).warnings.empty());
+
+  gltf.json["nodes"][0]["skin"] = 0;
+  gltf.json["skins"] = {{{"joints", {1}}}};  // inverseBindMatrices may be missing
+  gltf.json["animations"][0] = {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                                {"samplers", {{{"input", 0}, {"output", 0}}}}};
+  const level::Scene moving = sceneOf(gltf.text());
+  REQUIRE(moving.warnings.size() == 2);
+  CHECK_THAT(moving.warnings[0], Catch::Contains("skins: skinned meshes stand as their nodes place them"));
+  CHECK_THAT(moving.warnings[1], Catch::Contains("animations: what they move stands as the nodes and weights"));
+  REQUIRE(moving.vertices.size() == plain.vertices.size());
+  REQUIRE(moving.instances.size() == 1);
+  CHECK(moving.instances[0].row[1][3] == 2.0F);
+}
+
 TEST_CASE("Gltf, StripsAndFansAreTrianglesAndLinesAreLeftOut") {
   for (const auto& [mode, order] : {std::pair{5, std::vector<uint16_t>{0, 3, 1, 2}}, {6, {0, 3, 2, 1}}}) {
     GltfText gltf;
