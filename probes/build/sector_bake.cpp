@@ -8,6 +8,7 @@
 
 #include "format/container.h"
 #include "probes/build/local_bake.h"
+#include "probes/placement/cell_cuts.h"
 #include "probes/placement/counts.h"
 #include "probes/transfer/trace_transfer.h"
 #include "sky/base/error.h"
@@ -88,6 +89,16 @@ transfer::SectorProbes probesOf(const geometry::PlacedSector& placed, const std:
   probes.sun = std::move(fit.coefficient);
   probes.modes = std::move(fit.modes);
   return probes;
+}
+
+std::vector<placement::ProbeLook> looksOf(const std::vector<transfer::TracedProbe>& traced) {
+  std::vector<placement::ProbeLook> looks(traced.size());
+  for (std::size_t i = 0; i < traced.size(); ++i)
+    for (std::size_t b = 0; b < transfer::kDirections; ++b) {
+      looks[i].sky[b] = traced[i].transfer.visibility[b];
+      looks[i].lamps[b] = det::luminanceOf(traced[i].transfer.emitted[b]);
+    }
+  return looks;
 }
 
 }  // namespace
@@ -171,6 +182,8 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
       file.error.sampling_probe = i;
     }
   }
+  if (settings.section.probes.walls == placement::Walls::cut)
+    file.cuts = placement::cutCells(tracer, placed, looksOf(traced), progress);
   const transfer::SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
   file.probes = transfer::encodeProbes(probes);
   file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, kHere));

@@ -80,6 +80,8 @@ Json reportJson(const sectors::SectorFile& s, const sectors::SectorEntry& entry)
           {"probes", entry.probes},
           {"probe_bytes", s.probes.bytesAProbe()},
           {"local_bytes", s.local ? s.local->encoded.bytes() : std::size_t{0}},
+          {"cut_cells", s.cuts.cell.size()},
+          {"cut_bytes", s.cuts.bytes()},
           {"rays", s.rays},
           {"unlit", s.unlit},
           {"error", errorJson(s)},

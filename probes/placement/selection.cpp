@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "probes/placement/narrow_ground.h"
 #include "probes/placement/nearby.h"
 #include "probes/placement/thinning.h"
 #include "probes/placement/validity.h"
@@ -59,6 +60,33 @@ class Selection {
     }
     walkable_ = std::move(walkable);
     report.added_for_sight = probe_.size() - first;
+    report.walkable = walkable_.size();
+  }
+
+  /// Gives closed places their probe that no line of the lattices meets: ground under a roof that sees no probe at all.
+  void keepInDark(PlacementReport& report) {
+    const std::vector<WalkablePoint> narrow = narrowGround(tracer_, id_, settings_, progress_);
+    const auto isDark = [&](const WalkablePoint& point, std::size_t first) {
+      return seenFrom(point.foot, geometry::kSector_m, 1, [=](std::size_t p) { return p >= first; }).empty();
+    };
+    std::vector<std::uint8_t> dark(narrow.size());
+    tbb::parallel_for(std::size_t{0}, dark.size(), [&](std::size_t i) {
+      progress_.check();
+      dark[i] = isDark(narrow[i], 0) ? 1 : 0;
+    });
+    const std::size_t first = probe_.size();
+    for (std::size_t i = 0; i < narrow.size(); ++i) {
+      if (dark[i] == 0 || !isDark(narrow[i], first)) continue;
+      progress_.check();
+      PlacementReport ignored;  // ground that one need not reach is no loss
+      const auto own = candidateFor(tracer_, id_, settings_, narrow[i], ignored, search_rays_);
+      if (!own) continue;
+      candidate_.push_back(*own);
+      kept_.push_back(false);
+      keep(candidate_.size() - 1);
+      walkable_.push_back(narrow[i]);
+    }
+    report.added_for_sight += probe_.size() - first;
     report.walkable = walkable_.size();
   }
 
@@ -163,6 +191,7 @@ std::vector<geometry::Probe> selectProbes(const geometry::Tracer& tracer, const 
   Selection selection(tracer, id, candidates, settings, progress);
   selection.keepApart(report);
   selection.keepInSight(report);
+  selection.keepInDark(report);
   return selection.finish(report);
 }
 

@@ -2,6 +2,7 @@
 // Settings of placement ([probes] and [[room]] of level.toml) and its report.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "probes/geometry/sector.h"
@@ -9,6 +10,12 @@
 namespace welkin::placement {
 
 using f64::Number3;
+
+/// What a bake does about walls that part a cell, or cells beside each other.
+enum class Walls : std::uint8_t {
+  cut,     ///< cells are cut along them, so that no light is filtered through
+  ignore,  ///< nothing, as Far Cry 3 did: thin walls leak, except those of rooms
+};
 
 /// Lengths in metres, all > 0.
 struct PlacementSettings {
@@ -19,6 +26,7 @@ struct PlacementSettings {
   double headroom_m = 1.2;            ///< free height above a surface that counts as ground
   double clearance_m = 0.2;           ///< between a probe and the nearest surface
   double coverage_m = 8.0;            ///< every walkable point sees a probe within this distance
+  Walls walls = Walls::cut;
   std::vector<Number3> add;           ///< probes by hand
   std::vector<geometry::Box> remove;  ///< no probes inside, except those by hand
   std::vector<geometry::Box> room;    ///< boxes with separate probes inside and outside

@@ -109,6 +109,28 @@ inline CutLeaf leafOfCell(const CellCuts& cuts, std::size_t cell, std::uint8_t u
   return leafAt(cuts, *tree, p, [](const CutPlane&, float) {});
 }
 
+/// A point moved to one side of a plane, where another point is that is `above` by aboveBy: along the normal, to a
+/// millimetre off the plane or less.
+inline FromCorner onSideOf(const CutPlane& plane, float above, const FromCorner& p) {
+  constexpr float kOff = 1e-3F;
+  const float here = aboveBy(plane, p);
+  const float least = above > 0.0F ? std::min(above, kOff) : std::max(above, -kOff);
+  if (above > 0.0F ? here >= least : here <= least) return p;
+  const FromCorner n = normalOf(plane);
+  const float by = (least - here) / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  return {p[0] + n[0] * by, p[1] + n[1] * by, p[2] + n[2] * by};
+}
+
+/// `to` moved to the side of a point `p` of the planes that bound the leaf of `p`, so that it lies along the walls and
+/// not behind them.
+inline FromCorner besideWalls(const CellCuts& cuts, std::size_t cell, const FromCorner& p, FromCorner to) {
+  const auto tree = cuts.empty() ? std::nullopt : treeOf(cuts, cell);
+  if (!tree) return to;
+  for (int pass = 0; pass < 2; ++pass)  // a second, for where two walls meet
+    leafAt(cuts, *tree, p, [&](const CutPlane& plane, float above) { to = onSideOf(plane, above, to); });
+  return to;
+}
+
 /// The leaf at a point, and the way from there along a direction to the first plane that bounds the leaf.
 struct CutWay {
   CutLeaf leaf;

@@ -88,7 +88,8 @@ CellPlace cellAt(const InWorld& p, const GridOf& gridOf) {
 /// not open.
 template <typename GridOf>
 InWorld pushedPlace(const InWorld& position, const InWorld& normal, double push_m, const GridOf& gridOf) {
-  constexpr int kMostCells = 16;
+  constexpr int kMostCells = 32;  // and leaves
+  constexpr double kBeyond_m = 1e-4;
   constexpr double kInto_m = 1e-6;
   const auto along = [&](double way_m) {
     return InWorld{position[0] + normal[0] * way_m, position[1] + normal[1] * way_m, position[2] + normal[2] * way_m};
@@ -108,7 +109,15 @@ InWorld pushedPlace(const InWorld& position, const InWorld& normal, double push_
       const double end = normal[axis] > 0.0 ? low[axis] + size[axis] : low[axis];
       if (normal[axis] != 0.0) face_m = std::min(face_m, std::max(0.0, (end - at[axis]) / normal[axis]));
     }
-    if (double{way.way_m} <= face_m) return along(std::min(push_m, 0.5 * (way_m + double{way.way_m})));
+    if (double{way.way_m} <= face_m) {
+      const double wall_m = way_m + double{way.way_m};
+      way_m = wall_m + kBeyond_m;
+      const FromCorner beyond = fromCorner(cell, along(way_m));
+      if (leafOfCell(cell.grid->cuts, cell.index(), kNoCellProbe, beyond).probe != way.leaf.probe)
+        return along(std::min(push_m, 0.5 * wall_m));
+      cell = cellAt(along(way_m), gridOf);
+      continue;
+    }
     way_m += face_m + kInto_m;
     const CellPlace next = cellAt(along(way_m), gridOf);
     const int dx = std::clamp(next.x - cell.x, -1, 1), dz = std::clamp(next.z - cell.z, -1, 1);
@@ -135,6 +144,7 @@ EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
   const CutLeaf own = home.grid == nullptr
                           ? CutLeaf{kNoCellProbe, kAllOpen}
                           : leafOfCell(sector->cuts, home.index(), sector->grid[home.index()], fromCorner(home, p));
+  constexpr auto kSide_m = static_cast<float>(kCellsAcross * kCellWidth_m);
   for (int i = 0; i < 8; ++i) {
     std::array<int, 3> cell{};
     double weight = 1.0;
@@ -154,8 +164,11 @@ EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
       const InWorld nearest{std::clamp(p[0], kCellWidth_m * cell[0], kCellWidth_m * (cell[0] + 1)),
                             std::clamp(p[1], low_y, low_y + height_m),
                             std::clamp(p[2], kCellWidth_m * cell[2], kCellWidth_m * (cell[2] + 1))};
-      probe = leafOfCell(other.grid->cuts, other.index(), other.grid->grid[other.index()], fromCorner(other, nearest))
-                  .probe;
+      FromCorner beside = fromCorner(home, nearest);
+      if (home.grid != nullptr) beside = besideWalls(sector->cuts, home.index(), fromCorner(home, p), beside);
+      beside[0] += kSide_m * static_cast<float>(home.sector_x - other.sector_x);
+      beside[2] += kSide_m * static_cast<float>(home.sector_z - other.sector_z);
+      probe = leafOfCell(other.grid->cuts, other.index(), other.grid->grid[other.index()], beside).probe;
     }
     if (probe != kNoCellProbe) result.probe[result.count++] = {other.sector_x, other.sector_z, probe, weight};
   }

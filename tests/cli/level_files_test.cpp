@@ -130,7 +130,7 @@ TEST_CASE("LevelFiles, InspectExplainsEveryByte") {
   const json& bytes = sector["bytes"];
   REQUIRE(bytes["total"] == fs::file_size(file));
   int explained = 0;
-  for (const char* part : {"probes", "grid", "occlusion", "rooms", "local", "settings", "header", "structure"})
+  for (const char* part : {"probes", "grid", "occlusion", "rooms", "cuts", "local", "settings", "header", "structure"})
     explained += bytes[part].get<int>();
   REQUIRE(explained == bytes["total"].get<int>());
   REQUIRE(bytes["occlusion"] == 256);

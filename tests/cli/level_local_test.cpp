@@ -95,7 +95,7 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
   REQUIRE(least_x >= 64.0);
   REQUIRE(least_x < 128.0);
   std::size_t explained = 0;
-  for (const char* part : {"probes", "grid", "occlusion", "rooms", "local", "settings", "header", "structure"})
+  for (const char* part : {"probes", "grid", "occlusion", "rooms", "cuts", "local", "settings", "header", "structure"})
     explained += bytes[part].get<std::size_t>();
   REQUIRE(explained == bytes["total"]);
   REQUIRE(bytes["structure"] < 2048);

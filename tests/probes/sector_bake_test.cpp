@@ -98,7 +98,8 @@ TEST_CASE("SectorBake, HasTheBytesThatWerePlanned") {
   REQUIRE(level.sectors().size() == 4);
   for (const geometry::SectorId id : level.sectors()) {
     const build::SectorPlan plan = level.plan(id);
-    const sectors::SectorFile baked = level.bake(id, {});
+    sectors::SectorFile baked = level.bake(id, {});
+    baked.cuts = {};  // a plan does not trace what they depend on
     const std::size_t bytes = sectors::encodeSector(baked).size();
     INFO(plan.probes << " probes, " << plan.bytes << " bytes planned, " << bytes << " baked");
     CHECK(plan.probes == baked.probes.probes());

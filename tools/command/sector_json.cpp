@@ -88,6 +88,20 @@ Json roomsJson(const sectors::SectorFile& s) {
   return list;
 }
 
+/// The cut cells with their trees, and the planes and masks that these name (runtime/format/welkin.fbs).
+Json cutsJson(const sectors::SectorFile& s) {
+  Json planes = Json::array();
+  for (const format::CutPlane& plane : s.cuts.plane) {
+    const format::FromCorner n = format::normalOf(plane);
+    planes.push_back({{"normal", {n[0], n[1], n[2]}}, {"offset", plane.offset()}});
+  }
+  return {{"cells", s.cuts.cell},
+          {"trees", s.cuts.tree},
+          {"nodes", s.cuts.node},
+          {"planes", planes},
+          {"masks", s.cuts.mask}};
+}
+
 /// The occlusion tile, one number per cell seen from above; empty arrays in a sector without probes.
 Json occlusionJson(const sectors::SectorFile& s, const transfer::SectorProbes& decoded) {
   const auto tile = sectors::occlusionTileOf(s.top, decoded);
@@ -128,14 +142,16 @@ Json bytesJson(const sectors::SectorFile& s, std::size_t total) {
   const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
   const std::size_t rooms = s.room.size() * sizeof(format::Room) + s.in_room.size();
+  const std::size_t cuts = s.cuts.bytes();
   Json bytes = {{"probes", probes},
                 {"grid", grid},
                 {"occlusion", s.top.size()},
                 {"rooms", rooms},
+                {"cuts", cuts},
                 {"local", local},
                 {"settings", settings},
                 {"header", header},
-                {"structure", total - header - probes - grid - s.top.size() - rooms - local - settings},
+                {"structure", total - header - probes - grid - s.top.size() - rooms - cuts - local - settings},
                 {"total", total},
                 {"a_probe", s.probes.bytesAProbe()}};
   addParts(bytes, s.probes.bytes());
@@ -178,6 +194,7 @@ Json sectorJson(const sectors::SectorFile& s, std::size_t total) {
       {"grid", s.grid},
       {"occlusion", occlusionJson(s, decoded)},
       {"rooms", roomsJson(s)},
+      {"cuts", cutsJson(s)},
       {"unlit", s.unlit}};
   return {{"sector", sector}, {"settings", settingsJson(s.settings)}};
 }

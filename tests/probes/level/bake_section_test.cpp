@@ -64,6 +64,7 @@ TEST_CASE("BakeSection, AbsentIsTheDesignsDefault") {
   CHECK(s.probes.headroom_m == of_placement.headroom_m);
   CHECK(s.probes.clearance_m == of_placement.clearance_m);
   CHECK(s.probes.coverage_m == of_placement.coverage_m);
+  CHECK(s.probes.walls == of_placement.walls);
   CHECK((s.probes.add.empty() && s.probes.remove.empty() && s.probes.room.empty()));
   CHECK(s.transfer.rays == 1024);
   CHECK(s.transfer.bounces == 2);
@@ -84,6 +85,7 @@ height_m = 1.5
 headroom_m = 2
 clearance_m = 0.5
 coverage_m = 10
+walls = "ignore"
 add = [[1, 2, 3], [-4.5, 5, 6]]
 remove = [[-1, -2, -3, 1, 2, 3]]
 [[room]]
@@ -107,6 +109,7 @@ sky = 2.5
   CHECK(s.probes.headroom_m == 2.0);
   CHECK(s.probes.clearance_m == 0.5);
   CHECK(s.probes.coverage_m == 10.0);
+  CHECK(s.probes.walls == placement::Walls::ignore);
   REQUIRE(s.probes.add.size() == 2);
   CHECK(s.probes.add[1] == f64::Number3(-4.5, 5, 6));
   REQUIRE(s.probes.remove.size() == 1);
