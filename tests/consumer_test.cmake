@@ -48,11 +48,12 @@ set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
     include/welkin/types.h include/welkin/engines.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
+    include/welkin/level.h include/welkin/level.hpp include/welkin/volume.h include/welkin/volume_constants.h include/welkin/welkin_vulkan_volume.h
     share/doc/welkin/LICENSE share/doc/welkin/CHANGELOG.md share/doc/welkin/docs/runtime.md
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
     share/welkin/shaders/welkin/modes_4.hlsl share/welkin/shaders/welkin/modes_8.hlsl share/welkin/shaders/welkin/modes_12.hlsl
     share/welkin/shaders/welkin/modes_4.wgsl share/welkin/shaders/welkin/modes_8.wgsl share/welkin/shaders/welkin/modes_12.wgsl
-    share/welkin/shaders/welkin/sky_constants.h
+    share/welkin/shaders/welkin/sky_constants.h share/welkin/shaders/welkin/volume.glsl share/welkin/shaders/welkin/volume_constants.h
     share/welkin/shaders/shared/formulas.glsl)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "install: ${file} is missing")
@@ -143,7 +144,7 @@ expect("needs of the C99 program" "NEEDED[^\n]*libwelkin.so.0.2")
 run("exports" sh -c "nm -D --defined-only $(pkg-config --variable=libdir welkin-library)/libwelkin.so | cut -d' ' -f3")
 string(STRIP "${output}" exports)
 string(REPLACE "\n" ";" exports "${exports}")
-foreach(header welkin engines welkin_vulkan)
+foreach(header welkin engines level volume welkin_vulkan welkin_vulkan_volume)
   file(STRINGS ${prefix}/include/welkin/${header}.h lines REGEX "^WELKIN_API ")
   foreach(line IN LISTS lines)
     string(REGEX MATCH "welkin_[a-z_0-9]+" function "${line}")

@@ -2,7 +2,7 @@
 // An opened level and its resident sectors.
 #pragma once
 
-#include <welkin/level.h>
+#include <welkin/volume.h>
 
 #include <array>
 #include <cstdint>
@@ -31,6 +31,14 @@ namespace welkin::probes {
 
 inline constexpr double kSector_m = 64.0;
 inline constexpr double kPush_m = 1.0;  ///< a surface looks up its light this far off along its normal
+
+/// What the packed light of the resident sectors was made of. Volumes of different formats or scales pack it anew.
+struct PackedLight {
+  std::uint64_t version = 0;  ///< of the light; 0: nothing is packed
+  WelkinVolumeFormat format = WELKIN_VOLUME_RGBA16F;
+  float scale = 1.0F;
+  bool operator==(const PackedLight&) const = default;
+};
 
 /// Some probes of one sector, to be relit together.
 struct RelightPiece {
@@ -77,6 +85,7 @@ struct WelkinLevel {
   std::uint64_t instant = 0;                                     ///< counts changes of the light; 0: none set
   std::uint64_t changes = 0;                                     ///< counts relightings and changes of the residents
   std::uint32_t next = 0;                                        ///< slot where relighting goes on
+  welkin::probes::PackedLight packed;                            ///< of WelkinSector::packed
   welkin::core::HostArray<welkin::probes::RelightPiece> pieces;  ///< of the relighting that has begun
   std::uint32_t piece_count = 0;
   std::uint32_t chosen = 0;  ///< probes of the pieces

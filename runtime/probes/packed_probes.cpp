@@ -12,9 +12,9 @@ namespace {
 
 using format::spanOf;
 
-/// The scale whose upper 16 bits these are.
+/// The scale whose upper 16 bits these are, at most kMostScale.
 float scaleOf(std::uint16_t bits) {
-  return std::bit_cast<float>(std::uint32_t{bits} << 16);
+  return std::min(std::bit_cast<float>(std::uint32_t{bits} << 16), kMostScale);
 }
 
 /// Spreads the numbers of each probe, `count` of them side by side in `from`, over its lane of the blocks.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/sector_light.h"
 
+#include <algorithm>
+
 #include "format/domain_check.h"
 #include "format/key_segment.h"
 #include "shared.h"
@@ -13,6 +15,11 @@ using format::spanOf;
 
 Number3 vectorOf(const float v[3]) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+/// The nearest float within kMostLight.
+float saturated(double light) {
+  return static_cast<float>(std::clamp(light, -kMostLight, kMostLight));
 }
 
 /// The knots of a light's track, in hours, as the floats of the file.
@@ -40,7 +47,7 @@ void writeModes(const format::Probes& probes, std::span<const float> knot_h, std
                          double{(*probes.coefficient_scale())[static_cast<std::uint32_t>(m)]} / (127.0 * 127.0);
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = row[3 * s.first + c] * (1.0 - s.weight) + row[3 * s.second + c] * s.weight;
-      out[m][c] = static_cast<float>(value * scale * irradiance[c]);
+      out[m][c] = saturated(value * scale * irradiance[c]);
     }
   }
 }
@@ -76,21 +83,21 @@ LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double 
 
 SectorLight sectorLightOf(const LevelLight& light, const format::Sector& sector) {
   SectorLight out{};
-  out.local = static_cast<float>(light.local);
+  out.local = saturated(light.local);
   const f64::TransferBasis basis = f64::transferBasis();
   for (std::size_t b = 0; b < 3; ++b) {
     const f64::ShBasis at = f64::shBasis(basis.v[b]);
     for (std::size_t c = 0; c < 3; ++c) {
       double open = 0.0;
       for (std::size_t k = 0; k < 4; ++k) open += light.sky[k][c] * f64::cosineLobe(k == 0 ? 0 : 1) * at.v[k];
-      out.open[b][c] = static_cast<float>(open / 65535.0);
+      out.open[b][c] = saturated(open / 65535.0);
     }
   }
   const bool sh = sector.sun() == format::SunTransfer::sh;
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t c = 0; c < 3; ++c)
       out.sky[k][c] =
-          static_cast<float>((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
+          saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
   if (sector.sun() != format::SunTransfer::directional) return out;
   const format::Probes& probes = *sector.probes();
   const auto sun_h = spanOf(probes.sun_time_h());

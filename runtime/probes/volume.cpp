@@ -48,8 +48,11 @@ void openLight(const WelkinSkySample& sample, double factor, float* out) {
   }
 }
 
-/// Packs the light of the resident probes as texels.
-void packLight(const WelkinLevel& level, WelkinVolume& volume) {
+/// Packs the light of the resident probes as texels of the volume, unless it is packed so.
+void packLight(WelkinLevel& level, const WelkinVolume& volume) {
+  const PackedLight wanted{volume.version, volume.format, volume.scale};
+  if (level.packed == wanted) return;
+  level.packed = wanted;
   for (std::uint32_t i = 0; i < level.count; ++i) {
     WelkinSector& s = *level.resident.get()[i];
     for (std::size_t p = 0; p < s.probes; ++p)
@@ -145,8 +148,8 @@ void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sam
     volume.scale = scale;
     volume.open = packTexel(open, volume.format, scale);
     volume.version = version;
-    packLight(level, volume);
   }
+  packLight(level, volume);
   for (std::size_t a = 0; a < 3; ++a) whole = whole || std::abs(first[a] - volume.first[a]) >= volume.count[a];
   if (whole) {
     volume.first = first;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts every allocation of the process over a day of frames. There must be none after opening.
 #include <welkin/engines.h>
+#include <welkin/volume.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstddef>
 
 #include "sky/bake/encode.h"
+#include "tests/runtime/random_level.h"
 
 extern "C" void* __libc_malloc(std::size_t);
 extern "C" void* __libc_calloc(std::size_t, std::size_t);
@@ -97,6 +99,64 @@ TEST_CASE("Runtime, NothingAllocatesAfterOpening") {
   const std::size_t after = allocations;
   CHECK(after - before == 0);
   CHECK(failures == 0);
+}
+
+TEST_CASE("Runtime, ADayOfALevelAllocatesNothing") {
+  const tests::RandomLevel baked(4, 40, 6, transfer::SunTransfer::directional, true);
+  const std::size_t before_opening = allocations;
+  tests::OpenedLevel opened(baked);
+  CHECK(allocations > before_opening);  // the counter works
+  WelkinVolume* volume[2] = {};
+  for (int i = 0; i < 2; ++i) {
+    WelkinVolumeSettings settings{};
+    settings.format = i == 0 ? WELKIN_VOLUME_RGBA16F : WELKIN_VOLUME_RGBA8;
+    settings.texels[0] = settings.texels[2] = 16;
+    settings.texels[1] = 4;
+    REQUIRE(welkin_volume_create(&settings, &volume[i]) == WELKIN_OK);
+  }
+  WelkinLevel* level = opened.level;
+  std::size_t failures = 0, served_points = 0;
+  const std::size_t before = allocations;
+  constexpr int kFrames = 24 * 60;
+  for (int i = 0; i < kFrames; ++i) {
+    WelkinSkySample sample{};
+    WelkinLevelLight light{};
+    light.sample = &sample;
+    light.sky = light.sun_bounce = light.local = 1.0F;
+    WelkinRelight relit{};
+    failures += welkin_sky_sample(opened.sky, 24.0 * i / kFrames, &sample) != WELKIN_OK;
+    failures += welkin_level_set_light(level, &light) != WELKIN_OK;
+    failures += welkin_level_relight(level, 20, &relit) != WELKIN_OK;
+    std::uint32_t count = 0;
+    failures += welkin_level_relight_begin(level, 20, &count) != WELKIN_OK;
+    failures += welkin_level_relight_range(level, 0, count) != WELKIN_OK;
+    failures += welkin_level_relight_end(level, &relit) != WELKIN_OK;
+    const float camera[3] = {200.0F * static_cast<float>(i) / kFrames - 70.0F, 5.0F, 30.0F},
+                normal[3] = {0, 0.6F, 0.8F};
+    if (i % 10 == 0) {  // the farthest sector leaves, and comes back
+      std::int32_t x = 0, z = 0;
+      WelkinSector* sector = nullptr;
+      failures += welkin_level_farthest(level, camera, &x, &z) != WELKIN_OK;
+      failures += welkin_level_remove(level, x, z, &sector) != WELKIN_OK;
+      failures += welkin_level_add(level, sector) != WELKIN_OK;
+    }
+    float rgb[3];
+    WelkinColours colours;
+    std::uint8_t served = 0;
+    failures += welkin_level_irradiance(level, 1, &camera, &normal, &rgb, &served) != WELKIN_OK;
+    failures += welkin_level_colours(level, 1, &camera, &colours, nullptr) != WELKIN_OK;
+    served_points += served;
+    for (WelkinVolume* v : volume) {
+      WelkinVolumeUpdate update{};
+      failures += welkin_volume_update(v, level, &sample, camera, 256, &update) != WELKIN_OK;
+      failures += welkin_volume_irradiance(v, camera, normal, rgb, nullptr) != WELKIN_OK;
+    }
+  }
+  const std::size_t after = allocations;
+  CHECK(after - before == 0);
+  CHECK(failures == 0);
+  CHECK(served_points > kFrames / 2);
+  for (WelkinVolume* v : volume) welkin_volume_destroy(v);
 }
 
 TEST_CASE("Runtime, SaysUnchanged") {

@@ -3,21 +3,23 @@
 // game's memory and log, kinds of files.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <string>
 #include <welkin/welkin.hpp>
 
 #include "format/container.h"
 #include "tests/folder.h"
+#include "tests/runtime/check_sizes.h"
+#include "tests/runtime/heap.h"
 #include "tests/runtime/small_file.h"
 
 namespace welkin {
 namespace {
 
+using tests::checkSizes;
+using tests::Heap;
 using tests::smallFile;
 
 Sky opened() {
@@ -30,26 +32,6 @@ WelkinSkySample sampled(const Sky& sky, double time_h) {
   WelkinSkySample sample{};
   REQUIRE(sky.sample(time_h, sample));
   return sample;
-}
-
-/// Calls `describe` with a struct of every size up to the library's, and checks that it keeps to that size.
-template <typename Struct, typename Describe>
-void checkSizes(std::size_t first, const Describe& describe) {
-  struct Guarded {
-    Struct value;
-    unsigned char after[64];
-  };
-  for (std::uint32_t size = 0; size <= sizeof(Struct) + 8; size += 4) {
-    CAPTURE(size);
-    Guarded guarded{};
-    std::memset(static_cast<void*>(&guarded), 0xa5, sizeof guarded);
-    guarded.value.struct_size = size;
-    const WelkinResult result = describe(&guarded.value);
-    CHECK(result == (size >= first && size <= sizeof(Struct) ? WELKIN_OK : WELKIN_ERROR_ARGUMENT));
-    CHECK(guarded.value.struct_size == size);
-    const auto* bytes = reinterpret_cast<const unsigned char*>(&guarded);
-    for (std::size_t i = result == WELKIN_OK ? size : 4; i < sizeof guarded; ++i) REQUIRE(bytes[i] == 0xa5);
-  }
 }
 
 TEST_CASE("Api, StructsKeepToTheirSize") {
@@ -182,34 +164,6 @@ TEST_CASE("Open, MessagesTellPathAndHeader") {
   const std::string missing = sky.open(folder / "none").message;
   CHECK_THAT(missing, Catch::StartsWith((folder / "none") + ": ") && Catch::Matches(tests::kMissingFile));
 }
-
-/// Counts what it gives and takes.
-struct Heap {
-  std::map<void*, std::size_t> held;
-  std::size_t allocations = 0;
-  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< allocations; then there is no memory
-
-  WelkinAllocator allocator() {
-    WelkinAllocator a{};
-    a.user = this;
-    a.allocate = [](void* user, std::size_t bytes, std::size_t alignment) -> void* {
-      auto& heap = *static_cast<Heap*>(user);
-      REQUIRE((bytes > 0 && alignment > 0 && alignment <= 16 && (alignment & (alignment - 1)) == 0));
-      if (heap.allocations == heap.most) return nullptr;
-      ++heap.allocations;
-      void* address = std::malloc(bytes);
-      heap.held[address] = bytes;
-      return address;
-    };
-    a.free = [](void* user, void* address, std::size_t bytes) {
-      auto& heap = *static_cast<Heap*>(user);
-      REQUIRE(heap.held.at(address) == bytes);
-      heap.held.erase(address);
-      std::free(address);
-    };
-    return a;
-  }
-};
 
 TEST_CASE("Open, TakesTheGamesMemory") {
   for (std::size_t most = 0;; ++most) {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "sky/bake/encode.h"
-#include "tests/runtime/small_file.h"
 
 namespace welkin::tests {
 namespace {

@@ -156,6 +156,21 @@ TEST_CASE("Volume, ItMovesAsIfFilledAtOnce") {
   }
 }
 
+TEST_CASE("Volume, TwoOfOneLevelKeepTheirOwnFormats") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  for (const auto format : {WELKIN_VOLUME_RGBA16F, WELKIN_VOLUME_RGBA8}) {
+    Volume moved(format, {24, 8, 20}), wanted(format, {24, 8, 20});
+    Volume other(format == WELKIN_VOLUME_RGBA8 ? WELKIN_VOLUME_RGBA16F : WELKIN_VOLUME_RGBA8, {8, 8, 8});
+    moved.update(opened, sample, {0, 10, 30});
+    other.update(opened, sample, {0, 10, 30});
+    moved.update(opened, sample, {12, 10, 30});  // fills a slab, after the other volume has packed the same light
+    wanted.update(opened, sample, {12, 10, 30});
+    CHECK(moved.bytes() == wanted.bytes());
+  }
+}
+
 TEST_CASE("Volume, TheBoxesHoldEveryTexelThatChanged") {
   const RandomLevel baked = wholeLevel();
   OpenedLevel opened(baked);
