@@ -69,10 +69,11 @@ LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double 
     }
   std::size_t i = 0;
   for (const WelkinLight* l : {&sample.sun, &sample.moon}) {
-    if (l->direction[1] > 0.0F) {
+    if (l->visible > 0.0F) {
       const f64::ShBasis basis = f64::shBasis(vectorOf(l->direction));
       for (std::size_t c = 0; c < 3; ++c) {
-        out.light_irradiance[i][c] = double{l->normal_irradiance[c]} * of_sun;
+        // By the visible share, so that no wall's light jumps when the light rises.
+        out.light_irradiance[i][c] = double{l->normal_irradiance[c]} * double{l->visible} * of_sun;
         for (std::size_t k = 0; k < 4; ++k) out.light_sh[k][c] += out.light_irradiance[i][c] * basis.v[k];
       }
     }

@@ -24,7 +24,7 @@ struct LevelLight {
   double time_h = 0.0;
   std::array<std::array<double, 3>, 4> sky{};       ///< radiance in 2 bands, without ground; the factor is applied
   std::array<std::array<double, 3>, 4> light_sh{};  ///< sun and moon in 2 bands, times the factor
-  std::array<std::array<double, 3>, 2> light_irradiance{};  ///< of sun and moon, times the factor; 0 when below
+  std::array<std::array<double, 3>, 2> light_irradiance{};  ///< of sun and moon, times visible share and factor
   double sky_factor = 1.0;                                  ///< on the light of the sky, in `sky` as well
   double local = 1.0;                                       ///< factor on local light
 };

@@ -158,8 +158,8 @@ sectors::LightOfDay lightOf(const WelkinSkySample& s) {
   const double ground[4] = {std::sqrt(f64::kPi), -std::sqrt(3.0 * f64::kPi) / 2.0, 0.0, 0.0};
   for (std::size_t k = 0; k < 4; ++k)
     day.sky_sh[k] = vectorOf(s.ambient_sh[k]) - vectorOf(s.ambient_ground) * ground[k];
-  day.sun = {vectorOf(s.sun.direction), vectorOf(s.sun.normal_irradiance)};
-  day.moon = {vectorOf(s.moon.direction), vectorOf(s.moon.normal_irradiance)};
+  day.sun = {vectorOf(s.sun.direction), vectorOf(s.sun.normal_irradiance) * double{s.sun.visible}};
+  day.moon = {vectorOf(s.moon.direction), vectorOf(s.moon.normal_irradiance) * double{s.moon.visible}};
   return day;
 }
 
