@@ -187,6 +187,45 @@ TEST_CASE("Level, ColoursGiveTheIrradianceOfEveryNormal") {
   }
 }
 
+TEST_CASE("Level, ProbesFollowABlendOfSkies") {
+  const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
+  OpenedLevel opened(baked);
+  const WelkinSkySample clear = opened.sampleAt(9.0);
+  WelkinSkySample storm = clear;  // darker and bluer, with hardly a sun
+  for (auto& coefficient : storm.ambient_sh)
+    for (int c = 0; c < 3; ++c) coefficient[c] *= 0.2F + 0.1F * static_cast<float>(c);
+  for (int c = 0; c < 3; ++c) {
+    storm.ambient_ground[c] *= 0.2F + 0.1F * static_cast<float>(c);
+    storm.sun.normal_irradiance[c] *= 0.05F;
+  }
+  storm.sun.illuminance *= 0.05F;
+  const auto lightOfAll = [&](const WelkinSkySample& sample) {
+    WelkinLevelLight light{};
+    light.sample = &sample;
+    light.sky = light.sun_bounce = light.local = 1.0F;
+    REQUIRE(welkin_level_set_light(opened.level, &light) == WELKIN_OK);
+    REQUIRE(welkin_level_relight(opened.level, UINT32_MAX, nullptr) == WELKIN_OK);
+    std::vector<double> numbers;
+    for (const Point& p : somePoints(200)) {
+      WelkinColours colours;
+      REQUIRE(welkin_level_colours(opened.level, 1, &p.position, &colours, nullptr) == WELKIN_OK);
+      for (const auto& rgb : colours.irradiance)
+        numbers.insert(numbers.end(), {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}});
+    }
+    return numbers;
+  };
+  WelkinSkySample blended{};
+  REQUIRE(welkin_sample_blend(&clear, &storm, 0.3F, &blended) == WELKIN_OK);
+  const auto first = lightOfAll(clear), second = lightOfAll(storm), mixed = lightOfAll(blended);
+  double largest = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    largest = std::max(largest, std::abs(first[i]));
+    worst = std::max(worst, std::abs(mixed[i] - (0.7 * first[i] + 0.3 * second[i])));
+  }
+  CHECK(largest > 0.0);
+  CHECK(worst < 1e-5 * largest);  // floats
+}
+
 TEST_CASE("Level, FilesOfDifferentBakesAreRefused") {
   const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
   OpenedLevel opened(baked);

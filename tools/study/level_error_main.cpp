@@ -2,7 +2,8 @@
 // The error of a baked level against the path tracer, at random points of its surfaces and at 8 hours:
 //   level_error LEVEL.toml DIR [POINTS [SAMPLES]]
 // Errors are of luminance, over the horizontal irradiance of the open sky at that hour; the sky's also by
-// SkyBounce::fitted.
+// SkyBounce::fitted. A second table has the whole ambient light by simpler means: the open sky for the normal, one
+// colour, and none.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,29 +107,88 @@ struct ErrorStatistics {
   }
 };
 
+/// A table of errors: a row an hour, a column a way.
+template <std::size_t N>
+class Table {
+ public:
+  Table(const char* title, const std::array<const char*, N>& column) {
+    text_ = fmt::format("{}\n{:>5}", title, "hour");
+    for (const char* name : column) text_ += fmt::format("  {:^17}", name);
+    text_ += '\n';
+  }
+  void add(std::size_t column, double error) {
+    hour_[column].add(error);
+    all_[column].add(error);
+  }
+  void endHour(double time_h) {
+    row(fmt::format("{}", time_h), hour_);
+    hour_ = {};
+  }
+  void print() {
+    row("all", all_);
+    fmt::print("{}", text_);
+  }
+
+ private:
+  void row(const std::string& name, const std::array<ErrorStatistics, N>& errors) {
+    text_ += fmt::format("{:>5}", name);
+    for (const ErrorStatistics& e : errors) text_ += "  " + e.text();
+    text_ += '\n';
+  }
+
+  std::string text_;
+  std::array<ErrorStatistics, N> hour_, all_;
+};
+
+/// The open sky's irradiance, and its light from the ground, with nothing in the way.
+class OpenSky {
+ public:
+  OpenSky(const model::Sky& sky, double time_h)
+      : instant_(sky, time_h), projector_(sky.luminance, 2, 1e-6), ground_(sky.ground_albedo) {
+    lit_ = projector_.irradiance(instant_, {0, 1, 0}) * instant_.intensity();
+    below_ = lit_;
+    for (const model::Light* light : {&sky.sun, sky.moon ? &*sky.moon : nullptr}) {
+      if (light == nullptr) continue;
+      below_ += f64::levelIrradiance(light->normalIrradianceAt(time_h), light->path.directionAt(time_h));
+    }
+  }
+  Number3 horizontal() const { return lit_; }
+  Number3 at(const Number3& normal) const {
+    const double down = (1.0 - normal.y) / 2.0;
+    return projector_.irradiance(instant_, normal) * instant_.intensity() +
+           Number3(ground_.x * below_.x, ground_.y * below_.y, ground_.z * below_.z) * down;
+  }
+  /// The mean over all normals.
+  Number3 mean() const {
+    Number3 sum(0.0);
+    constexpr int kNormals = 200;
+    for (int i = 0; i < kNormals; ++i) {
+      const double turns = 0.6180339887498949 * i;  // Fibonacci's spiral
+      sum += at(geometry::sphereDirection((i + 0.5) / kNormals, turns - std::floor(turns))) / double{kNormals};
+    }
+    return sum;
+  }
+
+ private:
+  model::SkyInstant instant_;
+  model::SkyProjector projector_;
+  Number3 ground_, lit_{0.0}, below_{0.0};
+};
+
 void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build::BakeSection& section,
              const std::vector<sectors::SectorFile>& sectors, const std::vector<SurfacePoint>& points,
              std::size_t samples) {
-  const char* const column[] = {"sky", "sky, fitted", "sun bounce", "total"};
-  fmt::print("{:>5}", "hour");
-  for (const char* name : column) fmt::print("  {:^17}", name);
-  fmt::print("\n");
-  const auto show = [](const auto& hour, const std::array<ErrorStatistics, 4>& error) {
-    fmt::print("{:>5}", hour);
-    for (const ErrorStatistics& of : error) fmt::print("  {}", of.text());
-    fmt::print("\n");
-  };
-  std::array<ErrorStatistics, 4> all;
+  Table<4> parts("by the probes", {"sky", "sky, fitted", "sun bounce", "total"});
+  Table<4> ways("all of the ambient light", {"probes", "open sky", "one colour", "nothing"});
   for (int i = 0; i < 8; ++i) {
     const double time_h = 3.0 * i;
     const sectors::LevelLight light(sectors, sky, time_h, section.scale);
     const sectors::LevelLight fitted(sectors, sky, time_h, section.scale, transfer::SkyBounce::fitted);
     const reference::DistantLight distant(sky, time_h);
-    const double open =
-        det::luminanceOf(
-            model::SkyProjector(sky.luminance, 2, 1e-6).irradiance(model::SkyInstant(sky, time_h), {0, 1, 0})) *
-        model::SkyInstant(sky, time_h).intensity();
-    std::array<ErrorStatistics, 4> error;
+    const OpenSky open(sky, time_h);
+    const Number3 mean = open.mean();
+    const double unit = det::luminanceOf(open.horizontal());
+    std::uint64_t seed = static_cast<std::uint64_t>(i) << 32;
     for (const SurfacePoint& point : points) {
       const auto irradianceBy = [&](const sectors::LevelLight& l) {
         return point.probe ? l.ofProbe(point.probe->first, point.probe->second, point.normal)
@@ -136,18 +196,22 @@ void compare(const geometry::Tracer& tracer, const model::Sky& sky, const build:
       };
       const sectors::LevelIrradiance got = irradianceBy(light);
       const auto want = reference::traceReference(tracer, distant, {}, point.position, point.normal,
-                                                  {samples, section.transfer.bounces, static_cast<std::uint64_t>(i)});
-      const std::array<Number3, 4> off = {got.sky - want.sky.value, irradianceBy(fitted).sky - want.sky.value,
-                                          got.sun_bounce - want.sun_bounce.value, got.total() - want.total.value};
-      for (std::size_t k = 0; k < off.size(); ++k) {
-        const double e = det::luminanceOf(off[k]) / open;
-        error[k].add(e);
-        all[k].add(e);
-      }
+                                                  {samples, section.transfer.bounces, seed++});
+      const auto error = [&](const Number3& difference) { return det::luminanceOf(difference) / unit; };
+      parts.add(0, error(got.sky - want.sky.value));
+      parts.add(1, error(irradianceBy(fitted).sky - want.sky.value));
+      parts.add(2, error(got.sun_bounce - want.sun_bounce.value));
+      parts.add(3, error(got.total() - want.total.value));
+      ways.add(0, error(got.total() - want.total.value));
+      ways.add(1, error(open.at(point.normal) - want.total.value));
+      ways.add(2, error(mean - want.total.value));
+      ways.add(3, error(Number3(0.0) - want.total.value));
     }
-    show(time_h, error);
+    parts.endHour(time_h);
+    ways.endHour(time_h);
   }
-  show("all", all);
+  parts.print();
+  ways.print();
 }
 
 void run(const std::filesystem::path& file, const std::filesystem::path& folder, std::size_t count,
