@@ -81,7 +81,8 @@ TEST_CASE("FirstContact, EveryCommandOfTheReadmeRuns") {
     for (std::size_t i = 1; i < command.size(); ++i) line += (command[i] = placed(command[i], folder)) + " ";
     if (command[0] == "study") command.emplace_back("--quick");  // seconds for minutes
     if (command[0] == "render") command.insert(command.end(), {"--size", "64x36"});
-    const Run run = runTool(command);
+    const Run run =
+        runTool(command, {.environment = {}, .out_path = {}, .err_path = {}, .largest_file = 0, .deadline_s = 280.0});
     INFO(line << "\n" << run.err);
     REQUIRE(run.status == 0);
   }
