@@ -77,6 +77,8 @@ run("build the game" ${CMAKE_COMMAND} --build ${build})
 expect("build the game" "Baking")
 run("run the game" ${build}/game ${build}/data/sky.welkin)
 message(STATUS "${output}")
+run("stream the street" ${build}/stream ${build}/street)
+message(STATUS "${output}")
 run("second build" ${CMAKE_COMMAND} --build ${build})
 expect("second build" "no work to do")
 
@@ -186,6 +188,7 @@ run("configure the libraries" ${configure} ${absent} -S ${SOURCE} -B ${WORK}/lib
 run("build the libraries" ${CMAKE_COMMAND} --build ${WORK}/libraries)
 run("install the libraries" ${CMAKE_COMMAND} --install ${WORK}/libraries --prefix ${WORK}/libraries_prefix)
 file(WRITE ${WORK}/find/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(find LANGUAGES C CXX)
+if(HIDE_LIBRARIES)\n  set(CMAKE_FIND_LIBRARY_SUFFIXES .none)\nendif()
 find_package(Welkin \${WANTED_VERSION} REQUIRED CONFIG COMPONENTS \${WANTED})
 if(NOT TARGET welkin::vulkan OR TARGET welkin::bake)\n  message(FATAL_ERROR \"wrong targets\")\nendif()\n")
 set(find ${configure} -S ${WORK}/find -B ${WORK}/find_build -DCMAKE_PREFIX_PATH=${WORK}/libraries_prefix)
@@ -195,3 +198,5 @@ refused("component that is not installed" "component 'bake' is not in this insta
 refused("component that is none" "there is no component 'vulcan', only runtime, vulkan, library, bake, baker"
   ${find} -DWANTED=vulcan -DWANTED_VERSION=0.2)
 refused("another minor version" "version: 0.2." ${find} -DWANTED=runtime -DWANTED_VERSION=0.99)
+refused("without Highway" "component 'runtime' needs the library hwy"
+  ${find} -DWANTED=vulkan -DWANTED_VERSION=0.2 -DHIDE_LIBRARIES=ON -DWelkin_HIGHWAY_LIBRARY=NOTFOUND)

@@ -2,19 +2,17 @@
 // The integration sample and the test of the installed package: a headless game that draws a day of a baked sky with
 // two frames in flight. A wrong pixel, a message of the validation layer or an allocation in the loop makes it fail.
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 #include <vector>
-#include <vulkan/vulkan_raii.hpp>
-#include <welkin/welkin_vulkan.hpp>
 
 #include "ball.frag.h"
 #include "ball.vert.h"
+#include "headless.h"
 
 static std::size_t allocations = 0;  // count for the game and Welkin; see CMakeLists.txt
-static unsigned messages = 0;        // count for the validation layer
 static double worst = -1.0;          // relative error of a pixel; -1: none was compared
 
 void* operator new(std::size_t bytes) {
@@ -30,7 +28,6 @@ namespace {
 constexpr uint32_t kWidth = 64, kHeight = 32, kFramesInFlight = 2;
 constexpr vk::Format kFormat = vk::Format::eR32G32B32A32Sfloat;
 constexpr vk::DeviceSize kFloats = kWidth * kHeight * 4, kBytes = kFloats * sizeof(float);  // per picture
-constexpr auto kHostMemory = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 constexpr vk::ImageSubresourceRange kWhole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
 constexpr vk::ImageCreateInfo kImage({}, vk::ImageType::e2D, kFormat, {kWidth, kHeight, 1}, 1, 1,
                                      vk::SampleCountFlagBits::e1, {},
@@ -43,36 +40,6 @@ constexpr double kTolerance = 1e-4;   // relative; the driver's atan alone is go
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
-
-void require(const welkin::Status& status) {
-  if (!status) throw std::runtime_error(status.message);
-}
-
-VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
-  ++messages;
-  std::fprintf(stderr, "vulkan: %s\n", data->pMessage);
-  return VK_FALSE;
-}
-constexpr vk::DebugUtilsMessengerCreateInfoEXT kMessenger(
-    {}, vk::DebugUtilsMessageSeverityFlagBitsEXT::eWarning | vk::DebugUtilsMessageSeverityFlagBitsEXT::eError,
-    vk::DebugUtilsMessageTypeFlagBitsEXT::eValidation | vk::DebugUtilsMessageTypeFlagBitsEXT::ePerformance, onMessage);
-
-vk::raii::Instance createInstance(const vk::raii::Context& context) {
-  const auto synchronisation = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
-  const vk::ValidationFeaturesEXT validation(synchronisation, {}, &kMessenger);
-  const vk::ApplicationInfo application("game", 1, nullptr, 0, VK_API_VERSION_1_3);
-  const char *const layers = "VK_LAYER_KHRONOS_validation", *const extensions = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
-  return {context, vk::InstanceCreateInfo({}, &application, layers, extensions, &validation)};
-}
-
-vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical) {
-  vk::PhysicalDeviceVulkan13Features features;  // only what Welkin needs
-  features.dynamicRendering = features.synchronization2 = VK_TRUE;
-  const float priority = 1.0F;
-  const vk::DeviceQueueCreateInfo queue({}, 0, 1, &priority);
-  return {physical, vk::DeviceCreateInfo({}, queue, {}, {}, {}, &features)};
-}
 
 /// The game's own pass: its shaders read Welkin's descriptor set as set 0.
 vk::raii::Pipeline createBall(const vk::raii::Device& device, vk::PipelineLayout layout) {
@@ -106,10 +73,7 @@ class Game {
  public:
   explicit Game(const char* path) {
     if (const welkin::Status status = sky_.open(path); !status) throw std::runtime_error(status.message);
-    WelkinVulkanCreateInfo info{sizeof(info), VK_API_VERSION_1_3, context_.getDispatcher()->vkGetInstanceProcAddr};
-    info.instance = *instance_;
-    info.physical_device = *physical_;
-    info.device = *device_;
+    WelkinVulkanCreateInfo info = createInfo(context_, instance_, physical_, device_);
     info.frames_in_flight = kFramesInFlight;
     info.colour_format = static_cast<VkFormat>(kFormat);
     require(dome_.create(info, sky_));
@@ -203,13 +167,6 @@ class Game {
     }
   }
 
-  vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags flags) {
-    const auto types = physical_.getMemoryProperties().memoryTypes;
-    for (uint32_t i = 0;; ++i)
-      if (((needs.memoryTypeBits >> i) & 1U) != 0 && (types.at(i).propertyFlags & flags) == flags)
-        return {device_, vk::MemoryAllocateInfo(needs.size, i)};
-  }
-
   vk::raii::Context context_;
   vk::raii::Instance instance_ = createInstance(context_);
   vk::raii::DebugUtilsMessengerEXT messenger_{instance_, kMessenger};
@@ -218,10 +175,10 @@ class Game {
   vk::raii::Queue queue_{device_, 0, 0};
   vk::raii::CommandPool pool_{device_, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, 0}};
   vk::raii::Image image_{device_, kImage};
-  vk::raii::DeviceMemory image_memory_ = allocate(image_.getMemoryRequirements(), {});
+  vk::raii::DeviceMemory image_memory_ = allocate(physical_, device_, image_.getMemoryRequirements(), {});
   vk::raii::ImageView view_{nullptr};
   vk::raii::Buffer copies_{device_, {{}, kFramesInFlight* kBytes, vk::BufferUsageFlagBits::eTransferDst}};
-  vk::raii::DeviceMemory copies_memory_ = allocate(copies_.getMemoryRequirements(), kHostMemory);
+  vk::raii::DeviceMemory copies_memory_ = allocate(physical_, device_, copies_.getMemoryRequirements(), kHostMemory);
   const float* rgba_ = nullptr;
   welkin::Sky sky_;
   welkin::VulkanSky dome_;
