@@ -20,7 +20,7 @@ namespace welkin::transfer {
 namespace {
 
 constexpr std::uint64_t kLocal = 0x6c6f63616cU;  ///< separates these paths from those of the distant light
-constexpr std::uint32_t kBlock = 256;            ///< paths at once; limits the memory
+constexpr std::uint32_t kPathsAtOnce = 256;      ///< limits the memory
 constexpr std::uint32_t kChoicePaths = 128;  ///< for the choice under a budget; the choice has no error bound to meet
 constexpr std::uint32_t kMostChoicePaths = 4096;  ///< for the choice without a budget; their vertices are kept
 
@@ -172,7 +172,7 @@ LocalProbe LocalTransferTracer::trace(const Number3& position, geometry::SectorI
   };
   const auto paths = traceRounds(most, settings_.max_error, [&](std::uint32_t from, std::uint32_t to) {
     for (std::size_t r = 0; r < kReplicates; ++r)
-      for (std::uint32_t i = from; i < to; i += kBlock) addPaths(r, i, std::min(i + kBlock, to));
+      for (std::uint32_t i = from; i < to; i += kPathsAtOnce) addPaths(r, i, std::min(i + kPathsAtOnce, to));
     setTransfer(chosen, ReplicateMeans(sums, to), result);
     return result.error;
   });

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Volume textures of a level's light around the camera, for lighting per pixel (shaders/welkin/volume.glsl). C99.
+ * Stefanov, "Deferred Radiance Transfer Volumes" (GDC 2012): three 3D textures, one a colour channel; the four channels
+ * of a texel are the irradiances in the four directions of the transfer basis.
+ *
+ * A texel holds the light of the cell of the grid that its middle lies in. Texel (x, y, z) is that of every cell whose
+ * indices, counted from the world's origin, have these remainders. So the camera moves and no texel does: only slabs
+ * that it enters are filled. Sample with repeating coordinates and linear filtering.
+ *
+ * Every frame: welkin_level_relight, welkin_volume_update, then copy the boxes that changed to the textures, and give
+ * welkin_volume_constants to the shader. welkin_vulkan_volume.h does both on Vulkan.
+ */
+#ifndef WELKIN_VOLUME_H
+#define WELKIN_VOLUME_H
+
+#include <welkin/level.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct WelkinVolume WelkinVolume;
+
+typedef enum WelkinVolumeFormat {
+  WELKIN_VOLUME_RGBA16F = 0, /* half floats: VK_FORMAT_R16G16B16A16_SFLOAT, 8 bytes */
+  WELKIN_VOLUME_RGBA8 = 1 /* VK_FORMAT_R8G8B8A8_UNORM, 4 bytes, over a scale of all texels; light below 0 becomes 0 */
+} WelkinVolumeFormat;
+
+/* Zero-initialise it for the defaults. */
+typedef struct WelkinVolumeSettings {
+  WELKIN_STRUCT_SIZE(WelkinVolumeSettings);
+  WelkinVolumeFormat format;
+  uint32_t texels[3];               /* along x, y, z, each 2..512; 0: 96, 16, 96 */
+  float texel_height_m;             /* >= 0.5; 0: 4. In x and z texels are the grid's cells of 4 m */
+  const WelkinAllocator* allocator; /* null: malloc. Copied */
+} WelkinVolumeSettings;
+
+/* A box of texels that changed. It does not wrap. */
+typedef struct WelkinVolumeBox {
+  uint32_t first[3], size[3];
+} WelkinVolumeBox;
+
+#define WELKIN_VOLUME_MAX_BOXES 8
+
+/* Result of an update. */
+typedef struct WelkinVolumeUpdate {
+  WELKIN_STRUCT_SIZE(WelkinVolumeUpdate);
+  uint32_t box_count; /* 0: no texel changed */
+  WelkinVolumeBox box[WELKIN_VOLUME_MAX_BOXES];
+  uint32_t filled;    /* texels in the boxes */
+  uint32_t remaining; /* texels that still show earlier light */
+} WelkinVolumeUpdate;
+
+struct WelkinVolumeConstants;
+
+/* Makes a volume. Allocates; nothing later does. WELKIN_ERROR_MEMORY where it cannot. */
+WELKIN_API WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVolume** volume);
+
+/* Frees it. Null is allowed. */
+WELKIN_API void welkin_volume_destroy(WelkinVolume* volume);
+
+/* Centres the volume on `camera`, metres, and fills the texels of cells that it enters, whatever their number. It also
+ * fills again at most `max_texels` texels whose light or sectors changed, whole slices along z and at least one, the
+ * longest waiting first. UINT32_MAX: all of them. Texels beyond the resident sectors get the open light of `sample`,
+ * which welkin_level_set_light had. A change of the scale of RGBA8 fills everything. `level` is the same in each call,
+ * and no other function of it runs meanwhile. */
+WELKIN_API WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, const WelkinSkySample* sample,
+                                             const float camera[3], uint32_t max_texels, WelkinVolumeUpdate* update);
+
+/* The texels of channel 0, 1 or 2 (red, green, blue): x, then y, then z; 4 or 8 bytes each. They live as long as the
+ * volume, and welkin_volume_update alone changes them. */
+WELKIN_API WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, const void** texels,
+                                             size_t* bytes);
+
+/* Fills the constants that volume.glsl reads (welkin/volume_constants.h). `size` is that of the struct, 64. */
+WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, struct WelkinVolumeConstants* constants,
+                                                size_t size);
+
+/* Irradiance of a surface as the shader computes it from the volume, for tests and tools. `inside` becomes the share of
+ * the volume in [0, 1]; the rest is the caller's light beyond. Both are filled; `inside` may be null. */
+WELKIN_API WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float position[3],
+                                                 const float normal[3], float irradiance[3], float* inside);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants of the volume of probes as a uniform block: one struct, compiled as C, C++ and GLSL. It has four-component
+// vectors only, so that std140, std430 and C give it the same layout. welkin_volume_constants fills it.
+#ifndef WELKIN_VOLUME_CONSTANTS_H
+#define WELKIN_VOLUME_CONSTANTS_H
+
+#if defined(__cplusplus) || defined(__STDC__)
+#include "sky_constants.h"
+#define WELKIN_VOLUME_FLOAT4 WelkinFloat4
+#else
+#define WELKIN_VOLUME_FLOAT4 vec4
+#endif
+
+struct WelkinVolumeConstants {
+  WELKIN_VOLUME_FLOAT4 low;    // xyz: low corner of the covered box, metres; w: irradiance of a texel's value 1
+  WELKIN_VOLUME_FLOAT4 high;   // xyz: high corner, metres; w: push off a surface along its normal, metres
+  WELKIN_VOLUME_FLOAT4 size;   // xyz: edges of the box, after which texture coordinates repeat, metres; w: 0
+  WELKIN_VOLUME_FLOAT4 texel;  // xyz: edges of a texel, metres; w: 1 / width of the border that fades to the sky, 1 / metres
+};
+
+#if defined(__cplusplus) || defined(__STDC__)
+typedef struct WelkinVolumeConstants WelkinVolumeConstants;
+#endif
+#ifdef __cplusplus
+static_assert(sizeof(WelkinVolumeConstants) == 4 * 16, "");
+#endif
+
+#undef WELKIN_VOLUME_FLOAT4
+#endif
