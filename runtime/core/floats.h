@@ -2,7 +2,7 @@
 // Conversion of doubles to the float fields of the C interface, and back.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -14,9 +14,8 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<doubl
 
 /// The nearest float; a value past float's range becomes the largest of its sign. NaN stays NaN.
 inline float toFloat(double value) {
-  const auto nearest = static_cast<float>(value);  // or an infinity
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  return std::abs(nearest) > kLargest ? std::copysign(kLargest, nearest) : nearest;
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(std::max(value, -kLargest), kLargest));  // in this order NaN stays
 }
 
 /// Stores `count` numbers in a row, in a loop that compilers can vectorise.

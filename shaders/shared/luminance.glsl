@@ -15,11 +15,12 @@ struct LuminanceModel {
   Number k;
 };
 
-// f at the cosine of the zenith angle. A cosine <= 0 gives the limit at the horizon, 1. Both forms avoid cancellation.
+// f at the cosine of the zenith angle. A cosine up to 1e-30 gives the limit at the horizon, 1, because b / cos Z would
+// overflow. Both forms avoid cancellation.
 // A negative a uses 1 + a exp(x) = (1 + a) + a expm1(x), because 1 and a would cancel at the zenith. A positive a uses
 // the sum as it stands, because 1 + a and a would cancel at the horizon. One of the two has the factor 0.
 INLINE Number gradation(LuminanceModel m, Number cos_zenith) {
-  if (!(cos_zenith > NUMBER(0.0))) return NUMBER(1.0);
+  if (!(cos_zenith > NUMBER(1e-30))) return NUMBER(1.0);
   Number below = min(m.a, NUMBER(0.0));
   Number above = max(m.a, NUMBER(0.0));
   Number x = m.b / cos_zenith;

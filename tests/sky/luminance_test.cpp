@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "sky/model/indicatrix_table.h"
 
@@ -50,6 +51,8 @@ TEST_CASE("Luminance, LimitsAtTheHorizon") {
     CHECK(det::gradation(m, -4.4e-8) == 1.0);
     CHECK(f32::gradation({float(m.a), float(m.b), float(m.c), float(m.d), float(m.e), float(m.k)}, -4.4e-8F) == 1.0F);
     CHECK(det::gradation(m, 1e-4) == Approx(1.0).margin(3e-4));  // no step above it
+    for (const double up : {std::numeric_limits<double>::denorm_min(), 1e-300, 1e-30, 1.1e-30, 1e-20})
+      CHECK(det::gradation(m, up) == 1.0);
     CHECK(det::indicatrix(m, M_PI / 2.0) == Approx(1.0).margin(1e-15));
   }
 }
