@@ -3,6 +3,9 @@
 #include "compute.h"
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
 
 #include "render/buffer.h"
 
@@ -11,9 +14,13 @@ namespace welkin::tests {
 using render::Buffer;
 using render::require;
 
-std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint32_t> spirv,
-                              std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
-                              VkDescriptorSetLayout sky_layout, VkDescriptorSet sky) {
+namespace {
+
+/// Prepares the shader, calls `use` with a function that runs it once and waits, and returns the output.
+std::vector<float> withCompute(render::VulkanDevice& device, std::span<const uint32_t> spirv,
+                               std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
+                               VkDescriptorSetLayout sky_layout, VkDescriptorSet sky,
+                               const std::function<void(const std::function<void()>&)>& use) {
   const VkDevice vk = device.device();
   const Buffer in(device, input.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   const Buffer out(device, outputs * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
@@ -76,11 +83,13 @@ std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint
   render::require(vkCreateComputePipelines(vk, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
                   "vkCreateComputePipelines");
 
-  device.execute([&](VkCommandBuffer commands) {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, set_count, sets, 0, nullptr);
-    vkCmdDispatch(commands, static_cast<uint32_t>((outputs / per_invocation + 63) / 64), 1, 1);
-    render::recordHostRead(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+  use([&] {
+    device.execute([&](VkCommandBuffer commands) {
+      vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, set_count, sets, 0, nullptr);
+      vkCmdDispatch(commands, static_cast<uint32_t>((outputs / per_invocation + 63) / 64), 1, 1);
+      render::recordHostRead(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+    });
   });
   std::vector<float> result(out.as<float>(), out.as<float>() + outputs);
   vkDestroyPipeline(vk, pipeline, nullptr);
@@ -89,6 +98,28 @@ std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint
   vkDestroyDescriptorPool(vk, pool, nullptr);
   vkDestroyDescriptorSetLayout(vk, layouts[0], nullptr);
   return result;
+}
+
+}  // namespace
+
+std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint32_t> spirv,
+                              std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
+                              VkDescriptorSetLayout sky_layout, VkDescriptorSet sky) {
+  return withCompute(device, spirv, input, outputs, per_invocation, sky_layout, sky, [](const auto& run) { run(); });
+}
+
+double computeSeconds(render::VulkanDevice& device, std::span<const uint32_t> spirv, std::span<const float> input,
+                      std::size_t outputs, int runs) {
+  double least_s = std::numeric_limits<double>::infinity();
+  withCompute(device, spirv, input, outputs, 1, VK_NULL_HANDLE, VK_NULL_HANDLE, [&](const auto& run) {
+    run();
+    for (int i = 0; i < runs; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      run();
+      least_s = std::min(least_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+  });
+  return least_s;
 }
 
 }  // namespace welkin::tests

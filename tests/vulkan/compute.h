@@ -16,4 +16,8 @@ std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint
                               std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
                               VkDescriptorSetLayout sky_layout, VkDescriptorSet sky);
 
+/// Least time of `runs` runs after a first, seconds: one invocation for each output, and the waiting for it.
+double computeSeconds(render::VulkanDevice& device, std::span<const uint32_t> spirv, std::span<const float> input,
+                      std::size_t outputs, int runs);
+
 }  // namespace welkin::tests

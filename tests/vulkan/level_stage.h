@@ -97,7 +97,8 @@ inline void compare(Worst& worst, const FloatImage& image, const Pixel& p, const
     });
 }
 
-inline constexpr render::LevelOptions kPlain{.waves = false, .mist_per_m = 0.0, .shadow_size = 2048};
+inline constexpr render::LevelOptions kPlain{
+    .occlusion = false, .waves = false, .mist_per_m = 0.0, .shadow_size = 2048};
 
 /// A sky, a device, a scene and its view, in the order of their construction.
 struct Stage {

@@ -75,6 +75,9 @@ void addRender(CLI::App& app) {
   command->add_option("--component", options->component,
                       "The part of a level's light: all, ambient (without sun, moon, lamps and emission), or of the "
                       "probes' light sky, sun-bounce or local");
+  command->add_option("--occlusion", options->occlusion,
+                      "What darkens a level's ambient light where surfaces are near: screen (default), by what the "
+                      "picture shows; none");
   command->add_option("--exposure", options->exposure, "auto, or stops: radiance is multiplied by 2^EV");
   command->add_option("--yaw", options->yaw_deg,
                       "Degrees clockwise from north; default: towards the sun or the moon, for the spheres 120 degrees "

@@ -68,6 +68,11 @@ Component parseComponent(const RenderOptions& options) {
                             {"local", Component::local}});
 }
 
+bool parseOcclusion(const RenderOptions& options) {
+  if (options.occlusion.empty()) return true;
+  return choose<bool>("--occlusion", options.occlusion, {{"screen", true}, {"none", false}});
+}
+
 Size parseSize(const RenderOptions& options, Size fallback) {
   if (options.size.empty()) return fallback;
   Size size{};
@@ -115,6 +120,7 @@ void checkOptions(const RenderOptions& options) {
   const bool cubemap = parseSource(options) == WELKIN_VULKAN_CUBEMAP;
   parseSkyLight(options);
   const Component component = parseComponent(options);
+  parseOcclusion(options);
   parseExposure(options.exposure);
   parseSize(options, {});
   parseCamera(options);
@@ -128,6 +134,8 @@ void checkOptions(const RenderOptions& options) {
   if (!probes && component != Component::all && component != Component::ambient)
     refuse("--component " + options.component + ": only probes tell these parts apart; give --sky-light probes");
   if (!level && component != Component::all) refuse("--component: only a level has parts; give --level LEVEL.toml");
+  if (!level && !options.occlusion.empty())
+    refuse("--occlusion: only a level has surfaces that hide the sky; give --level LEVEL.toml");
   if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");
 }
 

@@ -28,6 +28,7 @@ struct RenderOptions {
   std::string
       sky_light;  ///< empty: both for the spheres; for a level its probes, or sh where `sky` is no level's folder
   std::string component;  ///< empty: all
+  std::string occlusion;  ///< of ambient light in a level; empty: screen
   std::string exposure = "auto";
   std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
   std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
@@ -48,6 +49,8 @@ WelkinVulkanSource parseSource(const RenderOptions& options);
 render::SkyLight parseSkyLight(const RenderOptions& options);
 LevelLight parseLevelLight(const RenderOptions& options);
 Component parseComponent(const RenderOptions& options);
+/// Whether occlusion in screen space darkens the level's ambient light.
+bool parseOcclusion(const RenderOptions& options);
 Size parseSize(const RenderOptions& options, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);

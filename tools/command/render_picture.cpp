@@ -96,6 +96,7 @@ render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const le
   render::LevelView view(device, sky, scene,
                          {.flat_light = parseLevelLight(options) == LevelLight::flat,
                           .tint = !options.no_tint,
+                          .occlusion = parseOcclusion(options),
                           .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
                           .direct = part == Component::all,
                           .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}},

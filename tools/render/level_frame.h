@@ -15,6 +15,7 @@ namespace welkin::render {
 struct LevelOptions {
   bool flat_light = false;      ///< ambient light of one colour instead of the spherical harmonics
   bool tint = true;             ///< the dome's polarising tint
+  bool occlusion = true;        ///< occlusion in screen space darkens ambient light
   bool waves = true;            ///< false: the sea is a mirror
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   bool direct = true;           ///< false: sun, moon, lamps and emission light nothing; their bounced light stays

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/set_writer.h"
+
 namespace welkin::render {
 
 /// The images and constants of one view. The descriptor set points at them.
@@ -16,6 +18,7 @@ struct LevelView::Target {
         emission(device, Offscreen::kFormat, extent, kSurfaceUsage),
         depth(device, LevelPipelines::kDepthFormat, extent,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
+        occlusion(device, extent),
         constants(device, sizeof(render::shaders::LevelConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
         set(descriptor_set) {
     *constants.as<render::shaders::LevelConstants>() = c;
@@ -26,46 +29,12 @@ struct LevelView::Target {
   Image normal;
   Image emission;
   Image depth;
+  OcclusionImages occlusion;
   Buffer constants;
   VkDescriptorSet set;
 };
 
 namespace {
-
-/// Collects the writes of a descriptor set and applies them.
-class SetWriter {
- public:
-  explicit SetWriter(VkDescriptorSet set) : set_(set) {}
-
-  void buffer(uint32_t binding, VkDescriptorType type, VkBuffer handle) {
-    buffers_[binding] = {handle, 0, VK_WHOLE_SIZE};
-    write(binding, type);
-  }
-  void image(uint32_t binding, VkSampler sampler, const Image& image, VkImageLayout layout) {
-    images_[binding] = {sampler, image.view(), layout};
-    write(binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-  }
-  void commit(VkDevice device) const { vkUpdateDescriptorSets(device, count_, writes_, 0, nullptr); }
-
- private:
-  void write(uint32_t binding, VkDescriptorType type) {
-    VkWriteDescriptorSet& w = writes_[count_++];
-    w = {};
-    w.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    w.dstSet = set_;
-    w.dstBinding = binding;
-    w.descriptorCount = 1;
-    w.descriptorType = type;
-    w.pBufferInfo = &buffers_[binding];
-    w.pImageInfo = &images_[binding];
-  }
-
-  VkDescriptorSet set_;
-  uint32_t count_ = 0;
-  VkWriteDescriptorSet writes_[WELKIN_LEVEL_BINDINGS] = {};
-  VkDescriptorBufferInfo buffers_[WELKIN_LEVEL_BINDINGS] = {};
-  VkDescriptorImageInfo images_[WELKIN_LEVEL_BINDINGS] = {};
-};
 
 VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
   const VkDescriptorPoolSize sizes[3] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
@@ -115,6 +84,7 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
       volume_(baked == nullptr ? nullptr : std::make_unique<LevelVolume>(device, *baked, options.parts)),
       pipelines_(device, sky_.layout(), volume_ ? volume_->layout() : VkDescriptorSetLayout{VK_NULL_HANDLE},
                  sky.info().mode_count > 0),
+      occlusion_(device, pipelines_.layout()),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
   options_.probes = volume_ != nullptr;
@@ -156,8 +126,7 @@ void LevelView::recordShadow(VkCommandBuffer commands, const Target& target) {
   shadow_.use(commands, kSampledDepth);
 }
 
-void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
-                            const WelkinVulkanView* dome) {
+void LevelView::recordSurface(VkCommandBuffer commands, Target& target, bool mirrored) {
   target.albedo.use(commands, kDrawnColour, true);
   target.normal.use(commands, kDrawnColour, true);
   target.emission.use(commands, kDrawnColour, true);
@@ -169,14 +138,19 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
       attachmentOf(target.emission, kColourLayout, VK_ATTACHMENT_LOAD_OP_CLEAR)};
   const VkRenderingAttachmentInfo depth =
       attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
-  beginRendering(commands, radiance.extent(), 3, surface, &depth);
+  beginRendering(commands, target.depth.extent(), 3, surface, &depth);
   bind(commands, pipelines_.surface, target);
   mesh_.record(commands, true, mirrored);
   vkCmdEndRendering(commands);
-
   target.albedo.use(commands, kSampled);
   target.normal.use(commands, kSampled);
   target.emission.use(commands, kSampled);
+}
+
+void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
+                            const WelkinVulkanView* dome) {
+  recordSurface(commands, target, mirrored);
+  occlusion_.record(commands, target.set, target.depth, target.occlusion, options_.occlusion);
   beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
   vkCmdDraw(commands, 3, 1, 0, 0);
   if (dome != nullptr) sky_.recordDome(commands, *dome);
@@ -218,6 +192,40 @@ void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& rad
   vkCmdEndRendering(commands);
 }
 
+void LevelView::describe(const Target& target, const Image& copy, const Image& reflection) const {
+  SetWriter writer(target.set);
+  const auto sampled = [&](uint32_t binding, const Image& image) {
+    writer.image(binding, pipelines_.sampler(), image, kSampled.layout);
+  };
+  writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, target.constants.handle());
+  writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
+  writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
+  writer.buffer(WELKIN_LEVEL_BOXES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.boxes());
+  writer.buffer(WELKIN_LEVEL_TRIANGLES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.triangles());
+  writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
+  writer.image(WELKIN_LEVEL_DEPTH, pipelines_.sampler(), target.depth, kTestedDepth.layout);
+  sampled(WELKIN_LEVEL_ALBEDO, target.albedo);
+  sampled(WELKIN_LEVEL_NORMAL, target.normal);
+  sampled(WELKIN_LEVEL_EMISSION, target.emission);
+  sampled(WELKIN_LEVEL_NOISY, target.occlusion.noisy);
+  sampled(WELKIN_LEVEL_VISIBILITY, target.occlusion.visibility);
+  sampled(WELKIN_LEVEL_SCENE, copy);
+  sampled(WELKIN_LEVEL_REFLECTION, reflection);
+  writer.commit(device_.device());
+}
+
+FloatImage LevelView::drawOcclusion(uint32_t width, uint32_t height, const Camera& camera,
+                                    const f64::Number3& position) {
+  Offscreen picture(device_, width, height);
+  Target target(device_, {width, height}, sets_[0],
+                levelConstants(scene_, sample(), camera, position, width, height, options_, false));
+  describe(target, target.emission, target.emission);  // no sea is drawn; lavapipe wants every binding written
+  return picture.read([&](VkCommandBuffer commands) {
+    recordSurface(commands, target, false);
+    occlusion_.recordAlone(commands, target.set, target.depth, target.occlusion, picture.image());
+  });
+}
+
 FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position) {
   if (volume_) volume_->update(sample(), position);
   const bool sea = !scene_.water.empty() && position.y > scene_.water.high.y;
@@ -233,22 +241,7 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   Image copy(device_, Offscreen::kFormat, extent, kUsage);
   Image reflection(device_, Offscreen::kFormat, half, kUsage);
-  for (const Target* t : {&target, &mirror}) {
-    SetWriter writer(t->set);
-    writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, t->constants.handle());
-    writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
-    writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
-    writer.buffer(WELKIN_LEVEL_BOXES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.boxes());
-    writer.buffer(WELKIN_LEVEL_TRIANGLES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.triangles());
-    writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
-    writer.image(WELKIN_LEVEL_ALBEDO, pipelines_.sampler(), t->albedo, kSampled.layout);
-    writer.image(WELKIN_LEVEL_NORMAL, pipelines_.sampler(), t->normal, kSampled.layout);
-    writer.image(WELKIN_LEVEL_EMISSION, pipelines_.sampler(), t->emission, kSampled.layout);
-    writer.image(WELKIN_LEVEL_DEPTH, pipelines_.sampler(), t->depth, kTestedDepth.layout);
-    writer.image(WELKIN_LEVEL_SCENE, pipelines_.sampler(), copy, kSampled.layout);
-    writer.image(WELKIN_LEVEL_REFLECTION, pipelines_.sampler(), reflection, kSampled.layout);
-    writer.commit(device_.device());
-  }
+  for (const Target* t : {&target, &mirror}) describe(*t, copy, reflection);
   WelkinVulkanView dome{};
   dome.source = options_.cubemaps ? WELKIN_VULKAN_CUBEMAP : WELKIN_VULKAN_ANALYTIC;
   dome.projection = WELKIN_VULKAN_PERSPECTIVE;

@@ -11,6 +11,7 @@
 #include "render/level_frame.h"
 #include "render/level_lamps.h"
 #include "render/level_mesh.h"
+#include "render/level_occlusion.h"
 #include "render/level_pipelines.h"
 #include "render/level_volume.h"
 #include "render/offscreen.h"
@@ -40,8 +41,16 @@ class LevelView {
   /// Draws with one sample per pixel. The sky behind the level and the discs are included.
   FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
 
+  /// Draws the occlusion alone, whatever the options say: the visibility in [0, 1] as grey, alpha 1. Where there is no
+  /// surface all is 0. The sea is not there.
+  FloatImage drawOcclusion(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
+
  private:
   struct Target;
+  /// Points the target's set at its images, and at those that the sea reads.
+  void describe(const Target& target, const Image& copy, const Image& reflection) const;
+  /// Draws albedo, normal, emission and depth.
+  void recordSurface(VkCommandBuffer commands, Target& target, bool mirrored);
   /// Records the level without the sea. With `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
@@ -65,6 +74,7 @@ class LevelView {
   LevelBlockers blockers_;
   std::unique_ptr<LevelVolume> volume_;  ///< null without probes' light
   LevelPipelines pipelines_;
+  LevelOcclusion occlusion_;
   std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;

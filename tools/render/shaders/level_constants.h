@@ -19,7 +19,9 @@
 #define WELKIN_LEVEL_BOXES 9       // storage buffer, a LevelBox each: a tree in depth-first order
 #define WELKIN_LEVEL_TRIANGLES 10  // storage buffer, a LevelTriangle each
 #define WELKIN_LEVEL_EMISSION 11   // sampler2D, RGBA32F, fetched: emitted radiance
-#define WELKIN_LEVEL_BINDINGS 12
+#define WELKIN_LEVEL_NOISY 12      // sampler2D, R8, fetched: visibility of the hemisphere before its denoising
+#define WELKIN_LEVEL_VISIBILITY 13 // sampler2D, R8, fetched: visibility of the hemisphere, of ambient light
+#define WELKIN_LEVEL_BINDINGS 14
 
 #ifdef __cplusplus
 #include <cstddef>

@@ -24,7 +24,7 @@ void main() {
   vec3 direction = ray / distance_m;
   // The scene behind has its own mist. That before the surface counts for what the surface adds.
   vec3 mist = throughMist(vec3(0.0), direction, distance_m);
-  vec3 own = throughMist(reflected / kPi * surfaceIrradiance(level.camera.xyz + ray, n) + emission, direction, distance_m);
+  vec3 own = throughMist(reflected / kPi * surfaceIrradiance(level.camera.xyz + ray, n, 1.0) + emission, direction, distance_m);
   float mean = (share.r + share.g + share.b) / 3.0;
   radiance = vec4(own - mist * share, 1.0 - mean);
   passing = vec4(share, mean);

@@ -7,6 +7,7 @@
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_ALBEDO) uniform sampler2D levelAlbedo;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_EMISSION) uniform sampler2D levelEmission;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_NORMAL) uniform sampler2D levelNormal;
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_VISIBILITY) uniform sampler2D levelVisibility;
 
 layout(location = 0) in vec2 ndc;
 layout(location = 0) out vec4 radiance;
@@ -15,7 +16,8 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 ray = rayThrough(ndc) * (level.camera.w / texelFetch(levelDepth, pixel, 0).r);
   vec3 albedo = texelFetch(levelAlbedo, pixel, 0).rgb;
-  vec3 irradiance = surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz);
+  vec3 irradiance = surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz,
+                                      texelFetch(levelVisibility, pixel, 0).r);
   vec3 leaving = albedo / kPi * irradiance + texelFetch(levelEmission, pixel, 0).rgb;
   float distance_m = length(ray);
   radiance = vec4(throughMist(leaving, ray / distance_m, distance_m), 1.0);

@@ -43,12 +43,12 @@ vec3 ambientIrradiance(vec3 p, vec3 normal) {
 }
 #endif
 
-// Irradiance of a surface from the sky, the light and the level's own lamps.
-vec3 surfaceIrradiance(vec3 p, vec3 normal) {
+// Irradiance of a surface from the sky, the light and the level's own lamps. `visibility` darkens ambient light alone.
+vec3 surfaceIrradiance(vec3 p, vec3 normal, float visibility) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
   if (cosine > 0.0) direct = level.light_irradiance.rgb * (cosine * lightReaching(p, normal));
-  return ambientIrradiance(p, normal) + direct + lampsIrradiance(p, normal);
+  return ambientIrradiance(p, normal) * visibility + direct + lampsIrradiance(p, normal);
 }
 
 // Radiance seen through `distance_m` of air. The air replaces the light it absorbs by the sky's radiance at the horizon
