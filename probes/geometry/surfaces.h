@@ -51,12 +51,6 @@ struct Material {
   bool isTextured() const { return texture >= 0 || emission_texture >= 0; }
 };
 
-/// A point light that a game moves and colours. `intensity` is radiant intensity in scene units.
-struct PointLight {
-  Number3 position;
-  Number3 intensity;
-};
-
 struct Triangle {
   std::array<std::uint32_t, 3> vertex;
   std::uint32_t material = 0;

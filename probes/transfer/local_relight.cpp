@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kNearest = 4;
 constexpr double kReach = 1.5;
+constexpr double kOutside = 1.0 / 16.0;
 
 struct Seen {
   std::size_t light;
@@ -33,21 +34,38 @@ std::vector<Seen> seenFrom(std::span<const Number3> lights, const Number3& posit
   return seen;
 }
 
+/// Mean over the sphere of coneShareOf: Simpson's rule is exact for the square between the cones.
+double partOfSphere(const DynamicLight& light) {
+  if (!light.outer_rad) return 1.0;
+  const double low = std::cos(*light.outer_rad), high = std::cos(light.inner_rad);
+  const double between =
+      (coneShareOf(light, low) + 4.0 * coneShareOf(light, (low + high) / 2.0) + coneShareOf(light, high)) / 6.0;
+  return (1.0 - high + (high - low) * between) / 2.0;
+}
+
 }  // namespace
 
-LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<const geometry::PointLight> dynamic_lights,
+double coneShareOf(const DynamicLight& light, double cosine) {
+  if (!light.outer_rad) return 1.0;
+  const double low = std::cos(*light.outer_rad), high = std::cos(light.inner_rad);
+  if (cosine >= high) return 1.0;
+  const double inside = cosine <= low ? 0.0 : (cosine - low) / (high - low);
+  return inside * inside;
+}
+
+LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<const DynamicLight> dynamic_lights,
                           const SeeEachOther& see_each_other) {
   LocalColours result;
   result.colour.resize(virtual_lights.size(), Number3(0.0));
   for (std::size_t i = 0; i < dynamic_lights.size(); ++i) {
-    const geometry::PointLight& lamp = dynamic_lights[i];
+    const DynamicLight& lamp = dynamic_lights[i];
     const auto seen = seenFrom(virtual_lights, lamp.position, see_each_other);
     if (seen.empty()) {
       result.unseen.push_back(i);
       continue;
     }
     if (seen.front().distance == 0.0) {
-      result.colour[seen.front().light] += lamp.intensity;
+      result.colour[seen.front().light] += lamp.intensity * partOfSphere(lamp);
       continue;
     }
     const double reach = kReach * seen[std::min(kNearest, seen.size()) - 1].distance;
@@ -56,10 +74,12 @@ LocalColours relightLocal(std::span<const Number3> virtual_lights, std::span<con
     for (const Seen& s : seen) {
       // Scaled by the nearest distance, so that a tiny distance does not overflow.
       const double root = seen.front().distance * (1.0 / s.distance - 1.0 / reach);
-      weight.push_back(root * root);
+      const double cosine = dot(virtual_lights[s.light] - lamp.position, lamp.axis) / s.distance;
+      weight.push_back(root * root * (kOutside + coneShareOf(lamp, cosine)));
       sum += weight.back();
     }
-    for (std::size_t s = 0; s < seen.size(); ++s) result.colour[seen[s].light] += lamp.intensity * (weight[s] / sum);
+    for (std::size_t s = 0; s < seen.size(); ++s)
+      result.colour[seen[s].light] += lamp.intensity * (partOfSphere(lamp) * weight[s] / sum);
   }
   return result;
 }

@@ -11,19 +11,24 @@
 #include "core/arguments.h"
 #include "core/open_file.h"
 #include "format/cut_lookup.h"
+#include "probes/lamps.h"
+#include "probes/local_light.h"
 #include "probes/packed_probes.h"
 #include "probes/sector_light.h"
+#include "probes/virtual_lights.h"
 
 namespace welkin::core {
 
 template <>
-inline constexpr std::size_t kFirstSize<WelkinLevelLimits> = 8;
+inline constexpr std::size_t kFirstSize<WelkinLevelLimits> = 12;
 template <>
 inline constexpr std::size_t kFirstSize<WelkinLevelInfo> = 48;
 template <>
 inline constexpr std::size_t kFirstSize<WelkinLevelLight> = 32;
 template <>
 inline constexpr std::size_t kFirstSize<WelkinRelight> = 12;
+template <>
+inline constexpr std::size_t kFirstSize<WelkinLightsResult> = 20;
 
 }  // namespace welkin::core
 
@@ -60,7 +65,7 @@ struct WelkinSector {
   std::size_t bytes = 0;                       ///< of the memory below
   welkin::core::HostArray<std::byte> blocks;   ///< packProbes
   welkin::core::HostArray<std::uint64_t> cut;  ///< a bit a cell of the grid that walls part; null without
-  welkin::core::HostArray<float> fixed;        ///< unpackEmitted
+  welkin::core::HostArray<float> fixed;        ///< light that does not follow the day, as `light`; null without
   welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
   std::array<std::uint8_t, welkin::format::kGridCells> filled{};  ///< the grid, its holes as their nearest cells
   welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;   ///< the light as texels of the volume
@@ -70,6 +75,8 @@ struct WelkinSector {
   std::uint64_t complete = 0;  ///< the instant that all probes have, or a later one; 0: none
   std::uint32_t slot = 0;      ///< place among the resident sectors
   bool resident = false;
+  welkin::probes::SectorLights lights;
+  welkin::probes::LocalTransfers transfers;
 };
 
 struct WelkinLevel {
@@ -89,6 +96,8 @@ struct WelkinLevel {
   welkin::core::HostArray<welkin::probes::RelightPiece> pieces;  ///< of the relighting that has begun
   std::uint32_t piece_count = 0;
   std::uint32_t chosen = 0;  ///< probes of the pieces
+  welkin::probes::LightTable lights;
+  welkin::probes::Lamps lamps;
 };
 
 namespace welkin::probes {

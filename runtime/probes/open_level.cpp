@@ -71,7 +71,8 @@ WelkinResult openFrom(const WelkinOpenInfo& info, const WelkinSky& sky, const We
   const core::HostMemory memory = opened.source.memory;
   void* room = nullptr;
   if (!opened.resident.allocate(memory, opened.capacity) || !opened.pieces.allocate(memory, opened.capacity + 1) ||
-      !opened.table.allocate(memory, buckets) ||
+      !opened.table.allocate(memory, buckets) || !openTable(memory, opened.capacity, opened.lights) ||
+      !openLamps(memory, limits.light_capacity == 0 ? kDefaultLamps : limits.light_capacity, opened.lamps) ||
       (room = memory.allocate(sizeof(WelkinLevel), alignof(WelkinLevel))) == nullptr)
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
   std::fill_n(opened.table.get(), buckets, 0U);
@@ -148,7 +149,7 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   void* room = nullptr;
   const std::size_t numbers = kColours * opened.probes;
   if (!markCuts(opened.grid.cuts, opened.memory, opened.cut) || !packProbes(probes, opened.memory, opened.blocks) ||
-      !unpackEmitted(probes, opened.memory, opened.fixed) ||
+      !unpackEmitted(probes, opened.memory, opened.fixed) || !openLights(opened) || !openTransfers(opened) ||
       (numbers > 0 &&
        (!opened.light.allocate(opened.memory, numbers) || !opened.packed.allocate(opened.memory, opened.probes))) ||
       (room = opened.memory.allocate(sizeof(WelkinSector), alignof(WelkinSector))) == nullptr)
@@ -158,7 +159,7 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   opened.bytes = sizeof(WelkinSector) + (opened.cut.get() == nullptr ? 0 : format::kGridCells / 8) +
                  sizeof(float) * numbers * (opened.fixed.get() == nullptr ? 1 : 2) +
                  opened.probes * sizeof *opened.packed.get() +
-                 (opened.probes + kBlock - 1) / kBlock * BlockLayout{opened.modes}.bytes();
+                 (opened.probes + kBlock - 1) / kBlock * BlockLayout{opened.modes}.bytes() + localBytes(opened);
   *sector = new (room) WelkinSector(std::move(opened));
   return WELKIN_OK;
 }
@@ -176,9 +177,12 @@ WelkinResult welkin_level_open(const WelkinOpenInfo* info, const WelkinSky* sky,
     if (const auto r = nonNull("welkin_level_open", {{"sky", sky}, {"level", level}})) return r;
     if (limits != nullptr) {
       if (const auto r = sized("welkin_level_open", "limits", limits)) return r;
-      if (limits->sector_capacity > 65536)
-        return refuse("welkin_level_open", "limits->sector_capacity is %u, must be 0 to 65536",
-                      limits->sector_capacity);
+      const WelkinLevelLimits wanted = take(*limits);
+      if (wanted.sector_capacity > 65535)
+        return refuse("welkin_level_open", "limits->sector_capacity is %u, must be 0 to 65535", wanted.sector_capacity);
+      if (wanted.light_capacity > welkin::probes::kMostLamps)
+        return refuse("welkin_level_open", "limits->light_capacity is %u, must be 0 to %u", wanted.light_capacity,
+                      welkin::probes::kMostLamps);
     }
     return checkOpenInfo("welkin_level_open", take(*info));
   };

@@ -54,15 +54,21 @@ bool packProbes(const format::Probes& probes, const core::HostMemory& memory, co
 
 bool unpackEmitted(const format::Probes& probes, const core::HostMemory& memory, core::HostArray<float>& light) {
   const auto scale = spanOf(probes.emitted_scale());
-  const auto emitted = spanOf(probes.emitted());
   if (scale.empty()) return true;
   if (!light.allocate(memory, kColours * scale.size())) return false;
+  std::fill_n(light.get(), kColours * scale.size(), 0.0F);
+  addEmitted(probes, light.get());
+  return true;
+}
+
+void addEmitted(const format::Probes& probes, float* light) {
+  const auto scale = spanOf(probes.emitted_scale());
+  const auto emitted = spanOf(probes.emitted());
   for (std::size_t i = 0; i < emitted.size(); ++i) {
     const std::size_t probe = i / kColours, direction = i % kColours / kChannels, channel = i % kChannels;
-    light.get()[probe * kColours + channel * kDirections + direction] =
+    light[probe * kColours + channel * kDirections + direction] +=
         static_cast<float>(double{scaleOf(scale[probe])} * emitted[i] / 255.0);
   }
-  return true;
 }
 
 }  // namespace welkin::probes

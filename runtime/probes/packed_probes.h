@@ -35,6 +35,8 @@ bool packProbes(const format::Probes& probes, const core::HostMemory& memory, co
 /// Light of emissive surfaces and of the level's own lights: [probe][channel][direction]. Stays empty where there is
 /// none. False when memory runs out.
 bool unpackEmitted(const format::Probes& probes, const core::HostMemory& memory, core::HostArray<float>& light);
+/// Adds that light to `light`.
+void addEmitted(const format::Probes& probes, float* light);
 
 /// Irradiance of `count` probes from `first` on, by channel and direction: `out` is of the sector's first probe.
 /// `fixed` is the light that does not follow the day, likewise, or null. Additions and multiplications have one order

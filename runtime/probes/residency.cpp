@@ -59,6 +59,7 @@ WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector) {
   level->table.get()[bucket] = sector->slot + 1;
   level->probes += sector->probes;
   ++level->changes;
+  lightsCome(*level, *sector);
   return WELKIN_OK;
 }
 
@@ -68,6 +69,7 @@ WelkinResult welkin_level_remove(WelkinLevel* level, int32_t x, int32_t z, Welki
   *sector = residentAt(*level, x, z);
   if (*sector == nullptr) return WELKIN_OK;
   WelkinSector& gone = **sector;
+  lightsLeave(*level, gone);
   WelkinSector** resident = level->resident.get();
   clearBucket(*level, bucketOf(*level, x, z));
   if (gone.slot + 1 != level->count) {  // the last sector moves to the free slot
@@ -111,6 +113,7 @@ WelkinResult welkin_level_info(const WelkinLevel* level, WelkinLevelInfo* info) 
     for (const auto* s : *level->index->sectors()) out.probe_count += s->probes();
   }
   out.sector_capacity = level->capacity;
+  out.light_capacity = level->lamps.capacity;
   out.resident_sectors = level->count;
   out.resident_probes = level->probes;
   for (std::uint32_t i = 0; i < level->count; ++i) out.resident_bytes += level->resident.get()[i]->bytes;

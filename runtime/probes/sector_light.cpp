@@ -97,8 +97,7 @@ SectorLight sectorLightOf(const LevelLight& light, const format::Sector& sector)
   const bool sh = sector.sun() == format::SunTransfer::sh;
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t c = 0; c < 3; ++c)
-      out.sky[k][c] =
-          saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
+      out.sky[k][c] = saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
   if (sector.sun() != format::SunTransfer::directional) return out;
   const format::Probes& probes = *sector.probes();
   const auto sun_h = spanOf(probes.sun_time_h());

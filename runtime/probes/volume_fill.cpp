@@ -94,7 +94,8 @@ TexelWords packTexel(const float* light, WelkinVolumeFormat format, float scale)
       if (format == WELKIN_VOLUME_RGBA16F)
         words[c] |= std::uint64_t{halfFromFloat(value)} << (16 * b);
       else
-        words[c] |= static_cast<std::uint64_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F) << (8 * b);
+        words[c] |= static_cast<std::uint64_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F)
+                    << (8 * b);
     }
   return words;
 }

@@ -67,7 +67,7 @@ LampError lampError(const geometry::Tracer& tracer, const geometry::PlacedSector
   double sum = 0.0;
   for (const f64::Number3& at : place) {
     const auto shared =
-        transfer::relightLocal(local.light, std::vector<geometry::PointLight>{{at, f64::Number3(1.0)}}, see);
+        transfer::relightLocal(local.light, std::vector<transfer::DynamicLight>{{at, f64::Number3(1.0)}}, see);
     const reference::LocalLight lamp[] = {{at, f64::Number3(1.0)}};
     for (std::size_t i = 0; i < sector.probe.size(); ++i) {
       const f64::Number3 away = sector.probe[i].position - at;

@@ -69,6 +69,68 @@ void fillVolume(benchmark::State& state, WelkinVolumeFormat format) {
 BENCHMARK_CAPTURE(fillVolume, halfs, WELKIN_VOLUME_RGBA16F)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(fillVolume, bytes, WELKIN_VOLUME_RGBA8)->Unit(benchmark::kMicrosecond);
 
+OpenedLevel& localLevel() {
+  static const RandomLevel baked = [] {
+    RandomLevel level(51, 70, 10, transfer::SunTransfer::directional, false);
+    level.addLocal(70, 128);  // 64 transfers a probe on average, 72 KB a sector
+    return level;
+  }();
+  static OpenedLevel opened(baked);
+  return opened;
+}
+
+std::vector<WelkinPointLight> eightLamps() {
+  std::vector<WelkinPointLight> lights(8);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    lights[i].position[0] = static_cast<float>(300 * i);
+    lights[i].position[1] = 3.0F;
+    lights[i].position[2] = 30.0F;
+    lights[i].intensity[0] = 1.0F;
+  }
+  return lights;
+}
+
+/// Lights of 8 lamps of which `change` changes some before each call: their shares, and the local light of the sectors
+/// that they reach.
+template <typename Change>
+void setLamps(benchmark::State& state, const Change& change) {
+  std::vector<WelkinPointLight> lights = eightLamps();
+  std::size_t tests = 0;
+  const auto sees = [](void* user, const float*, const float*) {
+    return ++*static_cast<std::size_t*>(user) != 0 ? 1 : 0;
+  };
+  WelkinLightsResult result{};
+  welkin_level_set_lights(localLevel().level, 8, lights.data(), sees, &tests, nullptr);
+  tests = 0;
+  bool odd = false;
+  for (auto _ : state) {
+    odd = !odd;
+    const auto count = static_cast<std::uint32_t>(change(lights, odd));
+    welkin_level_set_lights(localLevel().level, count, lights.data(), sees, &tests, &result);
+  }
+  state.counters["sectors"] = result.sectors;
+  state.counters["probes"] = result.probes;
+  state.counters["tests"] = benchmark::Counter(static_cast<double>(tests), benchmark::Counter::kAvgIterations);
+}
+
+void sameLamps(benchmark::State& state) {
+  setLamps(state, [](auto&, bool) { return 8; });
+}
+BENCHMARK(sameLamps)->Unit(benchmark::kMicrosecond);
+
+void moveLamp(benchmark::State& state) {
+  setLamps(state, [](auto& lights, bool odd) {
+    lights[5].position[0] += odd ? 0.01F : -0.01F;
+    return 8;
+  });
+}
+BENCHMARK(moveLamp)->Unit(benchmark::kMicrosecond);
+
+void addOrRemoveLamp(benchmark::State& state) {
+  setLamps(state, [](auto&, bool odd) { return odd ? 7 : 8; });
+}
+BENCHMARK(addOrRemoveLamp)->Unit(benchmark::kMicrosecond);
+
 void query1000(benchmark::State& state) {
   OpenedLevel& opened = talkLevel();
   std::mt19937 random(1);

@@ -112,6 +112,40 @@ TEST_CASE("LevelLocal, EveryByteIsExplained") {
   REQUIRE(text.out.find("local_radiance") != std::string::npos);
 }
 
+TEST_CASE("LevelLocal, SampleShowsDynamicLights") {
+  const SmallLevel level;
+  level.writeLevel("rays = 64\nlocal_lights = true");
+  level.bake("out");
+  const json at = sectorOf(level, "out", "1_0")["virtual_lights"][0];
+  std::string place;
+  for (const json& coordinate : at) place += (place.empty() ? "" : ",") + coordinate.dump();
+  const auto sample = [&](const std::vector<std::string>& lights) {
+    std::vector<std::string> command = {"sample", level / "out", "--time", "12", "--position", place, "--json"};
+    command.insert(command.end(), {"--normal", "0,1,0"});
+    for (const std::string& light : lights) command.insert(command.end(), {"--light", light});
+    return runTool(command);
+  };
+  const auto localOf = [](const Run& run) {
+    REQUIRE(run.status == 0);
+    return json::parse(run.out)["components"]["local"].get<std::vector<double>>();
+  };
+  const Run dark = sample({}), lit = sample({place + ",10,0,30"});
+  REQUIRE(localOf(dark) == std::vector<double>{0, 0, 0});
+  REQUIRE(lit.err.empty());
+  const auto one = localOf(lit), both = localOf(sample({place + ",10,0,30", place + ",20,0,0,0.1"}));
+  REQUIRE(one[0] > 0.0);
+  REQUIRE(one[1] == 0.0);
+  REQUIRE(both[0] == Approx(3.0 * one[0]));
+  REQUIRE(both[2] == Approx(one[2]));
+  const Run far = sample({"0,900,0,1,1,1"});
+  REQUIRE(localOf(far) == std::vector<double>{0, 0, 0});
+  REQUIRE(far.said("welkin: warning: 1 of 1 lights are left out: no virtual light is within 64 m"));
+  REQUIRE(sample({"1,2,3"}).status == 1);
+  const Run nowhere = runTool({"sample", level / "out", "--time", "12", "--light", place + ",1,1,1"});
+  REQUIRE(nowhere.status == 1);
+  REQUIRE(nowhere.said("--light: needs --position and --normal, or --points"));
+}
+
 TEST_CASE("LevelLocal, EveryTransferIsShown") {
   const SmallLevel level;
   level.writeLevel("rays = 4096\nlocal_lights = true");

@@ -159,6 +159,46 @@ TEST_CASE("Runtime, ADayOfALevelAllocatesNothing") {
   for (WelkinVolume* v : volume) welkin_volume_destroy(v);
 }
 
+TEST_CASE("Level, NothingAllocatesWhileSectorsStreamAndLightsMove") {
+  tests::RandomLevel baked(3, 37, 10, transfer::SunTransfer::directional, false);
+  baked.addLocal(40, 60);
+  tests::OpenedLevel opened(baked);
+  std::size_t failures = 0;
+  const std::size_t before = allocations;
+  for (int i = 0; i < 300; ++i) {
+    WelkinSector* sector = nullptr;
+    if (i % 10 == 0) {
+      failures += welkin_level_remove(opened.level, i % 3 - 1, 0, &sector) != WELKIN_OK;
+      failures += welkin_level_add(opened.level, sector) != WELKIN_OK;
+    }
+    WelkinPointLight lights[2] = {};
+    for (WelkinPointLight& light : lights) {
+      light.position[0] = 0.3F * static_cast<float>(i);
+      light.position[2] = 30.0F;
+      light.intensity[1] = 1.0F;
+    }
+    lights[1].direction[1] = -1.0F;
+    lights[1].outer_rad = 0.7F;
+    const auto see = [](void*, const float from[3], const float*) { return from[0] > 3.0F ? 1 : 0; };
+    WelkinLightsResult result{};
+    failures += welkin_level_set_lights(opened.level, 2, lights, see, nullptr, &result) != WELKIN_OK;
+    failures += result.shared != 2;
+    WelkinSkySample sample{};
+    failures += welkin_sky_sample(opened.sky, 12.0 + i * 1e-3, &sample) != WELKIN_OK;
+    WelkinLevelLight light{};
+    light.sample = &sample;
+    light.sky = light.sun_bounce = light.local = 1.0F;
+    failures += welkin_level_set_light(opened.level, &light) != WELKIN_OK;
+    failures += welkin_level_relight(opened.level, 50, nullptr) != WELKIN_OK;
+    const float position[1][3] = {{10, 2, 30}}, normal[1][3] = {{0, 1, 0}};
+    float irradiance[1][3];
+    failures += welkin_level_irradiance(opened.level, 1, position, normal, irradiance, nullptr) != WELKIN_OK;
+  }
+  const std::size_t after = allocations;
+  CHECK(after - before == 0);
+  CHECK(failures == 0);
+}
+
 TEST_CASE("Runtime, SaysUnchanged") {
   bake::SkyFile file;
   file.sky.sun.path.latitude_rad = 0.3;

@@ -119,6 +119,24 @@ void fillVolume(WelkinLevel* level, const WelkinSkySample& sample, WelkinVolumeF
   }
 }
 
+/// Puts a lamp and a spot at each position, with any revision.
+void setLights(WelkinLevel* level, const std::vector<Position>& positions, std::uint32_t revision) {
+  std::vector<WelkinPointLight> lights;
+  for (const Position& p : positions) {
+    if (std::abs(p[0]) > 1e9F || std::abs(p[1]) > 1e9F || std::abs(p[2]) > 1e9F) continue;  // refused
+    WelkinPointLight light{{p[0], p[1], p[2]}, {1e15F, 1.0F, 0.0F}, {0.0F, -1.0F, 0.0F}, 0.0F, 0.0F, revision};
+    lights.push_back(light);
+    light.outer_rad = 1.0F;
+    lights.push_back(light);
+  }
+  const auto sees = [](void*, const float from[3], const float to[3]) { return from[0] + to[1] > 2.0F ? 1 : 0; };
+  WelkinLightsResult result{};
+  succeed(
+      welkin_level_set_lights(level, static_cast<std::uint32_t>(lights.size()), lights.data(), sees, nullptr, &result),
+      "set_lights");
+  ensure(result.unseen <= lights.size() && result.shared <= lights.size(), "counts of lights are at most their number");
+}
+
 /// Relights for some hours and looks everything up.
 void exercise(WelkinLevel* level, const WelkinSky* sky, const std::vector<Position>& positions) {
   WelkinLevelInfo info{};
@@ -134,6 +152,7 @@ void exercise(WelkinLevel* level, const WelkinSky* sky, const std::vector<Positi
     light.sample = &sample;
     light.sky = light.sun_bounce = light.local = 1.0F;
     succeed(welkin_level_set_light(level, &light), "set_light");
+    setLights(level, positions, time_h < 12.0 ? 0 : 1);
     WelkinRelight relit{};
     succeed(welkin_level_relight(level, 5, &relit), "relight");
     ensure(relit.relit <= 5 && relit.relit + relit.remaining == info.resident_probes, "the budget is kept");
@@ -245,7 +264,9 @@ LevelExercise exerciseSector(const ExactBytes& bytes, const format::File& file) 
   succeed(welkin_level_remove(level.get(), x, z, &removed), "level_remove");
   ensure(removed != nullptr, "the sector was resident");
   lookUp(level.get(), {positionsIn(sector).front()});
+  setLights(level.get(), positionsIn(sector), 1);
   succeed(welkin_level_add(level.get(), removed), "level_add");
+  setLights(level.get(), positionsIn(sector), 1);
   return {true, {}};
 }
 

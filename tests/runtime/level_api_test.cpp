@@ -59,6 +59,8 @@ TEST_CASE("LevelApi, StructsKeepToTheirSize") {
   checkSizes<WelkinLevelInfo>(48, [&](WelkinLevelInfo* out) { return welkin_level_info(level, out); });
   checkSizes<WelkinRelight>(12, [&](WelkinRelight* out) { return welkin_level_relight(level, 1, out); });
   checkSizes<WelkinRelight>(12, [&](WelkinRelight* out) { return welkin_level_relight_end(level, out); });
+  checkSizes<WelkinLightsResult>(
+      20, [&](WelkinLightsResult* out) { return welkin_level_set_lights(level, 0, nullptr, nullptr, nullptr, out); });
   const OwnedVolume v;
   checkSizes<WelkinVolumeUpdate>(
       208, [&](WelkinVolumeUpdate* out) { return welkin_volume_update(v.volume, level, &sample, kOrigin, 1, out); });
@@ -90,13 +92,13 @@ TEST_CASE("LevelApi, InputsOfAnotherSizeAreRefused") {
   info.data = opened.files[1].data();
   info.size = opened.files[1].size;
   WelkinLevelLimits limits{};
-  limits.struct_size = 12;
+  limits.struct_size = 16;
   WelkinLevel* no_level = opened.level;
   WelkinMessage message{};
   CHECK(welkin_level_open(&info, opened.sky, &limits, &no_level, &message) == WELKIN_ERROR_ARGUMENT);
   CHECK(no_level == nullptr);
   CHECK(std::string(message.text) ==
-        "welkin_level_open: limits->struct_size is 12, must be the struct's size, 8 to 8 in this library");
+        "welkin_level_open: limits->struct_size is 16, must be the struct's size, 12 to 12 in this library");
 }
 
 TEST_CASE("LevelApi, NullIsRefused") {
@@ -147,6 +149,8 @@ TEST_CASE("LevelApi, NullIsRefused") {
                                   welkin_level_set_light(nullptr, &light),
                                   welkin_level_set_light(level, nullptr),
                                   welkin_level_set_light(level, &dark),
+                                  welkin_level_set_lights(nullptr, 0, nullptr, nullptr, nullptr, nullptr),
+                                  welkin_level_set_lights(level, 1, nullptr, nullptr, nullptr, nullptr),
                                   welkin_level_relight(nullptr, 1, nullptr),
                                   welkin_level_relight_begin(nullptr, 1, &count),
                                   welkin_level_relight_begin(level, 1, nullptr),
@@ -344,10 +348,15 @@ TEST_CASE("LevelApi, TheCapacityIsKept") {
   info.data = opened.files[1].data();
   info.size = opened.files[1].size;
   WelkinLevelLimits limits{};
-  limits.sector_capacity = 65537;
+  limits.sector_capacity = 65536;
   WelkinLevel* level = nullptr;
   refusedFor(welkin_level_open(&info, opened.sky, &limits, &level, nullptr),
-             "welkin_level_open: limits->sector_capacity is 65537, must be 0 to 65536");
+             "welkin_level_open: limits->sector_capacity is 65536, must be 0 to 65535");
+  limits.sector_capacity = 2;
+  limits.light_capacity = 65537;
+  refusedFor(welkin_level_open(&info, opened.sky, &limits, &level, nullptr),
+             "welkin_level_open: limits->light_capacity is 65537, must be 0 to 65536");
+  limits.light_capacity = 0;
   limits.sector_capacity = 1;
   REQUIRE(welkin_level_open(&info, opened.sky, &limits, &level, nullptr) == WELKIN_OK);
   std::int32_t x = 0, z = 0;
@@ -389,7 +398,8 @@ WelkinResult openAll(const RandomLevel& baked, Heap& heap, WelkinVolumeFormat fo
     WelkinLevelInfo described{};
     REQUIRE(welkin_level_info(level, &described) == WELKIN_OK);
     CHECK(described.resident_bytes < heap.bytes());
-    CHECK(described.resident_bytes + index.size > heap.bytes() - 4096);  // the rest is the level's own tables
+    // The rest is the level's own tables, and its lights.
+    CHECK(described.resident_bytes + index.size > heap.bytes() - 8192 - 320 * described.light_capacity);
     WelkinVolumeSettings settings{};
     settings.format = format;
     settings.allocator = &allocator;
@@ -405,7 +415,8 @@ WelkinResult openAll(const RandomLevel& baked, Heap& heap, WelkinVolumeFormat fo
 }
 
 TEST_CASE("LevelApi, TheGamesMemoryServesAll") {
-  const RandomLevel baked(2, 12, 4, SunTransfer::directional, true);
+  RandomLevel baked(2, 12, 4, SunTransfer::directional, true);
+  baked.addLocal(9, 12);
   for (const WelkinVolumeFormat format : {WELKIN_VOLUME_RGBA16F, WELKIN_VOLUME_RGBA8})
     for (std::size_t most = 0;; ++most) {
       Heap heap;
@@ -414,9 +425,9 @@ TEST_CASE("LevelApi, TheGamesMemoryServesAll") {
       CAPTURE(most);
       CHECK(heap.held.empty());
       if (result == WELKIN_OK) {
-        // The index's copy, three tables and the level; blocks, emission, light, texels and the object of each of two
-        // sectors; slices, three channels and the object of the volume.
-        CHECK(heap.allocations == 5 + 2 * 5 + 5);
+        // The index's copy, six tables and the level; blocks, emission, four arrays of local transfer, light, texels
+        // and the object of each of two sectors; slices, three channels and the object of the volume.
+        CHECK(heap.allocations == 8 + 2 * 9 + 5);
         break;
       }
       CHECK(result == WELKIN_ERROR_MEMORY);

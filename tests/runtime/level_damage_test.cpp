@@ -77,6 +77,7 @@ TEST_CASE("LevelDamage, ASectorUnderARightChecksumNeverCrashes") {
   for (const auto sun : {SunTransfer::none, SunTransfer::sh, SunTransfer::directional}) {
     // Of 200 probes, so that most bytes name one in the grid.
     RandomLevel baked(2, 200, sun == SunTransfer::directional ? 4 : 0, sun, sun == SunTransfer::sh);
+    if (sun != SunTransfer::directional) baked.addLocal(9, 12);
     if (sun != SunTransfer::none) cutCells(baked.sector[0]);
     damageOften(baked.sectorBytes(0), format::Kind::sector, 400);
   }
@@ -99,6 +100,10 @@ TEST_CASE("LevelDamage, TheLargestNumbersOfAFileGiveFiniteLight") {
   std::fill(p.mode.begin(), p.mode.end(), std::int8_t{127});
   std::fill(p.coefficient_scale.begin(), p.coefficient_scale.end(), 9e29F);
   std::fill(p.mode_scale.begin(), p.mode_scale.end(), 9e29F);
+  baked.addLocal(100, 128);
+  transfer::EncodedLocal& local = baked.sector[0].local->encoded;
+  std::fill(local.scale.begin(), local.scale.end(), kLargest);
+  std::fill(local.radiance.begin(), local.radiance.end(), std::int8_t{127});
   const LevelExercise of_sector = exerciseFile(baked.sectorBytes(0));
   CHECK(of_sector.opened);
   CHECK(of_sector.fault == "");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/runtime/random_level.h"
 
+#include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -58,6 +60,28 @@ bake::SkyFile skyFile() {
   return file;
 }
 
+/// Random transfers of some of the lights to each probe.
+transfer::EncodedLocal randomLocal(const std::vector<f64::Number3>& lights, const f64::Number3& corner,
+                                   std::size_t probes, std::size_t transfers, std::mt19937& random) {
+  transfer::EncodedLocal local;
+  for (const f64::Number3& light : lights)
+    for (int axis = 0; axis < 3; ++axis) local.position.push_back(static_cast<float>(light[axis] - corner[axis]));
+  std::vector<std::uint16_t> all(lights.size());
+  std::iota(all.begin(), all.end(), std::uint16_t{0});
+  for (std::size_t p = 0; p < probes; ++p) {
+    std::shuffle(all.begin(), all.end(), random);
+    const std::size_t count = std::min(random() % (transfers + 1), all.size());
+    local.count.push_back(static_cast<std::uint8_t>(count));
+    local.light.insert(local.light.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(local.light.end() - static_cast<std::ptrdiff_t>(count), local.light.end());
+  }
+  local.scale = randoms<std::uint16_t>(local.light.size(), 0x3d00, 0x3f00, random);
+  local.radiance = randoms<std::int8_t>(12 * local.light.size(), -127, 127, random);
+  for (std::size_t i = 0; i < local.radiance.size(); ++i)
+    if (i % 12 < 3) local.radiance[i] = static_cast<std::int8_t>(std::abs(local.radiance[i]));
+  return local;
+}
+
 void demand(WelkinResult result, const char* why) {
   if (result != WELKIN_OK) throw std::runtime_error(why);
 }
@@ -90,10 +114,8 @@ RandomLevel::RandomLevel(int count, std::size_t probes, std::size_t modes, trans
     }
     s.settings = "{}";
     sector.push_back(s);
-    const auto bytes = sectors::encodeSector(s);
-    index.sector.push_back({s.id, probes, bytes.size(), base::hashOf(std::span<const std::byte>(bytes)), {}});
   }
-  index.all_sectors = sectors::hashOf(index.sector);
+  reindex();
   index.sun = sun;
   if (sun == transfer::SunTransfer::directional) {
     index.sun_path = file.sky.sun.path;
@@ -110,13 +132,45 @@ void RandomLevel::seal(std::size_t i) {
   index.sector[i].checksum = base::hashOf(std::span<const std::byte>(bytes));
 }
 
-OpenedLevel::OpenedLevel(const RandomLevel& baked) {
+void RandomLevel::reindex() {
+  index.sector.clear();
+  for (const sectors::SectorFile& s : sector) {
+    const auto bytes = sectors::encodeSector(s);
+    const std::size_t probes = s.probes.sky_scale.size();
+    index.sector.push_back({s.id, probes, bytes.size(), base::hashOf(std::span<const std::byte>(bytes)), {}});
+  }
+  index.all_sectors = sectors::hashOf(index.sector);
+}
+
+void RandomLevel::addLocal(std::size_t lights, std::size_t transfers, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  std::vector<std::vector<f64::Number3>> own(sector.size());
+  for (std::size_t i = 0; i < sector.size(); ++i)
+    for (std::size_t l = 0; l < lights; ++l)
+      own[i].push_back(geometry::cornerOf(sector[i].id) + f64::Number3(in(0, 64), in(0, 6), in(0, 64)));
+  for (std::size_t i = 0; i < sector.size(); ++i) {
+    std::vector<f64::Number3> near = own[i];
+    if (i > 0) near.insert(near.begin(), own[i - 1].begin(), own[i - 1].end());
+    if (i + 1 < own.size()) near.insert(near.end(), own[i + 1].begin(), own[i + 1].end());
+    sectors::BakedLocal local;
+    local.encoded =
+        randomLocal(near, geometry::cornerOf(sector[i].id), sector[i].probes.sky_scale.size(), transfers, random);
+    sector[i].local = local;
+    sector[i].room.clear();
+    sector[i].in_room.clear();
+  }
+  reindex();
+}
+
+OpenedLevel::OpenedLevel(const RandomLevel& baked, const WelkinAllocator* allocator) {
   files.emplace_back(baked.sky);
   demand(welkin_sky_open_memory(files[0].data(), files[0].size, &sky, nullptr), welkin_argument_error());
   files.emplace_back(sectors::encodeLevel(baked.index));
   WelkinOpenInfo info{};
   info.data = files[1].data();
   info.size = files[1].size;
+  info.allocator = allocator;
   WelkinMessage message{};
   demand(welkin_level_open(&info, sky, nullptr, &level, &message), message.text);
   for (std::size_t i = 0; i < baked.sector.size(); ++i) {

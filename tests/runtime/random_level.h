@@ -34,12 +34,20 @@ struct RandomLevel {
 
   /// Makes the index name a sector that was changed.
   void seal(std::size_t i);
+  /// Gives every sector local transfer: `lights` virtual lights a sector, within y of 0 to 6 m, and for each probe up
+  /// to `transfers` of those of its sector and of the two beside it. Without rooms, so that the middle of a cell shows
+  /// its probe alone.
+  void addLocal(std::size_t lights, std::size_t transfers, unsigned seed = 1);
+
+  /// Lists the sectors in the index again, after a change.
+  void reindex();
+
   std::vector<std::byte> sectorBytes(std::size_t i) const { return sectors::encodeSector(sector[i]); }
 };
 
 /// The level opened by the runtime, with every sector resident.
 struct OpenedLevel {
-  explicit OpenedLevel(const RandomLevel& level);
+  explicit OpenedLevel(const RandomLevel& level, const WelkinAllocator* allocator = nullptr);
   OpenedLevel(const OpenedLevel&) = delete;
   OpenedLevel& operator=(const OpenedLevel&) = delete;
   ~OpenedLevel();

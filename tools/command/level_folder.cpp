@@ -40,7 +40,8 @@ Float3 floats(const f64::Number3& v) {
 
 }  // namespace
 
-LevelFolder::LevelFolder(const std::filesystem::path& folder) : sky_(openSky(skyFileOf(folder.string()))) {
+LevelFolder::LevelFolder(const std::filesystem::path& folder, std::size_t lights)
+    : sky_(openSky(skyFileOf(folder.string()))) {
   const auto read = [&](const std::filesystem::path& path) {
     const std::vector<std::byte> bytes = base::readFile(path);
     Bytes file{std::vector<std::max_align_t>(bytes.size() / sizeof(std::max_align_t) + 1), bytes.size()};
@@ -53,7 +54,8 @@ LevelFolder::LevelFolder(const std::filesystem::path& folder) : sky_(openSky(sky
   info.data = files_.back().room.data();
   info.size = files_.back().size;
   WelkinLevelLimits limits{};
-  limits.sector_capacity = 65536;
+  limits.sector_capacity = 65535;
+  limits.light_capacity = static_cast<std::uint32_t>(std::clamp(lights, std::size_t{1}, std::size_t{65536}));
   const Status opened = level_.open(info, sky_, limits);
   require(opened.code, index.string(), opened.message.c_str());
   const std::uint32_t count = level_.info().sector_count;
@@ -69,6 +71,21 @@ LevelFolder::LevelFolder(const std::filesystem::path& folder) : sky_(openSky(sky
     const Status added = level_.add(sector);
     require(added.code, path.string(), added.message.c_str());
   }
+}
+
+std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lights) {
+  std::vector<WelkinPointLight> lamps;
+  for (const reference::LocalLight& light : lights) {
+    WelkinPointLight& lamp = lamps.emplace_back();
+    for (int c = 0; c < 3; ++c) {
+      lamp.position[c] = static_cast<float>(light.position[c]);
+      lamp.intensity[c] = static_cast<float>(light.intensity[c]);
+    }
+  }
+  WelkinLightsResult result{};
+  const Status set = level_.setLights(lamps.data(), static_cast<std::uint32_t>(lamps.size()), result);
+  require(set.code, "the lights of the level", set.message.c_str());
+  return result.unseen;
 }
 
 std::vector<std::optional<PointLight>> LevelFolder::at(const std::vector<SurfacePoint>& points, double time_h) {

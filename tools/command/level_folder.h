@@ -9,6 +9,7 @@
 #include <welkin/level.hpp>
 
 #include "command/surface_points.h"
+#include "probes/reference/light_path.h"
 
 namespace welkin::command {
 
@@ -20,8 +21,11 @@ struct PointLight {
 
 class LevelFolder {
  public:
-  /// Opens every file. Throws Error.
-  explicit LevelFolder(const std::filesystem::path& folder);
+  /// Opens every file of a level that is to have at most `lights` dynamic lights. Throws Error.
+  explicit LevelFolder(const std::filesystem::path& folder, std::size_t lights = 0);
+
+  /// Sets the dynamic lights. Every virtual light near enough sees them. Returns how many none sees. Throws Error.
+  std::size_t setLights(const std::vector<reference::LocalLight>& lights);
 
   /// The light at each point, nothing where no probe serves.
   std::vector<std::optional<PointLight>> at(const std::vector<SurfacePoint>& points, double time_h);

@@ -10,6 +10,7 @@
 
 #include "command/arguments.h"
 #include "command/commands.h"
+#include "command/lights_option.h"
 #include "command/shared_options.h"
 #include "command/surface_points.h"
 #include "probes/build/subject.h"
@@ -24,29 +25,12 @@ struct Options {
   PointsOption points;
   ProgressOption progress;
   ThreadsOption threads;
-  std::vector<std::string> lights;
+  LightsOption lights;
   std::size_t samples = 65536;
   std::optional<int> bounces;
   std::uint64_t seed = 0;
   bool json = false;
 };
-
-/// Parses "X,Y,Z,R,G,B" or "X,Y,Z,R,G,B,RADIUS". Throws Error(usage).
-reference::LocalLight parseLight(const std::string& text) {
-  const auto refuse = [&] {
-    return base::Error(
-        base::ExitStatus::usage,
-        fmt::format("--light: \"{}\" is not a light: X,Y,Z,R,G,B or X,Y,Z,R,G,B,RADIUS, finite numbers, the "
-                    "intensity and the radius in metres at least 0",
-                    text));
-  };
-  const auto v = parseNumbers(text);
-  if (!v || v->size() < 6 || v->size() > 7) throw refuse();
-  for (std::size_t i = 3; i < v->size(); ++i)
-    if ((*v)[i] < 0.0) throw refuse();
-  const auto& n = *v;
-  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n.size() == 7 ? n[6] : 0.0};
-}
 
 using reference::ReferenceIrradiance;
 
@@ -104,8 +88,7 @@ void reference(const Options& options) {
   catchInterrupts();
   const std::vector<SurfacePoint> points = options.points.points();
   const double time_h = parseTime(options.time);
-  std::vector<reference::LocalLight> lights;
-  for (const std::string& light : options.lights) lights.push_back(parseLight(light));
+  const std::vector<reference::LocalLight> lights = options.lights.lights();
   const auto limit = options.threads.limit();
   const build::Subject subject = build::readLevel(options.file);
   for (const std::string& warning : subject.level->surfaces.warning)
@@ -141,9 +124,7 @@ void addReference(CLI::App& app) {
   command->add_option("LEVEL", options->file, "level.toml")->required();
   command->add_option("--time", options->time, "Hours")->required();
   options->points.addTo(*command);
-  command->add_option("--light", options->lights,
-                      "X,Y,Z,R,G,B[,RADIUS]: a dynamic light, its radiant intensity and the radius of its sphere in "
-                      "metres; as many as there are");
+  options->lights.addTo(*command, "RADIUS is that of its sphere in metres");
   command->add_option("--samples", options->samples, "Paths")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
       ->capture_default_str();

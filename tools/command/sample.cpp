@@ -9,6 +9,7 @@
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/level_folder.h"
+#include "command/lights_option.h"
 #include "command/surface_points.h"
 #include "command/welkin_file.h"
 #include "probes/build/level_files.h"
@@ -20,6 +21,7 @@ namespace {
 struct Options {
   std::string path, time;
   PointsOption points;
+  LightsOption lights;
   bool json = false;
 };
 
@@ -39,7 +41,13 @@ nlohmann::ordered_json jsonOf(const std::optional<PointLight>& light) {
 void sampleLevel(const Options& options) {
   const double time_h = parseTime(options.time);
   const std::vector<SurfacePoint> points = options.points.points();
-  LevelFolder level(options.path);
+  const std::vector<reference::LocalLight> lamps = options.lights.lights();
+  LevelFolder level(options.path, lamps.size());
+  if (const std::size_t unseen = level.setLights(lamps); unseen > 0)
+    fmt::print(stderr,
+               "welkin: warning: {} of {} lights are left out: no virtual light is within 64 m of them; [transfer] "
+               "local_lights of level.toml names the sectors that have some\n",
+               unseen, lamps.size());
   const auto lights = level.at(points, time_h);
   if (options.json && options.points.isOne()) {
     fmt::print("{}\n", jsonOf(lights[0]).dump(2));
@@ -72,6 +80,8 @@ void sample(const Options& options) {
                                   "--points need",
                                   options.path));
   if (at_points) return sampleLevel(options);
+  if (!options.lights.text.empty())
+    throw base::Error(base::ExitStatus::usage, "--light: needs --position and --normal, or --points");
   const auto n = parseDirection("--normal", options.points.normal.empty() ? "0,1,0" : options.points.normal);
   const double time_h = parseTime(options.time);
   const std::string file = skyFileOf(options.path);
@@ -116,6 +126,9 @@ void addSample(CLI::App& app) {
   command->add_option("PATH", options->path, "Folder of a bake, or the .welkin file of a sky")->required();
   command->add_option("--time", options->time, "Hours")->required();
   options->points.addTo(*command);
+  options->lights.addTo(*command,
+                        "Of a level with local transfer. Walls between it and the level's virtual lights are not known "
+                        "here, so all that are near enough see it. RADIUS has no effect");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { sample(*options); });
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <welkin/welkin.hpp>
 
@@ -104,6 +105,19 @@ class Level {
   }
 
   Status setLight(const WelkinLevelLight& light) { return statusOf(welkin_level_set_light(level_, &light)); }
+  /// All dynamic lights. `sees(from, to)` tells whether two points see each other; leave it out if all do.
+  template <typename Sees>
+  Status setLights(const WelkinPointLight* lights, std::uint32_t count, Sees&& sees, WelkinLightsResult& result) {
+    const auto call = [](void* user, const float from[3], const float to[3]) -> int {
+      auto& test = *static_cast<std::remove_reference_t<Sees>*>(user);
+      return test(Float3{from[0], from[1], from[2]}, Float3{to[0], to[1], to[2]}) ? 1 : 0;
+    };
+    void* user = const_cast<void*>(static_cast<const void*>(&sees));
+    return statusOf(welkin_level_set_lights(level_, count, lights, call, user, &result));
+  }
+  Status setLights(const WelkinPointLight* lights, std::uint32_t count, WelkinLightsResult& result) {
+    return statusOf(welkin_level_set_lights(level_, count, lights, nullptr, nullptr, &result));
+  }
   Status relight(std::uint32_t max_probes, WelkinRelight& result) {
     return statusOf(welkin_level_relight(level_, max_probes, &result));
   }

@@ -32,7 +32,7 @@ Number3 sumOf(const std::vector<Number3>& colour) {
 
 TEST_CASE("LocalRelight, SharesSumToTheLight") {
   const auto light = lattice();
-  const std::vector<geometry::PointLight> lamp = {
+  const std::vector<transfer::DynamicLight> lamp = {
       {{5.3, 2.2, 6.1}, {1, 2, 3}}, {{90, 1, 3}, {0.5, 0, 7}}, {{8, 1, 8}, {2, 2, 2}}};
   const Number3 sum = sumOf(transfer::relightLocal(light, lamp, kOpen).colour);
   CHECK(sum.x == Approx(3.5));
@@ -40,16 +40,16 @@ TEST_CASE("LocalRelight, SharesSumToTheLight") {
   CHECK(sum.z == Approx(12.0));
   for (const double from : {0.0, 1e-300, 1e-9}) {  // at the place of a virtual light
     const auto colour =
-        transfer::relightLocal(light, std::vector<geometry::PointLight>{{{8 + from, 1, 8}, {1, 2, 3}}}, kOpen).colour;
+        transfer::relightLocal(light, std::vector<transfer::DynamicLight>{{{8 + from, 1, 8}, {1, 2, 3}}}, kOpen).colour;
     CHECK(colour[12].y == Approx(2.0));
     CHECK(sumOf(colour).y == Approx(2.0));
   }
   const auto middle =
-      transfer::relightLocal(light, std::vector<geometry::PointLight>{{{6, 1, 6}, {1, 2, 3}}}, kOpen).colour;
+      transfer::relightLocal(light, std::vector<transfer::DynamicLight>{{{6, 1, 6}, {1, 2, 3}}}, kOpen).colour;
   for (const std::size_t l : {6U, 7U, 11U, 12U}) CHECK(middle[l].y == Approx(0.5));
   // Nearer lights take more, along the way from one to the next.
   const auto near =
-      transfer::relightLocal(light, std::vector<geometry::PointLight>{{{5, 1, 4}, {1, 1, 1}}}, kOpen).colour;
+      transfer::relightLocal(light, std::vector<transfer::DynamicLight>{{{5, 1, 4}, {1, 1, 1}}}, kOpen).colour;
   CHECK(near[6].x > 2.0 * near[11].x);
   CHECK(near[11].x > near[7].x);
   CHECK(near[24].x == 0.0);
@@ -62,7 +62,7 @@ TEST_CASE("LocalRelight, SharesChangeContinuously") {
   double worst = 0.0;
   for (int i = 0; i < 12000; ++i) {
     const double x = 1.7 + kStep_m * i;
-    const std::vector<geometry::PointLight> lamp = {{{x, 2.5, 5.1 + 0.3 * x}, {1, 1, 1}}};
+    const std::vector<transfer::DynamicLight> lamp = {{{x, 2.5, 5.1 + 0.3 * x}, {1, 1, 1}}};
     const auto colour = transfer::relightLocal(light, lamp, kOpen).colour;
     for (std::size_t l = 0; l < before.size(); ++l) worst = std::max(worst, std::abs(colour[l].x - before[l].x));
     before = colour;
@@ -70,18 +70,31 @@ TEST_CASE("LocalRelight, SharesChangeContinuously") {
   CHECK(worst < 2.0 * kStep_m);
 }
 
+TEST_CASE("LocalRelight, ASpotSharesTheLightOfItsWholeCone") {
+  const auto light = lattice();
+  for (const auto& [inner, outer] : {std::pair(0.0, 0.5), {0.4, 0.5}, {0.2, 2.0}, {1.0, 3.1}, {0.0, det::kPi}}) {
+    const std::vector<transfer::DynamicLight> spot = {{{5.3, 2.2, 6.1}, {1, 2, 3}, {0.6, 0, 0.8}, inner, outer}};
+    constexpr int kSteps = 100000;
+    double mean = 0.0;
+    for (int i = 0; i < kSteps; ++i) mean += transfer::coneShareOf(spot[0], -1.0 + (2.0 * i + 1.0) / kSteps) / kSteps;
+    const auto colour = transfer::relightLocal(light, spot, kOpen).colour;
+    CHECK(sumOf(colour).y == Approx(2.0 * mean).epsilon(1e-4));  // of the steps at the edge of the inner cone
+    CHECK(mean > 0.0);
+  }
+}
+
 TEST_CASE("LocalRelight, ALampDoesNotLeakThroughAWall") {
   const geometry::Surfaces rooms = twoRooms(Number3(0.5), false);
   const geometry::Tracer tracer(rooms);
   const auto see = [&](const Number3& a, const Number3& b) { return transfer::seesEachOther(tracer, a, b); };
   const std::vector<Number3> light = {{-3, 1, 0}, {-1, 1, 0.5}, {0.2, 1, 0}, {2, 1, -1}};
-  const std::vector<geometry::PointLight> lamp = {{{-0.1, 1, 0}, {1, 2, 3}}};
+  const std::vector<transfer::DynamicLight> lamp = {{{-0.1, 1, 0}, {1, 2, 3}}};
   const transfer::LocalColours colours = transfer::relightLocal(light, lamp, see);
   CHECK(colours.colour[2] == Number3(0.0));
   CHECK(colours.colour[3] == Number3(0.0));
   CHECK(sumOf(colours.colour).y == Approx(2.0));
   CHECK(colours.unseen.empty());
-  const std::vector<geometry::PointLight> both = {lamp[0], {{0, 50, 0}, {1, 1, 1}}};  // outside both rooms
+  const std::vector<transfer::DynamicLight> both = {lamp[0], {{0, 50, 0}, {1, 1, 1}}};  // outside both rooms
   CHECK(transfer::relightLocal(light, both, see).unseen == std::vector<std::size_t>{1});
   CHECK(transfer::relightLocal({}, lamp, see).unseen.size() == 1);
 }

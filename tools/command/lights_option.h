@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// --light: dynamic lights of a level, as many as there are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "probes/reference/light_path.h"
+
+namespace CLI {
+class App;
+}
+
+namespace welkin::command {
+
+struct LightsOption {
+  std::vector<std::string> text;
+
+  /// Adds the option. `what` is the end of its help text.
+  void addTo(CLI::App& command, const std::string& what);
+  /// Throws Error(usage).
+  std::vector<reference::LocalLight> lights() const;
+};
+
+}  // namespace welkin::command
