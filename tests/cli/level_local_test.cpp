@@ -121,7 +121,7 @@ TEST_CASE("LevelLocal, SampleShowsDynamicLights") {
   for (const json& coordinate : at) place += (place.empty() ? "" : ",") + coordinate.dump();
   const auto sample = [&](const std::vector<std::string>& lights) {
     std::vector<std::string> command = {"sample", level / "out", "--time", "12", "--position", place, "--json"};
-    command.insert(command.end(), {"--normal", "0,1,0"});
+    command.insert(command.end(), {"--normal", "0,-1,0"});
     for (const std::string& light : lights) command.insert(command.end(), {"--light", light});
     return runTool(command);
   };
