@@ -226,6 +226,7 @@ WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, cons
       return refuse(__func__, "camera[%zu] is %g, must be within 1e7 m", a, double{camera[a]});
     first[a] = static_cast<std::int64_t>(std::floor(double{camera[a]} / volume->texel_m[a])) - volume->count[a] / 2;
   }
+  for (std::size_t a = 0; a < 3; ++a) volume->camera[a] = double{camera[a]};
   WelkinVolumeUpdate out{};
   welkin::probes::update(*volume, *level, take(*sample), first, max_texels, out);
   give(out, update);

@@ -45,6 +45,7 @@ struct WelkinVolume {
   welkin::core::HostArray<std::byte> texels[3];
   welkin::core::HostArray<std::uint64_t> slice;  ///< version of the light in each slice along z
   welkin::probes::Cells first{};                 ///< cell of least indices
+  std::array<double, 3> camera{};                ///< of the last update, metres
   bool filled = false;
   float scale = 1.0F;                 ///< irradiance of a texel's value 1
   std::uint64_t version = 0;          ///< of the light that texels are filled with

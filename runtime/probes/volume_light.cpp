@@ -18,14 +18,13 @@ WelkinVolumeConstants constantsOf(const WelkinVolume& volume) {
   const auto set = [](WelkinFloat4& to, const std::array<double, 3>& v, double w) {
     to = {core::toFloat(v[0]), core::toFloat(v[1]), core::toFloat(v[2]), core::toFloat(w)};
   };
-  std::array<double, 3> low, high, size;
+  std::array<double, 3> low, size;
   for (std::size_t a = 0; a < 3; ++a) {
     size[a] = volume.count[a] * volume.texel_m[a];
     low[a] = static_cast<double>(volume.first[a]) * volume.texel_m[a];
-    high[a] = low[a] + size[a];
   }
   set(out.low, low, double{volume.scale});
-  set(out.high, high, kPush_m);
+  set(out.camera, volume.camera, kPush_m);
   set(out.size, size, 0.0);
   set(out.texel, volume.texel_m, 1.0 / (2.0 * *std::max_element(volume.texel_m.begin(), volume.texel_m.end())));
   return out;
@@ -87,7 +86,8 @@ WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float po
     const double low = (static_cast<double>(volume->first[a]) + 0.5) * volume->texel_m[a];
     const double high = (static_cast<double>(volume->first[a] + volume->count[a]) - 0.5) * volume->texel_m[a];
     place[a] = std::clamp(double{position[a]} + kPush_m * double{normal[a]}, low, high);
-    margin = std::min({margin, double{position[a]} - low, high - double{position[a]}});
+    const double reach = (0.5 * volume->count[a] - 1.5) * volume->texel_m[a] - kPush_m;
+    margin = std::min(margin, reach - std::abs(double{position[a]} - volume->camera[a]));
   }
   const welkin::f64::TransferWeights weight = welkin::f64::transferWeights(load(normal));
   for (std::size_t c = 0; c < kChannels; ++c) {

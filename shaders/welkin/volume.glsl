@@ -25,10 +25,11 @@ layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_CONSTANTS, std14
 };
 layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_TEXELS) uniform sampler3D welkinVolumeTexels[3];
 
-// Share of the volume at a position, in [0, 1]: 1 inside, falling to 0 at the outermost texels' middles.
+// Share of the volume at a position, in [0, 1]: 1 near the camera, falling to 0 where texels end for a pushed position,
+// wherever the camera is in its cell. The share moves with the camera, without steps.
 float welkinVolumeWeight(vec3 position) {
-  vec3 half_texel = 0.5 * welkinVolume.texel.xyz;
-  vec3 inside = min(position - (welkinVolume.low.xyz + half_texel), welkinVolume.high.xyz - half_texel - position);
+  vec3 reach = 0.5 * welkinVolume.size.xyz - 1.5 * welkinVolume.texel.xyz - welkinVolume.camera.w;
+  vec3 inside = reach - abs(position - welkinVolume.camera.xyz);
   return clamp(min(min(inside.x, inside.y), inside.z) * welkinVolume.texel.w, 0.0, 1.0);
 }
 
@@ -36,8 +37,8 @@ float welkinVolumeWeight(vec3 position) {
 // with the sky's own by welkinVolumeWeight.
 vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
   vec3 half_texel = 0.5 * welkinVolume.texel.xyz;
-  vec3 at = clamp(position + normal * welkinVolume.high.w, welkinVolume.low.xyz + half_texel,
-                  welkinVolume.high.xyz - half_texel);
+  vec3 at = clamp(position + normal * welkinVolume.camera.w, welkinVolume.low.xyz + half_texel,
+                  welkinVolume.low.xyz + welkinVolume.size.xyz - half_texel);
   vec3 uvw = at / welkinVolume.size.xyz;
   TransferWeights w = transferWeights(normal);
   vec4 weight = vec4(w.v[0], w.v[1], w.v[2], w.v[3]);

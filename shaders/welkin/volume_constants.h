@@ -12,10 +12,10 @@
 #endif
 
 struct WelkinVolumeConstants {
-  WELKIN_VOLUME_FLOAT4 low;    // xyz: low corner of the covered box, metres; w: irradiance of a texel's value 1
-  WELKIN_VOLUME_FLOAT4 high;   // xyz: high corner, metres; w: push off a surface along its normal, metres
-  WELKIN_VOLUME_FLOAT4 size;   // xyz: edges of the box, after which texture coordinates repeat, metres; w: 0
-  WELKIN_VOLUME_FLOAT4 texel;  // xyz: edges of a texel, metres; w: 1 / width of the border that fades to the sky, 1 / metres
+  WELKIN_VOLUME_FLOAT4 low;     // xyz: low corner of the covered box, metres; w: irradiance of a texel's value 1
+  WELKIN_VOLUME_FLOAT4 camera;  // xyz: the last update's, metres; w: push off a surface along its normal, metres
+  WELKIN_VOLUME_FLOAT4 size;    // xyz: edges of the box, after which texture coordinates repeat, metres; w: 0
+  WELKIN_VOLUME_FLOAT4 texel;   // xyz: edges of a texel, metres; w: 1 / width of the border that fades, 1 / metres
 };
 
 #if defined(__cplusplus) || defined(__STDC__)

@@ -92,7 +92,60 @@ RandomLevel wholeLevel(SunTransfer sun = SunTransfer::directional) {
   return baked;
 }
 
+/// Irradiance at a point as a game shows it: that of the volume, and the open sky beyond.
+std::array<double, 3> shownAt(const Volume& volume, const WelkinSkySample& sample,
+                              const std::array<float, 3>& position) {
+  const float up[3] = {0, 1, 0};
+  float within[3], beyond[3], inside = 0.0F;
+  REQUIRE(welkin_volume_irradiance(volume.volume, position.data(), up, within, &inside) == WELKIN_OK);
+  REQUIRE(welkin_sample_irradiance(&sample, up, beyond) == WELKIN_OK);
+  std::array<double, 3> shown;
+  for (std::size_t c = 0; c < 3; ++c)
+    shown[c] = double{inside} * double{within[c]} + (1.0 - double{inside}) * double{beyond[c]};
+  return shown;
+}
+
 }  // namespace
+
+TEST_CASE("Volume, AFlightShowsNoStepsBetweenFrames") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  Volume volume(WELKIN_VOLUME_RGBA16F, {20, 12, 20});
+  // Across three sector borders, and more than twice around the torus of 80 m; the world's points stand still.
+  constexpr int kFrames = 800;
+  constexpr float kStep_m = 0.25F;
+  std::vector<std::array<float, 3>> point;
+  std::mt19937 random(12);
+  const auto in = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+  for (int i = 0; i < 400; ++i) point.push_back({in(-60, 60), in(0, 20), in(2, 62)});
+  std::vector<std::array<double, 3>> before(point.size());
+  std::vector<float> share_before(point.size());
+  double largest = 0.0, most_within = 0.0, most_faded = 0.0;
+  for (int i = 0; i < kFrames; ++i) {
+    const std::array<float, 3> camera = {-100.0F + kStep_m * static_cast<float>(i), 10.0F, 30.0F};
+    volume.update(opened, sample, camera);
+    for (std::size_t p = 0; p < point.size(); ++p) {
+      const float up[3] = {0, 1, 0};
+      float rgb[3], inside = 0.0F;
+      REQUIRE(welkin_volume_irradiance(volume.volume, point[p].data(), up, rgb, &inside) == WELKIN_OK);
+      const auto shown = shownAt(volume, sample, point[p]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        largest = std::max(largest, shown[c]);
+        if (i == 0) continue;
+        double& most = inside == 1.0F && share_before[p] == 1.0F ? most_within : most_faded;
+        most = std::max(most, std::abs(shown[c] - before[p][c]));
+      }
+      before[p] = shown;
+      share_before[p] = inside;
+    }
+  }
+  INFO("steps " << most_within << " within, " << most_faded << " where it fades, of " << largest);
+  // The share falls by the step over the border's width of 8 m.
+  CHECK(most_faded <= 1.001 * largest * double{kStep_m} / 8.0);
+  CHECK(most_faded > 0.0);
+  CHECK(most_within == 0.0);  // a texel is that of its cell, wherever the camera is
+}
 
 TEST_CASE("Volume, AtTheMiddleOfACellItIsTheLookUp") {
   const RandomLevel baked = wholeLevel();
@@ -241,7 +294,7 @@ TEST_CASE("Volume, ConstantsPlaceTheTexels") {
   WelkinVolumeConstants k{};
   REQUIRE(welkin_volume_constants(volume.volume, &k, sizeof k) == WELKIN_OK);
   CHECK((k.low.x == -52.0F && k.low.y == 0.0F && k.low.z == -40.0F));
-  CHECK((k.high.x == 44.0F && k.high.y == 32.0F && k.high.z == 40.0F && k.high.w == 1.0F));
+  CHECK((k.camera.x == -1.0F && k.camera.y == 17.0F && k.camera.z == 3.0F && k.camera.w == 1.0F));
   CHECK((k.size.x == 96.0F && k.size.y == 32.0F && k.size.z == 80.0F));
   CHECK((k.texel.x == 4.0F && k.texel.y == 4.0F && k.texel.z == 4.0F));
   CHECK(k.low.w > 0.0F);

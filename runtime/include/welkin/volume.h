@@ -78,7 +78,8 @@ WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, stru
                                                 size_t size);
 
 /* Irradiance of a surface as the shader computes it from the volume, for tests and tools. `inside` becomes the share of
- * the volume in [0, 1]; the rest is the caller's light beyond. Both are filled; `inside` may be null. */
+ * the volume in [0, 1]: 1 near the camera, falling over two texels to 0 at half the volume's width from it, less the
+ * push and a texel and a half. The rest is the caller's light beyond. Both are filled; `inside` may be null. */
 WELKIN_API WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float position[3],
                                                  const float normal[3], float irradiance[3], float* inside);
 
