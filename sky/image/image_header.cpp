@@ -9,6 +9,8 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "sky/base/error.h"
 
@@ -57,6 +59,55 @@ struct Reader {
   }
 };
 
+/// Bytes of the types of OpenEXR whose values all have one size. OpenEXR reads as many, whatever size the file states.
+constexpr std::pair<std::string_view, std::int64_t> kExrSizes[] = {
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+};
+
+/// Bytes that OpenEXR reads for a value of this type, which may differ from the stated `size`. The reader stands at the
+/// value's start and moves.
+std::int64_t exrBytesRead(Reader& file, const std::string& type, std::int64_t size) {
+  const std::int64_t at = file.place;
+  for (const auto& [fixed, bytes] : kExrSizes)
+    if (type == fixed) return bytes;
+  if (type == "chlist") {
+    constexpr std::int64_t kChannel = 16;  // type, flags, two samplings
+    while (file.good && !file.exrName().empty()) file.place += kChannel;
+    return file.place - at;
+  }
+  if (type == "preview") {
+    const std::int64_t width = file.number(std::endian::little);
+    const std::int64_t height = file.number(std::endian::little);
+    constexpr std::int64_t kSizes = 8, kTexel = 4;
+    const bool small = width <= file.end() && height <= file.end();
+    return small ? kSizes + kTexel * width * height : std::numeric_limits<std::int64_t>::max();
+  }
+  return size;
+}
+
 /// Checks the value of one attribute. The reader stands at its start.
 Refusal whyValueImpossible(Reader& file, const std::string& name, const std::string& type, std::int64_t largest_side) {
   if (type == "box2i" && name == "dataWindow") {
@@ -94,6 +145,9 @@ Refusal whyExrImpossible(Reader& file, int largest_side) {
     if (!file.good) break;
     if (size < 0 || size > file.end() - at)
       return fmt::format("the attribute {} has {} bytes; the file ends {} bytes on", name, size, file.end() - at);
+    if (const std::int64_t read = exrBytesRead(file, type, size); read != size)
+      return fmt::format("the attribute {} of type {} states {} bytes and has {}", name, type, size, read);
+    file.place = at;
     if (const auto why = whyValueImpossible(file, name, type, largest_side)) return why;
     file.place = at + size;
   }
