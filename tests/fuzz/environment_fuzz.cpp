@@ -6,11 +6,16 @@
 #include "sky/cubemap/environment.h"
 #include "sky/image/image_module.h"
 
+/// Loads the module before the time of an input counts.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  welkin::image::imageModule();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   constexpr int kBands = 3;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   const auto path = kFolder.write("environment", {bytes, size});
   cubemap::Environment environment;
   if (!fuzz::accepts([&] { environment = cubemap::projectImage(path, kBands); })) return 0;

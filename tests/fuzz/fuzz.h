@@ -17,7 +17,8 @@
 #include "sky/base/error.h"
 #include "tests/folder.h"
 
-/// The entry point. libFuzzer and the replay call it with every input.
+/// The entry points: libFuzzer calls the first once, and it and the replay call the second with every input.
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
 
 namespace welkin::fuzz {

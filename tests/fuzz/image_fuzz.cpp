@@ -6,10 +6,15 @@
 #include "sky/image/image.h"
 #include "sky/image/image_module.h"
 
+/// Loads the module before the time of an input counts.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  welkin::image::imageModule();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   const auto path = kFolder.write("image", {bytes, size});
   image::Image image;
   if (!fuzz::accepts([&] { image = image::readImage(path); })) return 0;

@@ -21,10 +21,15 @@ constexpr const char* kLayers[] = {"", "", "", "Combined", "V.Combined", "left"}
 
 }  // namespace
 
+/// Loads the module before the time of an input counts.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  welkin::image::imageModule();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   if (size < 2) return 0;
   const std::string layout = kLayouts[bytes[0] % std::size(kLayouts)], layer = kLayers[bytes[1] % std::size(kLayers)];
   const auto path = kFolder.write("layout", {bytes + 2, size - 2});

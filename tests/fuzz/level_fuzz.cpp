@@ -49,10 +49,15 @@ void requireWhole(const geometry::Surfaces& s) {
 }  // namespace
 }  // namespace welkin::fuzz
 
+/// Loads the module before the time of an input counts.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  welkin::image::imageModule();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   if (size == 0) return 0;
   const std::size_t kind = bytes[0] % std::size(fuzz::kNames);
   auto path = kFolder.write(fuzz::kNames[kind], {bytes + 1, size - 1});

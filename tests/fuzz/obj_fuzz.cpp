@@ -9,10 +9,15 @@
 #include "probes/loader/surfaces_of.h"
 #include "sky/image/image_module.h"
 
+/// Loads the module before the time of an input counts.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  welkin::image::imageModule();
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace welkin;
   static const fuzz::Folder kFolder;
-  [[maybe_unused]] static const auto& kLoaded = image::imageModule();  // loaded before the time of an input counts
   constexpr std::uint8_t kDivider = 0x1e;
   std::span<const std::uint8_t> rest(bytes, size);
   std::filesystem::path obj;
