@@ -125,4 +125,44 @@ LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double
   }
 }
 
+PathScene pathScene(const geometry::Tracer& tracer, const DistantLight& distant, std::span<const LocalLight> lights,
+                    int bounces) {
+  return {tracer, distant, lights, bounces,
+          distant.groundAlbedo() * geometry::onOpenGround(tracer.surfaces().light) / det::kPi};
+}
+
+geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal) {
+  constexpr double kOnSurface_m = 0.01;
+  geometry::Hit start;
+  start.position = position;
+  start.normal = normal;
+  if (const auto under = tracer.closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
+    start.coarsest_m = under->coarsest_m;
+  return start;
+}
+
+LightShares meanOfBatch(const PathScene& scene, const geometry::Hit& start, std::size_t strata, std::uint64_t seed,
+                        std::size_t batch) {
+  LightShares sum;
+  for (std::size_t i = 0; i < strata * strata; ++i) {
+    geometry::Random random(seed, batch, i);
+    const double s = (static_cast<double>(i % strata) + random.unit()) / static_cast<double>(strata);
+    const double t = (static_cast<double>(i / strata) + random.unit()) / static_cast<double>(strata);
+    const LightShares found = tracePath(scene, start, s, t, random);
+    sum.sky += found.sky;
+    sum.sun_bounce += found.sun_bounce;
+    sum.local += found.local;
+  }
+  const double share = 1.0 / static_cast<double>(strata * strata);
+  return {sum.sky * share, sum.sun_bounce * share, sum.local * share};
+}
+
+Number3 directIrradiance(const PathScene& scene, const geometry::Hit& at) {
+  const Number3 origin = scene.tracer.leaving(at);
+  Number3 sum = lightsAt(scene, origin, at.normal) + ownLightsAt(scene.tracer, origin, at.normal);
+  for (const LocalLight& light : scene.lights)
+    sum += localIrradiance(scene.tracer, {light.position, light.intensity, 0.0}, origin, at.normal, 0.5, 0.5);
+  return sum;
+}
+
 }  // namespace welkin::reference

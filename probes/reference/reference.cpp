@@ -22,33 +22,6 @@ std::size_t strataOf(const ReferenceSettings& settings) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(each)), std::size_t{1}, kMostStrata);
 }
 
-/// The start of a path. It is as far off the point's surface as a ray that found that surface.
-geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal) {
-  constexpr double kOnSurface_m = 0.01;
-  geometry::Hit start;
-  start.position = position;
-  start.normal = normal;
-  if (const auto under = tracer.closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
-    start.coarsest_m = under->coarsest_m;
-  return start;
-}
-
-LightShares meanOfBatch(const PathScene& scene, const geometry::Hit& start, std::size_t strata, std::uint64_t seed,
-                        std::size_t batch) {
-  LightShares sum;
-  for (std::size_t i = 0; i < strata * strata; ++i) {
-    geometry::Random random(seed, batch, i);
-    const double s = (static_cast<double>(i % strata) + random.unit()) / static_cast<double>(strata);
-    const double t = (static_cast<double>(i / strata) + random.unit()) / static_cast<double>(strata);
-    const LightShares found = tracePath(scene, start, s, t, random);
-    sum.sky += found.sky;
-    sum.sun_bounce += found.sun_bounce;
-    sum.local += found.local;
-  }
-  const double share = 1.0 / static_cast<double>(strata * strata);
-  return {sum.sky * share, sum.sun_bounce * share, sum.local * share};
-}
-
 /// Mean over the batches and its standard error.
 template <typename Of>
 Estimate estimateOf(const std::vector<LightShares>& batches, Of of) {
@@ -76,8 +49,7 @@ std::size_t referenceBatches(const ReferenceSettings& settings) {
 ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const DistantLight& distant,
                                    std::span<const LocalLight> lights, const Number3& position, const Number3& normal,
                                    const ReferenceSettings& settings, const base::Progress& progress) {
-  const PathScene scene{tracer, distant, lights, settings.bounces,
-                        distant.groundAlbedo() * geometry::onOpenGround(tracer.surfaces().light) / det::kPi};
+  const PathScene scene = pathScene(tracer, distant, lights, settings.bounces);
   const std::size_t strata = strataOf(settings);
   const geometry::Hit start = startAt(tracer, position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));

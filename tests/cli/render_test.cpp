@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin render from the shell. tests/vulkan checks the pictures.
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "level_text.h"
@@ -9,6 +12,7 @@
 
 using namespace welkin::tests;
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 namespace {
 
@@ -79,6 +83,17 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   check({"--occlusion", "none"}, 1, "--occlusion: only a level");
   check({"--view", "level"}, 1, "--level");
   check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");
+  check({"--level", path, "--component", "occlusion", "--occlusion", "none"}, 1, "--component occlusion: --occlusion");
+  check({"--component", "occlusion"}, 1, "--component: only a level");
+  check({"--reference"}, 1, "only a level is traced; give --level");
+  check({"--level", path, "--reference", "--difference"}, 1, "give one of them");
+  check({"--light", "0,0,0,1,1,1"}, 1, "--light: only a level has lamps");
+  check({"--level", path, "--light", "0,0,0,1,1"}, 1, "is not a light");
+  check({"--level", path, "--json"}, 1, "--json: only --reference");
+  check({"--level", path, "--reference", "--component", "occlusion"}, 1, "--component occlusion: the path tracer");
+  check({"--level", path, "--compare"}, 1, "is not the folder of a baked level");
+  check({"--level", path, "--compare", "--sky-light", "flat"}, 1, "leave --sky-light out");
+  check({"--level", path, "--reference", "--paths", "0"}, 1, "--paths");
 }
 
 TEST_CASE("Render, ProbesErrorsHaveTheirStatus") {
@@ -131,6 +146,67 @@ TEST_CASE("Render, ProbesAreInThePicture") {
   REQUIRE(draw("c.png", {"--probes", level / "out"}) == with);
   level.writeLevel("rays = 64", "add = []\n[scale]\nsky = 0\nsun_bounce = 0");
   REQUIRE(draw("d.png", {"--probes", level / "out"}) != with);  // black
+}
+
+TEST_CASE("Render, ABakedLevelAloneSaysHowToDrawIt") {
+  const SmallLevel level;
+  level.bake("out");
+  const Run run = runTool({"render", level / "out", "--time", "12", "-o", level / "a.png"}, kNoDevice);
+  INFO(run.err);
+  CHECK(run.status == 1);
+  CHECK(run.said(level / "out" + " is a baked level: give --level LEVEL.toml"));
+  const Run sky =
+      runTool({"render", level / "out", "--time", "12", "--view", "dome", "-o", level / "a.png"}, kNoDevice);
+  CHECK(sky.status == 2);  // All is well except for the device.
+}
+
+TEST_CASE("Render, ThePathTracersPictureIsThatOfOpenGround") {
+  if (!fs::exists(WELKIN_TEST_ICD)) {
+    WARN("no " WELKIN_TEST_ICD);
+    return;
+  }
+  const SmallLevel level(1024);
+  std::ofstream(level / "sky.toml") << skyText(kUniform, "path = [[0, 200, 40]]\nilluminance = 2.0");
+  level.bake("out");
+  const Setting lavapipe = {{{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}}, "", "", 0, 240.0};
+  const auto draw = [&](const std::string& name, const std::vector<std::string>& more) {
+    // Over open ground, far from the hut.
+    std::vector<std::string> arguments = {"render",     level / "out", "--level", level / "level.toml",
+                                          "--time",     "9",           "--size",  "32x24",
+                                          "--camera",   "20,3,32",     "--yaw",   "270",
+                                          "--pitch",    "-10",         "--paths", "32",
+                                          "--progress", "none",        "-o",      level / name,
+                                          "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = runTool(arguments, lavapipe);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return json::parse(run.out)["pictures"][0];
+  };
+  const json one = draw("a.png", {"--reference", "--threads", "1"});
+  CHECK(draw("b.png", {"--reference", "--threads", "4"}) == one);
+  CHECK(readBytes(level / "a.png") == readBytes(level / "b.png"));
+  CHECK(one["paths"] == 32);
+  CHECK(one["time_h"] == 9.0);
+  CHECK(one["error"]["probes"]["pixels"] > 300);
+  CHECK(double{one["error"]["nothing"]["mean"]} == Approx(-1.0).epsilon(1e-6));
+  CHECK_FALSE(one.contains("frame_to_query"));  // a query has no sun
+  // A uniform sky over flat ground is what probes can hold: see SampleLevel.
+  CHECK(double{one["error"]["probes"]["rms"]} < 0.06);
+  const json compared = draw("c.png", {"--compare"});
+  CHECK(compared["error"]["probes"] == one["error"]["probes"]);
+  CHECK(compared["error"]["flat"].contains("worst"));
+  CHECK(compared["mean_irradiance"] == one["mean_irradiance"]);
+  const json ambient = draw("d.png", {"--difference", "--component", "ambient"});
+  CHECK(double{ambient["mean_irradiance"]} < double{one["mean_irradiance"]});
+  CHECK(double{ambient["error"]["query"]["rms"]} < 0.06);
+  // On open ground the volume's halfs and the filter's 8 bits are all that parts the two.
+  CHECK(std::abs(double{ambient["frame_to_query"]["worst"]}) < 0.01);
+  const json sky = draw("e.png", {"--difference", "--component", "sky"});
+  const json sun = draw("f.png", {"--difference", "--component", "sun-bounce"});
+  CHECK(double{sky["mean_irradiance"]} + double{sun["mean_irradiance"]} ==
+        Approx(double{ambient["mean_irradiance"]}).epsilon(1e-4));
+  CHECK(draw("g.png", {"--reference", "--sky-light", "sh"})["error"].contains("sh"));
 }
 
 TEST_CASE("Render, CubemapsThatAreNotThere") {

@@ -26,7 +26,7 @@ std::vector<unsigned char> ramps(CubemapFormat format, uint32_t edge) {
 }  // namespace
 
 TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
-  constexpr double kRounding = 0x1p-7;  // RGB9E5 beside a component up to twice as large; half floats round less.
+  constexpr double kMipRounding = 0x1p-7;  // RGB9E5 beside a component up to twice as large; half floats round less.
   for (const CubemapFormat format : {CubemapFormat::rgba16f, CubemapFormat::rgb9e5})
     for (const uint32_t edge : {2U, 3U, 5U, 6U, 7U, 8U, 13U}) {
       const auto texels = ramps(format, edge);
@@ -44,8 +44,8 @@ TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
           CAPTURE(format::nameOf(format), edge, e, i, rgb[0], rgb[1], rgb[2]);
           // The mean of every mip is the ramp's. A texel of the first mip lies between those that it covers.
           if (e == 1)
-            for (int c = 0; c < 2; ++c) CHECK(double{rgb[c]} == Approx(0.5 * (edge + 1.0)).epsilon(2.0 * kRounding));
-          CHECK(double{rgb[2]} == Approx(1.0 + std::floor(static_cast<double>(i) / (e * e))).epsilon(2.0 * kRounding));
+            for (int c = 0; c < 2; ++c) CHECK(double{rgb[c]} == Approx(0.5 * (edge + 1.0)).epsilon(2.0 * kMipRounding));
+          CHECK(double{rgb[2]} == Approx(1.0 + std::floor(static_cast<double>(i) / (e * e))).epsilon(2.0 * kMipRounding));
           const double width = double(edge) / e;
           const auto meanOf = [&](std::size_t k) {  // Mean of 1 + floor(x) over [k width, (k + 1) width].
             double sum = 0.0;
@@ -55,8 +55,8 @@ TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
             return sum / width;
           };
           if (e != edge / 2) continue;
-          CHECK(double{rgb[0]} == Approx(meanOf(i % e)).margin(kRounding * edge));
-          CHECK(double{rgb[1]} == Approx(meanOf(i / e % e)).margin(kRounding * edge));
+          CHECK(double{rgb[0]} == Approx(meanOf(i % e)).margin(kMipRounding * edge));
+          CHECK(double{rgb[1]} == Approx(meanOf(i / e % e)).margin(kMipRounding * edge));
         }
     }
 }

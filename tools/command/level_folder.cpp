@@ -73,7 +73,7 @@ LevelFolder::LevelFolder(const std::filesystem::path& folder, std::size_t lights
   }
 }
 
-std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lights) {
+std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lights, const Sees& sees) {
   std::vector<WelkinPointLight> lamps;
   for (const reference::LocalLight& light : lights) {
     WelkinPointLight& lamp = lamps.emplace_back();
@@ -83,7 +83,11 @@ std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lig
     }
   }
   WelkinLightsResult result{};
-  const Status set = level_.setLights(lamps.data(), static_cast<std::uint32_t>(lamps.size()), result);
+  const auto count = static_cast<std::uint32_t>(lamps.size());
+  const auto number = [](const Float3& v) { return f64::Number3(double{v[0]}, double{v[1]}, double{v[2]}); };
+  const auto test = [&](const Float3& from, const Float3& to) { return sees(number(from), number(to)); };
+  const Status set =
+      sees ? level_.setLights(lamps.data(), count, test, result) : level_.setLights(lamps.data(), count, result);
   require(set.code, "the lights of the level", set.message.c_str());
   return result.unseen;
 }

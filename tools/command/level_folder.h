@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 #include <welkin/level.hpp>
@@ -24,8 +25,12 @@ class LevelFolder {
   /// Opens every file of a level that is to have at most `lights` dynamic lights. Throws Error.
   explicit LevelFolder(const std::filesystem::path& folder, std::size_t lights = 0);
 
-  /// Sets the dynamic lights. Every virtual light near enough sees them. Returns how many none sees. Throws Error.
-  std::size_t setLights(const std::vector<reference::LocalLight>& lights);
+  /// Whether nothing stands between two places.
+  using Sees = std::function<bool(const f64::Number3& from, const f64::Number3& to)>;
+
+  /// Sets the dynamic lights. `sees` tells which virtual lights see them; without it every one near enough does.
+  /// Returns how many none sees. Throws Error.
+  std::size_t setLights(const std::vector<reference::LocalLight>& lights, const Sees& sees = {});
 
   /// The light at each point, nothing where no probe serves.
   std::vector<std::optional<PointLight>> at(const std::vector<SurfacePoint>& points, double time_h);

@@ -40,4 +40,12 @@ std::vector<reference::LocalLight> LightsOption::lights() const {
   return lights;
 }
 
+void warnOfUnseen(std::size_t unseen, std::size_t lights) {
+  if (unseen == 0) return;
+  fmt::print(stderr,
+             "welkin: warning: {} of {} lights are left out: no virtual light is within 64 m of them; [transfer] "
+             "local_lights of level.toml names the sectors that have some\n",
+             unseen, lights);
+}
+
 }  // namespace welkin::command

@@ -22,4 +22,7 @@ struct LightsOption {
   std::vector<reference::LocalLight> lights() const;
 };
 
+/// Warns of lights that no virtual light of the level sees.
+void warnOfUnseen(std::size_t unseen, std::size_t lights);
+
 }  // namespace welkin::command

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin render: draws pictures of a baked sky with the runtime's own Vulkan passes.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,6 +12,7 @@
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/level_folder.h"
+#include "command/level_picture.h"
 #include "command/render_options.h"
 #include "command/render_picture.h"
 #include "command/welkin_file.h"
@@ -20,13 +24,33 @@
 namespace welkin::command {
 namespace {
 
-/// A level as the passes draw it: mean colours replace its textures.
-level::Scene sceneOf(const base::TomlFile& level) {
+/// A level as the passes draw it: mean colours replace its textures, and dynamic lights are among its lamps.
+level::Scene sceneOf(const base::TomlFile& level, const std::vector<reference::LocalLight>& lights,
+                     double luminance_unit) {
   level::Scene scene = loader::readScene(level::levelFileOf(level));
   for (const std::string& warning : scene.warnings)
     std::fprintf(stderr, "welkin: warning: %s\n", base::oneLine(warning).c_str());
   loader::useMeanColours(scene);
+  for (const reference::LocalLight& light : lights) {
+    geometry::StaticLight lamp;
+    lamp.position = light.position;
+    lamp.intensity = light.intensity * luminance_unit;
+    scene.lights.push_back(lamp);
+  }
   return scene;
+}
+
+/// Sets the dynamic lights of a baked level. Its surfaces stand between them and its virtual lights.
+void setLights(LevelFolder& baked, const level::Scene& scene, const std::vector<reference::LocalLight>& lights) {
+  if (lights.empty()) return;
+  const geometry::Surfaces surfaces = loader::surfacesOf(scene, 1.0);
+  const geometry::Tracer tracer(surfaces, lights.front().position);
+  const auto sees = [&](const f64::Number3& from, const f64::Number3& to) {
+    const f64::Number3 way = to - from;
+    const double far = std::sqrt(dot(way, way));
+    return far == 0.0 || !tracer.occluded(from, way / far, far);
+  };
+  warnOfUnseen(baked.setLights(lights, sees), lights.size());
 }
 
 void runRender(const RenderOptions& options) {
@@ -36,21 +60,29 @@ void runRender(const RenderOptions& options) {
     throw base::Error(base::ExitStatus::content,
                       "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
   const bool level = parseView(options) == View::level;
+  const std::vector<reference::LocalLight> lights = options.lights.lights();
   const base::TomlFile file = level ? base::readToml(options.level) : base::TomlFile{};
-  const level::Scene scene = level ? sceneOf(file) : level::Scene{};
+  const level::Scene scene = level ? sceneOf(file, lights, double{sky.info().luminance_unit}) : level::Scene{};
   std::optional<LevelFolder> baked;
-  if (level && parseLevelLight(options) == LevelLight::probes) baked.emplace(options.sky);
+  if (level && parseLevelLight(options) == LevelLight::probes) {
+    baked.emplace(options.sky, lights.size());
+    setLights(*baked, scene, lights);
+  }
   std::optional<render::LevelProbes> probes;
   if (!options.probes.empty()) probes.emplace(file, options.probes);
   render::VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
-  const render::Picture picture = level ? drawLevel(device, sky, scene, baked ? baked->level().get() : nullptr,
-                                                    probes ? &*probes : nullptr, options)
-                                        : drawSky(device, sky, options);
+  WelkinLevel* const light = baked ? baked->level().get() : nullptr;
+  nlohmann::ordered_json numbers;
+  const render::Picture picture = !level ? drawSky(device, sky, options)
+                                  : parseShown(options) == Shown::drawn
+                                      ? drawLevel(device, sky, scene, light, probes ? &*probes : nullptr, options)
+                                      : drawTraced(device, sky, scene, light, options, numbers);
   if (device.messageCount() > 0)
     throw base::Error(base::ExitStatus::internal,
                       std::to_string(device.messageCount()) + " Vulkan validation messages");
   render::writePng(picture, options.output);
+  if (options.json) fmt::print("{}\n", numbers.dump(2));
 }
 
 }  // namespace
@@ -74,7 +106,8 @@ void addRender(CLI::App& app) {
       "spheres flat, sh or both: left and right");
   command->add_option("--component", options->component,
                       "The part of a level's light: all, ambient (without sun, moon, lamps and emission), or of the "
-                      "probes' light sky, sun-bounce or local");
+                      "probes' light sky, sun-bounce or local; occlusion: the share of ambient light that is left, as "
+                      "grey, without the sea");
   command->add_option("--occlusion", options->occlusion,
                       "What darkens a level's ambient light where surfaces are near: screen (default), by what the "
                       "picture shows; none");
@@ -89,6 +122,25 @@ void addRender(CLI::App& app) {
                       "The folder that the level was baked into: the probes of its sectors as white spheres, lit by "
                       "level.toml's sky, its bounced sun and moon, and emission at that hour");
   command->add_option("--camera", options->camera, "X,Y,Z: where to stand in the level, metres");
+  options->lights.addTo(
+      *command,
+      "The probes of a level with local transfer reflect it. RADIUS is that of its sphere for the path "
+      "tracer's bounces");
+  command->add_flag("--reference", options->reference,
+                    "Light a level's surfaces by the path tracer instead, at the exposure of the same picture without "
+                    "this option; sky, sea, glass and mist stay");
+  command->add_flag("--difference", options->difference,
+                    "Draw in false colours how much brighter the picture's irradiance is than the path tracer's");
+  command->add_flag("--compare", options->compare,
+                    "Draw flat ambient light, the probes and the path tracer side by side, each with its error");
+  command
+      ->add_option("--paths", options->paths,
+                   "Paths of the path tracer, a pixel; rounded up to 8, 32, 72, 128, 200, ...")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print the errors against the path tracer as JSON");
+  options->threads.addTo(*command, "Of the path tracer; the picture does not depend on it");
+  options->progress.addTo(*command);
   command->add_flag("--no-tint", options->no_tint, "Leave the polarising tint out of the sky");
   command->add_flag("--validate", options->validate, "Run with Vulkan's validation layer; any message is an error");
   command->callback([options] { runRender(*options); });

@@ -65,7 +65,17 @@ Component parseComponent(const RenderOptions& options) {
                             {"ambient", Component::ambient},
                             {"sky", Component::sky},
                             {"sun-bounce", Component::sun_bounce},
-                            {"local", Component::local}});
+                            {"local", Component::local},
+                            {"occlusion", Component::occlusion}});
+}
+
+Shown parseShown(const RenderOptions& options) {
+  if (int{options.reference} + int{options.difference} + int{options.compare} > 1)
+    throw base::Error(base::ExitStatus::usage, "--reference, --difference and --compare: give one of them");
+  return options.reference    ? Shown::reference
+         : options.difference ? Shown::difference
+         : options.compare    ? Shown::compare
+                              : Shown::drawn;
 }
 
 bool parseOcclusion(const RenderOptions& options) {
@@ -128,14 +138,38 @@ void checkOptions(const RenderOptions& options) {
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
   if (!level && !options.probes.empty()) refuse("--probes: only a level has probes; give --level LEVEL.toml");
   if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
+  if (options.view.empty() && options.level.empty() && build::isLevelFolder(options.sky))
+    refuse(options.sky +
+           " is a baked level: give --level LEVEL.toml, the file that it was baked from; or --view dome, horizon, "
+           "spheres or sheet for its sky alone");
   const bool probes = level && parseLevelLight(options) == LevelLight::probes;
   if (probes && !build::isLevelFolder(options.sky))
     refuse("--sky-light probes: " + options.sky + " is not the folder of a baked level (it has no level.welkin)");
-  if (!probes && component != Component::all && component != Component::ambient)
+  const bool of_probes =
+      component == Component::sky || component == Component::sun_bounce || component == Component::local;
+  if (!probes && of_probes)
     refuse("--component " + options.component + ": only probes tell these parts apart; give --sky-light probes");
   if (!level && component != Component::all) refuse("--component: only a level has parts; give --level LEVEL.toml");
   if (!level && !options.occlusion.empty())
     refuse("--occlusion: only a level has surfaces that hide the sky; give --level LEVEL.toml");
+  if (component == Component::occlusion && !parseOcclusion(options))
+    refuse("--component occlusion: --occlusion none leaves it out");
+  if (!level && !options.lights.text.empty()) refuse("--light: only a level has lamps; give --level LEVEL.toml");
+  options.lights.lights();
+  const Shown shown = parseShown(options);
+  if (!level && shown != Shown::drawn)
+    refuse("--reference, --difference and --compare: only a level is traced; give --level LEVEL.toml");
+  if (shown == Shown::drawn && options.json)
+    refuse("--json: only --reference, --difference and --compare have numbers to print");
+  if (shown != Shown::drawn && component == Component::occlusion)
+    refuse("--component occlusion: the path tracer knows no occlusion in screen space");
+  if (shown == Shown::compare && !options.sky_light.empty())
+    refuse("--compare: it shows the flat light and the probes'; leave --sky-light out");
+  if (shown == Shown::compare && options.times.size() > 1) refuse("--compare: give one --time");
+  if (shown == Shown::compare && !probes)
+    refuse("--compare: " + options.sky + " is not the folder of a baked level (it has no level.welkin)");
+  if (shown != Shown::drawn && !options.probes.empty())
+    refuse("--probes: the path tracer does not know these spheres; leave it out");
   if (cubemap && options.no_tint) refuse("--no-tint: the tint is baked into the cubemaps; leave --sky cubemap out");
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "command/lights_option.h"
+#include "command/shared_options.h"
 #include "render/views.h"
 #include "shared.h"
 
@@ -16,7 +18,11 @@ enum class View { dome, horizon, spheres, sheet, level };
 
 /// Ambient light of a level, and the part of its light that is drawn.
 enum class LevelLight { flat, sh, probes };
-enum class Component { all, ambient, sky, sun_bounce, local };
+enum class Component { all, ambient, sky, sun_bounce, local, occlusion };
+
+/// What a picture of a level shows: the passes' own light, the path tracer's, their difference, or flat light, probes
+/// and path tracer side by side.
+enum class Shown { drawn, reference, difference, compare };
 
 struct RenderOptions {
   std::string sky;
@@ -33,6 +39,14 @@ struct RenderOptions {
   std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
   std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
   double fov_deg = 60.0;
+  bool reference = false;
+  bool difference = false;
+  bool compare = false;
+  LightsOption lights;
+  std::size_t paths = 64;  ///< of the path tracer, a pixel
+  bool json = false;
+  ProgressOption progress;
+  ThreadsOption threads;
   bool no_tint = false;
   bool validate = false;
   std::string level;   ///< level.toml
@@ -49,6 +63,8 @@ WelkinVulkanSource parseSource(const RenderOptions& options);
 render::SkyLight parseSkyLight(const RenderOptions& options);
 LevelLight parseLevelLight(const RenderOptions& options);
 Component parseComponent(const RenderOptions& options);
+/// What is shown. Throws Error(usage) where more than one thing is asked for.
+Shown parseShown(const RenderOptions& options);
 /// Whether occlusion in screen space darkens the level's ambient light.
 bool parseOcclusion(const RenderOptions& options);
 Size parseSize(const RenderOptions& options, Size fallback);

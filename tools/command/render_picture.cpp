@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/render_picture.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include <utility>
 
 #include "command/arguments.h"
 #include "render/views.h"
@@ -47,66 +45,40 @@ std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOp
   return images;
 }
 
-/// Calls `draw` for every requested hour, exposes its pictures, and lays several hours side by side.
-render::Picture drawTimes(const Sky& sky, const RenderOptions& options, bool sheet, uint32_t samples,
-                          const std::function<std::vector<render::FloatImage>(double time_h)>& draw) {
-  const std::optional<double> stops = parseExposure(options.exposure);
-  const double day = brightestLuminance(sky);
+}  // namespace
+
+Exposure::Exposure(const Sky& sky, const std::string& option)
+    : stops_(parseExposure(option)), day_(brightestLuminance(sky)) {}
+
+double Exposure::of(std::span<const render::FloatImage> images) const {
+  return stops_ ? std::exp2(*stops_) : render::automaticExposure(render::logAverageLuminance(images), day_);
+}
+
+std::string hourLabel(double time_h) {
+  return render::clockLabel(time_h - 24.0 * std::floor(time_h / 24.0));
+}
+
+render::Picture drawTimes(const RenderOptions& options, bool sheet,
+                          const std::function<std::vector<render::Picture>(double time_h)>& draw) {
   std::vector<render::SheetColumn> columns;
   for (const std::string& time : options.times) {
     const double time_h = parseTime(time);
-    const std::vector<render::FloatImage> images = draw(time_h);
-    const double exposure =
-        stops ? std::exp2(*stops) : render::automaticExposure(render::logAverageLuminance(images), day);
-    render::SheetColumn column{render::clockLabel(time_h - 24.0 * std::floor(time_h / 24.0)), {}};
-    for (const render::FloatImage& image : images) column.pictures.push_back(render::tonemap(image, exposure, samples));
-    columns.push_back(std::move(column));
+    columns.push_back({hourLabel(time_h), draw(time_h)});
   }
   return sheet ? render::contactSheet(columns) : std::move(columns.front().pictures.front());
 }
-
-}  // namespace
 
 render::Picture drawSky(render::VulkanDevice& device, const Sky& sky, const RenderOptions& options) {
   const View view = parseView(options);
   const bool sheet = options.times.size() > 1 || view == View::sheet;
   render::Views views(device, sky, parseSource(options));
-  return drawTimes(sky, options, sheet, 1, [&](double time_h) {
+  const Exposure exposure(sky, options.exposure);
+  return drawTimes(options, sheet, [&](double time_h) {
     views.setTime(time_h, !options.no_tint);
-    return drawInstant(views, options, view, sheet);
-  });
-}
-
-render::Picture drawLevel(render::VulkanDevice& device, const Sky& sky, const level::Scene& scene, WelkinLevel* baked,
-                          const render::LevelProbes* probes, const RenderOptions& options) {
-  constexpr uint32_t kSamples = 2;  // along each side of a pixel
-  const bool sheet = options.times.size() > 1;
-  const Size size = parseSize(options, sheet ? Size{480, 270} : Size{960, 540});
-  render::PlacedCamera from = render::overview(scene, options.fov_deg * f64::kDegree);
-  if (const auto position = parseCamera(options)) {
-    from.position = *position;
-    render::lookAtMiddle(scene, from.position, from.camera);
-  }
-  if (options.yaw_deg) from.camera.yaw_rad = *options.yaw_deg * f64::kDegree;
-  if (options.pitch_deg) from.camera.pitch_rad = *options.pitch_deg * f64::kDegree;
-  const Component part = parseComponent(options);
-  const auto factor = [&](Component own) {
-    return part == Component::all || part == Component::ambient || part == own ? 1.0F : 0.0F;
-  };
-  render::LevelView view(device, sky, scene,
-                         {.flat_light = parseLevelLight(options) == LevelLight::flat,
-                          .tint = !options.no_tint,
-                          .occlusion = parseOcclusion(options),
-                          .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
-                          .direct = part == Component::all,
-                          .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}},
-                         baked);
-  return drawTimes(sky, options, sheet, kSamples, [&](double time_h) {
-    view.setTime(time_h);
-    if (probes != nullptr) view.setProbes(probes->at(time_h));
-    std::vector<render::FloatImage> images;
-    images.push_back(view.draw(kSamples * size.width, kSamples * size.height, from.camera, from.position));
-    return images;
+    const std::vector<render::FloatImage> images = drawInstant(views, options, view, sheet);
+    std::vector<render::Picture> pictures;
+    for (const render::FloatImage& image : images) pictures.push_back(render::tonemap(image, exposure.of(images)));
+    return pictures;
   });
 }
 

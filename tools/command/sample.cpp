@@ -43,11 +43,7 @@ void sampleLevel(const Options& options) {
   const std::vector<SurfacePoint> points = options.points.points();
   const std::vector<reference::LocalLight> lamps = options.lights.lights();
   LevelFolder level(options.path, lamps.size());
-  if (const std::size_t unseen = level.setLights(lamps); unseen > 0)
-    fmt::print(stderr,
-               "welkin: warning: {} of {} lights are left out: no virtual light is within 64 m of them; [transfer] "
-               "local_lights of level.toml names the sectors that have some\n",
-               unseen, lamps.size());
+  warnOfUnseen(level.setLights(lamps), lamps.size());
   const auto lights = level.at(points, time_h);
   if (options.json && options.points.isOne()) {
     fmt::print("{}\n", jsonOf(lights[0]).dump(2));

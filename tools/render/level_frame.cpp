@@ -132,6 +132,11 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
   return constants;
 }
 
+std::optional<double> seaBelow(const level::Scene& scene, const Number3& position) {
+  if (scene.water.empty() || !(position.y > scene.water.high.y)) return std::nullopt;
+  return scene.water.high.y;
+}
+
 void lookAtMiddle(const level::Scene& scene, const Number3& position, Camera& camera) {
   const Number3 to = middle(scene.bounds.empty() ? scene.water : scene.bounds) - position;
   camera.yaw_rad = std::atan2(to.x, -to.z);

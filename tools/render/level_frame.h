@@ -4,6 +4,8 @@
 
 #include <welkin/welkin.h>
 
+#include <optional>
+
 #include "probes/level/scene.h"
 #include "render/camera.h"
 #include "render/level_volume.h"
@@ -33,6 +35,10 @@ const WelkinLight* lightOf(const WelkinSkySample& sample);
 render::shaders::LevelConstants levelConstants(const level::Scene& scene, const WelkinSkySample& sample,
                                                const Camera& camera, const f64::Number3& position, uint32_t width,
                                                uint32_t height, const LevelOptions& options, bool mirrored);
+
+/// The height of the sea that a camera at `position` looks down on; none below it or without a sea. What lies lower is
+/// seen through water.
+std::optional<double> seaBelow(const level::Scene& scene, const f64::Number3& position);
 
 /// A camera south-east of the level and a little above, which sees all of it.
 struct PlacedCamera {

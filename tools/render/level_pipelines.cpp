@@ -18,6 +18,7 @@
 #include "spirv/kLevelLightOfModesFrag.h"
 #include "spirv/kLevelLightOfProbesAndModesFrag.h"
 #include "spirv/kLevelLightOfProbesFrag.h"
+#include "spirv/kLevelPlaceFrag.h"
 #include "spirv/kLevelProbesFrag.h"
 #include "spirv/kLevelProbesVert.h"
 #include "spirv/kLevelShadowVert.h"
@@ -45,7 +46,7 @@ LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout
 }
 
 void LevelPipelines::destroy() {
-  for (VkPipeline pipeline : {shadow, surface, light, probes, glass, water})
+  for (VkPipeline pipeline : {shadow, surface, light, place, probes, glass, water})
     vkDestroyPipeline(device_, pipeline, nullptr);
   vkDestroyPipelineLayout(device_, layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_, set_, nullptr);
@@ -131,6 +132,12 @@ void LevelPipelines::createPipelines(bool light_of_modes, bool of_probes) {
                                        .colours = {Offscreen::kFormat},
                                        .depth = kDepthFormat,
                                        .depth_compare = VK_COMPARE_OP_LESS});
+  place = createGraphicsPipeline(device_, {.layout = layout_,
+                                           .vertex = kFullscreenVert,
+                                           .fragment = kLevelPlaceFrag,
+                                           .colours = {Offscreen::kFormat},
+                                           .depth = kDepthFormat,
+                                           .depth_compare = VK_COMPARE_OP_LESS});
   probes = createGraphicsPipeline(device_, {.layout = layout_,
                                             .vertex = kLevelProbesVert,
                                             .fragment = kLevelProbesFrag,

@@ -28,6 +28,7 @@ class LevelPipelines {
   VkPipeline shadow = VK_NULL_HANDLE;   ///< depth alone
   VkPipeline surface = VK_NULL_HANDLE;  ///< albedo, normal and emission
   VkPipeline light = VK_NULL_HANDLE;    ///< radiance where there is a surface
+  VkPipeline place = VK_NULL_HANDLE;    ///< normal and distance where there is a surface
   VkPipeline probes = VK_NULL_HANDLE;   ///< radiance and depth of the spheres of probes
   VkPipeline glass = VK_NULL_HANDLE;    ///< radiance of surfaces that light passes, over what is there
   VkPipeline water = VK_NULL_HANDLE;    ///< radiance of the sea, where nothing is in front of it

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "render/set_writer.h"
 
@@ -86,7 +87,8 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
                  sky.info().mode_count > 0),
       occlusion_(device, pipelines_.layout()),
       shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
-              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {
+              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
+      untraced_(device, {1, 1, {0.0F, 0.0F, 0.0F, 0.0F}}) {
   options_.probes = volume_ != nullptr;
   pool_ = createSets(device.device(), pipelines_.setLayout(), sets_);
 }
@@ -192,7 +194,7 @@ void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& rad
   vkCmdEndRendering(commands);
 }
 
-void LevelView::describe(const Target& target, const Image& copy, const Image& reflection) const {
+void LevelView::describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced) const {
   SetWriter writer(target.set);
   const auto sampled = [&](uint32_t binding, const Image& image) {
     writer.image(binding, pipelines_.sampler(), image, kSampled.layout);
@@ -211,6 +213,7 @@ void LevelView::describe(const Target& target, const Image& copy, const Image& r
   sampled(WELKIN_LEVEL_VISIBILITY, target.occlusion.visibility);
   sampled(WELKIN_LEVEL_SCENE, copy);
   sampled(WELKIN_LEVEL_REFLECTION, reflection);
+  sampled(WELKIN_LEVEL_TRACED, traced);
   writer.commit(device_.device());
 }
 
@@ -219,16 +222,48 @@ FloatImage LevelView::drawOcclusion(uint32_t width, uint32_t height, const Camer
   Offscreen picture(device_, width, height);
   Target target(device_, {width, height}, sets_[0],
                 levelConstants(scene_, sample(), camera, position, width, height, options_, false));
-  describe(target, target.emission, target.emission);  // no sea is drawn; lavapipe wants every binding written
+  describe(target, target.emission, target.emission, untraced_.image());  // lavapipe wants every binding written
   return picture.read([&](VkCommandBuffer commands) {
     recordSurface(commands, target, false);
     occlusion_.recordAlone(commands, target.set, target.depth, target.occlusion, picture.image());
   });
 }
 
-FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position) {
+FloatImage LevelView::drawIrradiance(uint32_t width, uint32_t height, const Camera& camera,
+                                     const f64::Number3& position) {
   if (volume_) volume_->update(sample(), position);
-  const bool sea = !scene_.water.empty() && position.y > scene_.water.high.y;
+  Offscreen picture(device_, width, height);
+  Target target(device_, {width, height}, sets_[0],
+                levelConstants(scene_, sample(), camera, position, width, height, options_, false));
+  target.constants.as<render::shaders::LevelConstants>()->picture[0] = 1.0F;
+  describe(target, target.emission, target.emission, untraced_.image());
+  return picture.read([&](VkCommandBuffer commands) {
+    recordShadow(commands, target);
+    recordSurface(commands, target, false);
+    occlusion_.record(commands, target.set, target.depth, target.occlusion, options_.occlusion);
+    beginOver(commands, target, kTestedDepth, picture.image(), VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRendering(commands);
+  });
+}
+
+FloatImage LevelView::drawPlaces(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position) {
+  Offscreen picture(device_, width, height);
+  Target target(device_, {width, height}, sets_[0],
+                levelConstants(scene_, sample(), camera, position, width, height, options_, false));
+  describe(target, target.emission, target.emission, untraced_.image());
+  return picture.read([&](VkCommandBuffer commands) {
+    recordSurface(commands, target, false);
+    beginOver(commands, target, kTestedDepth, picture.image(), VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.place);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRendering(commands);
+  });
+}
+
+FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position,
+                           const FloatImage* traced) {
+  if (volume_) volume_->update(sample(), position);
+  const bool sea = seaBelow(scene_, position).has_value();
   const VkExtent2D extent{width, height};
   const VkExtent2D half{std::max(width / 2, 1U), std::max(height / 2, 1U)};
   Offscreen radiance(device_, width, height);
@@ -241,7 +276,10 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   Image copy(device_, Offscreen::kFormat, extent, kUsage);
   Image reflection(device_, Offscreen::kFormat, half, kUsage);
-  for (const Target* t : {&target, &mirror}) describe(*t, copy, reflection);
+  std::optional<FloatTexture> uploaded;
+  if (traced != nullptr) uploaded.emplace(device_, *traced);
+  describe(target, copy, reflection, uploaded ? uploaded->image() : untraced_.image());
+  describe(mirror, copy, reflection, untraced_.image());
   WelkinVulkanView dome{};
   dome.source = options_.cubemaps ? WELKIN_VULKAN_CUBEMAP : WELKIN_VULKAN_ANALYTIC;
   dome.projection = WELKIN_VULKAN_PERSPECTIVE;

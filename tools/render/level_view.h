@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/camera.h"
+#include "render/float_texture.h"
 #include "render/level_blockers.h"
 #include "render/level_frame.h"
 #include "render/level_lamps.h"
@@ -38,8 +39,19 @@ class LevelView {
   /// WELKIN_PROBE_RADIUS and albedo 1, each lit by its own probe alone. They neither cast nor receive shadows.
   void setProbes(std::span<const ProbeSphere> probes);
 
-  /// Draws with one sample per pixel. The sky behind the level and the discs are included.
-  FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
+  /// Draws with one sample per pixel. The sky behind the level and the discs are included. `traced`: an irradiance of
+  /// surfaces from elsewhere, of the same size, or null. It replaces that of the picture's own lights where its alpha
+  /// is 1, but not in the sea's mirror and behind glass.
+  FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position,
+                  const FloatImage* traced = nullptr);
+
+  /// The irradiance of the surfaces alone, with alpha 1, as draw() lights them. Where there is no surface all is 0. Sea
+  /// and glass are not there.
+  FloatImage drawIrradiance(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
+
+  /// The places of the surfaces: unit normal, and the distance along the view axis in metres. Where there is no surface
+  /// all is 0. Sea and glass are not there.
+  FloatImage drawPlaces(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position);
 
   /// Draws the occlusion alone, whatever the options say: the visibility in [0, 1] as grey, alpha 1. Where there is no
   /// surface all is 0. The sea is not there.
@@ -48,7 +60,7 @@ class LevelView {
  private:
   struct Target;
   /// Points the target's set at its images, and at those that the sea reads.
-  void describe(const Target& target, const Image& copy, const Image& reflection) const;
+  void describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced) const;
   /// Draws albedo, normal, emission and depth.
   void recordSurface(VkCommandBuffer commands, Target& target, bool mirrored);
   /// Records the level without the sea. With `dome` the sky is drawn where there is no surface.
@@ -77,6 +89,7 @@ class LevelView {
   LevelOcclusion occlusion_;
   std::unique_ptr<Buffer> probes_;  ///< null without probes
   Image shadow_;
+  FloatTexture untraced_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet sets_[2] = {};  ///< sets of the picture and of its mirror image
 };

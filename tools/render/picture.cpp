@@ -20,7 +20,7 @@ constexpr uint32_t kMostAcross = 4;  // Most single pictures in a row. Columns o
 constexpr uint32_t kMargin = 8;
 constexpr uint32_t kLabelHeight = 24;
 constexpr int kLabelSize = 18;
-constexpr uint8_t kGround = 24;
+constexpr double kLetterWidth = 0.62;  // of DejaVu Sans, mean, of its height
 
 /// Finds a sans-serif font of the system, in the first folder `fonts` of XDG_DATA_DIRS that has one. Empty when there
 /// is none.
@@ -43,6 +43,17 @@ std::string findFont() {
   return found.empty() ? std::string() : *std::min_element(found.begin(), found.end());
 }
 
+/// The height of a line of `letters` letters that `room` texels across hold; below 1: none.
+int heightOf(std::size_t letters, uint32_t room) {
+  return std::min(kLabelSize, static_cast<int>(room / (kLetterWidth * static_cast<double>(letters))));
+}
+
+void drawLine(Picture& picture, uint32_t x, uint32_t y, int size, const std::string& text, const std::string& font) {
+  if (size < 1) return;
+  image::drawCaption(static_cast<int>(picture.width), static_cast<int>(picture.height), picture.rgb,
+                     {static_cast<int>(x), static_cast<int>(y), size, text, font});
+}
+
 void paste(const Picture& from, Picture& to, uint32_t left, uint32_t top) {
   for (uint32_t y = 0; y < from.height; ++y)
     std::copy_n(from.rgb.data() + std::size_t{3} * y * from.width, std::size_t{3} * from.width,
@@ -50,6 +61,11 @@ void paste(const Picture& from, Picture& to, uint32_t left, uint32_t top) {
 }
 
 }  // namespace
+
+void drawWords(Picture& picture, uint32_t x, uint32_t y, uint32_t room, const std::string& text) {
+  const std::string font = findFont();
+  if (!font.empty() && !text.empty()) drawLine(picture, x, y, heightOf(text.size(), room), text, font);
+}
 
 Picture contactSheet(const std::vector<SheetColumn>& columns) {
   const std::string font = findFont();
@@ -75,10 +91,11 @@ Picture contactSheet(const std::vector<SheetColumn>& columns) {
   }
   if (font.empty()) return sheet;
 
+  std::size_t letters = 1;
+  for (const SheetColumn& column : columns) letters = std::max(letters, column.label.size());
   for (uint32_t i = 0; i < count; ++i)
-    image::drawCaption(static_cast<int>(sheet.width), static_cast<int>(sheet.height), sheet.rgb,
-                       {static_cast<int>(leftOf(i) + (cell_width - kMargin) / 2),
-                        static_cast<int>(topOf(i) + header / 2), kLabelSize, columns[i].label, font});
+    drawLine(sheet, leftOf(i) + (cell_width - kMargin) / 2, topOf(i) + header / 2, heightOf(letters, cell_width),
+             columns[i].label, font);
   return sheet;
 }
 

@@ -9,6 +9,12 @@
 
 namespace welkin::render {
 
+constexpr uint8_t kGround = 24;  ///< grey between pictures and behind words
+
+/// Draws a line of light grey words centred on (x, y), as large as `room` texels across hold, 18 high at most. Without
+/// a font in the system it draws nothing.
+void drawWords(Picture& picture, uint32_t x, uint32_t y, uint32_t room, const std::string& text);
+
 /// A column of a contact sheet: a label and pictures from the top. All columns have the same shape.
 struct SheetColumn {
   std::string label;

@@ -68,4 +68,18 @@ Picture tonemap(const FloatImage& image, double exposure, uint32_t samples) {
   return picture;
 }
 
+Picture encode(const FloatImage& image, uint32_t samples) {
+  Picture picture{image.width / samples, image.height / samples, {}};
+  for (uint32_t y = 0; y < picture.height; ++y)
+    for (uint32_t x = 0; x < picture.width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        double sum = 0.0;
+        for (uint32_t s = 0; s < samples * samples; ++s)
+          sum += double{image.pixel(samples * x + s % samples, samples * y + s / samples)[channel]};
+        const double mean = std::clamp(sum / (samples * samples), 0.0, 1.0);
+        picture.rgb.push_back(static_cast<uint8_t>(std::floor(255.0 * f64::srgbEncode(mean) + 0.5)));
+      }
+  return picture;
+}
+
 }  // namespace welkin::render

@@ -36,4 +36,8 @@ double filmic(double x);
 /// others.
 Picture tonemap(const FloatImage& image, double exposure, uint32_t samples = 1);
 
+/// Encodes values in [0, 1] as they are: without exposure, curve or dither. Every pixel is the mean of `samples` x
+/// `samples` pixels, as above.
+Picture encode(const FloatImage& image, uint32_t samples = 1);
+
 }  // namespace welkin::render

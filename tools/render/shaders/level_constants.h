@@ -21,7 +21,8 @@
 #define WELKIN_LEVEL_EMISSION 11   // sampler2D, RGBA32F, fetched: emitted radiance
 #define WELKIN_LEVEL_NOISY 12      // sampler2D, R8, fetched: visibility of the hemisphere before its denoising
 #define WELKIN_LEVEL_VISIBILITY 13 // sampler2D, R8, fetched: visibility of the hemisphere, of ambient light
-#define WELKIN_LEVEL_BINDINGS 14
+#define WELKIN_LEVEL_TRACED 14     // sampler2D, RGBA32F, fetched: irradiance from elsewhere; alpha 0: none
+#define WELKIN_LEVEL_BINDINGS 15
 
 #ifdef __cplusplus
 #include <cstddef>
@@ -48,15 +49,16 @@ struct LevelConstants {
   WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
                              // z: 1 mirrors the baked cubemaps, else 0; w: number of lamps
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
+  WELKIN_VECTOR picture;     // x: 1 draws the irradiance of surfaces alone, else 0
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };
 
 #ifdef __cplusplus
 #undef WELKIN_MATRIX
 #undef WELKIN_VECTOR
-static_assert(sizeof(LevelConstants) == (3 * 4 + 6 + WELKIN_WAVE_COUNT) * 16);
+static_assert(sizeof(LevelConstants) == (3 * 4 + 7 + WELKIN_WAVE_COUNT) * 16);
 static_assert(offsetof(LevelConstants, camera) == 12 * 16);
-static_assert(offsetof(LevelConstants, waves) == 18 * 16);
+static_assert(offsetof(LevelConstants, waves) == 19 * 16);
 }  // namespace welkin::render::shaders
 #endif
 

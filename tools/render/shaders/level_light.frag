@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of diffuse surfaces under the sky, the sun or the moon and lamps, and of what they emit; alpha 1.
+// Radiance of diffuse surfaces under the sky, the sun or the moon and lamps, and of what they emit; or their irradiance
+// alone. Alpha is 1. Where there is an irradiance from elsewhere, it replaces that of the picture's own lights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_view.glsl"
@@ -8,6 +9,7 @@ layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_ALBEDO) uniform sampler2D 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_EMISSION) uniform sampler2D levelEmission;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_NORMAL) uniform sampler2D levelNormal;
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_VISIBILITY) uniform sampler2D levelVisibility;
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_TRACED) uniform sampler2D levelTraced;
 
 layout(location = 0) in vec2 ndc;
 layout(location = 0) out vec4 radiance;
@@ -16,9 +18,11 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 ray = rayThrough(ndc) * (level.camera.w / texelFetch(levelDepth, pixel, 0).r);
   vec3 albedo = texelFetch(levelAlbedo, pixel, 0).rgb;
-  vec3 irradiance = surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz,
-                                      texelFetch(levelVisibility, pixel, 0).r);
+  vec4 traced = texelFetch(levelTraced, min(pixel, textureSize(levelTraced, 0) - 1), 0);
+  vec3 irradiance = mix(surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz,
+                                          texelFetch(levelVisibility, pixel, 0).r),
+                        traced.rgb, traced.a);
   vec3 leaving = albedo / kPi * irradiance + texelFetch(levelEmission, pixel, 0).rgb;
   float distance_m = length(ray);
-  radiance = vec4(throughMist(leaving, ray / distance_m, distance_m), 1.0);
+  radiance = vec4(mix(throughMist(leaving, ray / distance_m, distance_m), irradiance, level.picture.x), 1.0);
 }
