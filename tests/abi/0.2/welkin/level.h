@@ -8,9 +8,9 @@
  *   At load time    welkin_level_open, with the sky of the same bake.
  *   Streaming       welkin_sector_open on any thread; welkin_level_add and welkin_level_remove between frames. The two
  *                   only link and unlink, so they never stall.
- *   Every frame     welkin_level_set_light with a sample of the sky, welkin_level_relight with a budget, then
- *                   welkin_level_irradiance or welkin_level_colours for characters, particles and transparents.
- *   At the end      welkin_level_close, which closes the resident sectors too.
+ *   Every frame     welkin_level_set_lights if there are dynamic lights, welkin_level_set_light with a sample of the
+ * sky, welkin_level_relight with a budget, then welkin_level_irradiance or welkin_level_colours for characters,
+ * particles and transparents. At the end      welkin_level_close, which closes the resident sectors too.
  *
  * Threads
  *   Functions that take a const WelkinLevel may be called from any number of threads at once, but not while a function
@@ -34,7 +34,8 @@ typedef struct WelkinSector WelkinSector;
 /* Limits of a level. Zero-initialise it for the defaults. */
 typedef struct WelkinLevelLimits {
   WELKIN_STRUCT_SIZE(WelkinLevelLimits);
-  uint32_t sector_capacity; /* most resident sectors, 1..65536; 0: 64 */
+  uint32_t sector_capacity; /* most resident sectors, 1..65535; 0: 64 */
+  uint32_t light_capacity;  /* most dynamic lights, 1..65536 of 320 bytes; 0: 256 */
 } WelkinLevelLimits;
 
 /* The form of the bounced light of sun and moon. */
@@ -55,6 +56,7 @@ typedef struct WelkinLevelInfo {
   uint64_t resident_bytes; /* memory of the resident sectors, without the files' own */
   WelkinSunTransfer sun_transfer;
   float sky_scale, sun_bounce_scale; /* the artist's factors, which relighting applies */
+  uint32_t light_capacity;           /* most dynamic lights */
 } WelkinLevelInfo;
 
 /* A sector in the index. Its file is sectors/sector_X_Z.welkin. */
@@ -70,7 +72,8 @@ typedef struct WelkinLevelLight {
   WELKIN_STRUCT_SIZE(WelkinLevelLight);
   uint32_t reserved;             /* 0 */
   const WelkinSkySample* sample; /* of the level's sky, or a blend; used during the call alone */
-  float sky, sun_bounce, local;  /* the game's factors on the three parts, finite, >= 0; 1 leaves them as they are */
+  float sky, sun_bounce, local;  /* the game's factors on the three parts, finite, >= 0; 1 leaves them as they are.
+                                    The third is on emitted light, the level's own lights and dynamic lights */
 } WelkinLevelLight;
 
 /* Result of relighting. */
@@ -79,6 +82,32 @@ typedef struct WelkinRelight {
   uint32_t relit;     /* probes that this call relit; 0: nothing changed */
   uint32_t remaining; /* probes that still have the light of an earlier instant */
 } WelkinRelight;
+
+/* A dynamic light of the game: a lamp, or with a cone a spot. Its position and its light may change in every frame. The
+ * probes get the light that the level reflects of it; what shines on a surface directly is the game's to add. */
+typedef struct WelkinPointLight {
+  float position[3];          /* metres, below 2^30 */
+  float intensity[3];         /* radiant intensity on the axis, RGB, scene units, 0 to 1e15 */
+  float direction[3];         /* of a spot: its axis, a unit vector */
+  float inner_rad, outer_rad; /* of a spot: angles off the axis, 0 <= inner <= outer <= pi and outer > 0. The light is
+                                 whole up to the first and ends at the second, as in glTF's KHR_lights_punctual,
+                                 with cosines at least 0.001 apart. outer 0 is a lamp: direction and inner have no
+                                 meaning */
+  uint32_t revision;          /* any number; another one has the sight of this light tested again, as after a door
+                                 near it has opened */
+} WelkinPointLight;
+
+/* Tells whether the straight line between two points, metres, is free: not 0 if it is. It must not call the level. */
+typedef int (*WelkinSees)(void* user, const float from[3], const float to[3]);
+
+/* Result of welkin_level_set_lights. */
+typedef struct WelkinLightsResult {
+  WELKIN_STRUCT_SIZE(WelkinLightsResult);
+  uint32_t unseen;  /* lights that no virtual light sees: they are left out */
+  uint32_t shared;  /* lights that this call shared anew */
+  uint32_t sectors; /* sectors whose local light this call changed, */
+  uint32_t probes;  /* and their probes, which have to be relit */
+} WelkinLightsResult;
 
 /* Irradiance of a place in the directions of the transfer basis, RGB, pi included: three directions that look up and
  * one that looks down (welkin_colours_irradiance has the weights that shade with them). */
@@ -124,6 +153,31 @@ WELKIN_API WelkinResult welkin_level_farthest(const WelkinLevel* level, const fl
 
 /* Sets the light that the next relighting uses. If it is that of before, bit for bit, nothing has to be relit. */
 WELKIN_API WelkinResult welkin_level_set_light(WelkinLevel* level, const WelkinLevelLight* light);
+
+/* Sets all dynamic lights; those of before are forgotten. Probes of sectors with local transfer show them when they are
+ * relit, by WelkinLevelLight::local.
+ *
+ * A level is baked for lights at fixed places, the virtual lights. Here each light is shared among those that see it,
+ * at most 64 m away. R is the distance of the fourth nearest, or of the last if fewer see it. Virtual lights within 1.5
+ * R get weights (1 / d - 1 / (1.5 R))^2, divided by their sum; with more than 32 of them the 33rd ends the reach. One
+ * at the very place takes all. So shares change smoothly with the position, and their sum is the light. A virtual light
+ * that several resident sectors know, at places within 1 mm, counts once.
+ *
+ * The light that a spot has on the whole sphere is shared, as if it were a lamp of that power. The weight of a virtual
+ * light is times 1/16 plus the cone's share in its direction, 0 to 1. So the places that a spot shines at take 17 times
+ * as much as others. The 16th keeps a spot alive that shines between all virtual lights, and its turns smooth. A cone
+ * of pi, pi is the lamp.
+ *
+ * `sees` tests from a virtual light to the light, nearest first, until the shares are known. The results are kept: a
+ * light is tested again only after it, its revision or `sees` has changed, or virtual lights near it came or went. With
+ * null all of them see it, through walls too. The same lights again, bit for bit, cost a comparison. Call it again
+ * after sectors came or went. Until then lights keep their shares, and those of a removed sector are missing. The sum
+ * over lights is in the order of the array, so that the result does not depend on what was set before.
+ *
+ * `count` is at most the level's light_capacity. `lights` may be null if it is 0, `sees` and `result` may be null. A
+ * relighting that has begun must have ended. Nothing changes after an error. */
+WELKIN_API WelkinResult welkin_level_set_lights(WelkinLevel* level, uint32_t count, const WelkinPointLight* lights,
+                                                WelkinSees sees, void* user, WelkinLightsResult* result);
 
 /* Relights at most `max_probes` probes that have the light of an earlier instant, the longest waiting first. With
  * UINT32_MAX all of them, and the result is exact. `result` may be null. */

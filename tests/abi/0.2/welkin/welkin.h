@@ -43,9 +43,7 @@
 #define WELKIN_VERSION ((WELKIN_VERSION_MAJOR << 20) | (WELKIN_VERSION_MINOR << 10) | WELKIN_VERSION_PATCH)
 
 /* WELKIN_SHARED_LIBRARY: the program links the shared library. The package's target welkin::library sets it. */
-#if defined(_WIN32) && defined(WELKIN_BUILDING_SHARED_LIBRARY)
-#define WELKIN_API __declspec(dllexport)
-#elif defined(_WIN32) && defined(WELKIN_SHARED_LIBRARY)
+#if defined(_WIN32) && defined(WELKIN_SHARED_LIBRARY)
 #define WELKIN_API __declspec(dllimport)
 #elif defined(__GNUC__) && !defined(_WIN32)
 #define WELKIN_API __attribute__((visibility("default")))
