@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "probes/build/bake_sectors.h"
+#include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/build/merged_report.h"
 #include "sky/bake/bake_sky.h"
@@ -108,7 +109,9 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
     report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force, request.warn},
                            progress, timing);
-  if (read.level) bakeSectors(*read.level, wanted, progress, report, timing);
+  if (read.level)
+    if (const auto index = bakeSectors(*read.level, wanted, progress, report, timing))
+      certifyBake(*read.level, read.sky.sky, request.folder, *index, request.certify, progress, report);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (report.contains("outputs"))
     for (const Json& output : report["outputs"])

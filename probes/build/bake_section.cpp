@@ -97,6 +97,7 @@ TransferSection readTransfer(Section section) {
     if (sun == nameOf(known)) transfer.sun = known;
   transfer.local_lights = readLocalLights(section.table());
   transfer.reach_m = section.number("reach_m");
+  transfer.fit = section.word("fit") == "none" ? Fit::none : Fit::surfaces;
   section.table().finish();
   return transfer;
 }
@@ -162,9 +163,9 @@ std::string settingsText(const BakeSection& section) {
       p.spacing_m, p.vegetation_spacing_m, p.minimum_separation_m, p.height_m, p.headroom_m, p.clearance_m,
       p.coverage_m, p.walls == placement::Walls::cut ? "cut" : "ignore", fmt::join(points, ", "), boxesText(p.remove));
   const std::string transfer =
-      fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}}})",
+      fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}, "fit": "{}"}})",
                   t.rays ? fmt::format("{}", *t.rays) : "\"auto\"", t.bounces, nameOf(t.sun),
-                  lightsText(t.local_lights), t.reach_m);
+                  lightsText(t.local_lights), t.reach_m, t.fit == Fit::none ? "none" : "surfaces");
   return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}}})", probes, boxesText(p.room), transfer);
 }
 

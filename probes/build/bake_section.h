@@ -22,12 +22,19 @@ struct LocalLights {
   std::vector<geometry::SectorId> sector;  ///< ascending
 };
 
+/// What decides the transfer of a sector's probes.
+enum class Fit {
+  surfaces,  ///< the light of surfaces and of the air, through the runtime's look-up (probes/fit)
+  none       ///< the light at the probes' own places, as in Stefanov's talk
+};
+
 struct TransferSection {
   std::optional<int> rays = 1024;  ///< none: as many as the budget takes
   int bounces = 2;
   transfer::SunTransfer sun = transfer::SunTransfer::directional;
   LocalLights local_lights;
   double reach_m = 128.0;
+  Fit fit = Fit::surfaces;
 };
 
 struct BakeSection {

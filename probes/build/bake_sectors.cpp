@@ -113,8 +113,8 @@ base::Hash128 hashOfAll(const LevelBake& level, const LevelOptions& options, con
 
 }  // namespace
 
-void bakeSectors(const LevelBake& level, const LevelOptions& options, const base::Progress& progress, Json& report,
-                 Json& timing) {
+std::optional<sectors::LevelIndex> bakeSectors(const LevelBake& level, const LevelOptions& options,
+                                               const base::Progress& progress, Json& report, Json& timing) {
   const auto wanted = wantedOf(level.sectors(), options);
   Json& warnings = report["warnings"];
   addWarnings(level, warnings);
@@ -142,16 +142,17 @@ void bakeSectors(const LevelBake& level, const LevelOptions& options, const base
     index.sector = std::move(entries);
     index.all_sectors = hashOfAll(level, options, progress);
     base::writeFile(partPath(options.folder, *options.shard), sectors::encodeLevel(index));
-    return;
+    return std::nullopt;
   }
   auto all = completed(level, options, progress, std::move(entries), warnings);
-  if (!all) return;
+  if (!all) return std::nullopt;
   requireFiles(options.folder, *all);
   index.sector = std::move(*all);
   index.all_sectors = hashOf(index.sector);
-  writeIndex(options.folder, index);
+  index = writeIndex(options.folder, index);
   removeOtherSectors(options.folder, index);
   removeParts(options.folder, std::nullopt);
+  return index;
 }
 
 }  // namespace welkin::build

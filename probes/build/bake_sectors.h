@@ -22,8 +22,10 @@ struct LevelOptions {
 /// Bakes the shard's sectors, or all, or the named ones; then writes the shard's part of the index, or the index, which
 /// must wait when a sector that was not asked for is out of date. Adds "sectors" to the report and to its warnings, and
 /// what it cost to `timing`. `progress` has a stage "sectors", and within it one of each sector that is baked, whose
-/// name is the sector's and whose pieces are rays. Throws Error; sectors that were finished before stay.
-void bakeSectors(const LevelBake& level, const LevelOptions& options, const base::Progress& progress,
-                 nlohmann::ordered_json& report, nlohmann::ordered_json& timing);
+/// name is the sector's and whose pieces are rays. Returns the index, if it was written. Throws Error; sectors that
+/// were finished before stay.
+std::optional<sectors::LevelIndex> bakeSectors(const LevelBake& level, const LevelOptions& options,
+                                               const base::Progress& progress, nlohmann::ordered_json& report,
+                                               nlohmann::ordered_json& timing);
 
 }  // namespace welkin::build

@@ -145,6 +145,12 @@ geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const base::P
   return placed;
 }
 
+base::Hash128 LevelBake::geometryHash() const {
+  base::Hasher hasher;
+  hasher.addAll(std::span(content_));
+  return hasher.digest();
+}
+
 sectors::LevelIndex LevelBake::index() const {
   sectors::LevelIndex index;
   index.sun = section_.transfer.sun;

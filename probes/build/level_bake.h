@@ -55,6 +55,15 @@ class LevelBake {
   geometry::PlacedSector place(geometry::SectorId sector, const base::Progress& progress = {}) const;
   const geometry::Surfaces& surfaces() const { return surfaces_; }
 
+  /// Bounces of a path, and paths of a probe; with a budget, those of the default.
+  int bounces() const { return section_.transfer.bounces; }
+  std::size_t raysOfProbe() const {
+    return static_cast<std::size_t>(section_.transfer.rays.value_or(*TransferSection{}.rays));
+  }
+
+  /// A hash of all triangles with their materials and textures.
+  base::Hash128 geometryHash() const;
+
   /// The index without its sectors and the sky's checksum.
   sectors::LevelIndex index() const;
 

@@ -135,9 +135,10 @@ LevelIndex readIndex(const fs::path& path) {
   return sectors::decodeLevel(base::readFile(path, kLargestIndex), path.string());
 }
 
-void writeIndex(const fs::path& folder, LevelIndex index) {
+LevelIndex writeIndex(const fs::path& folder, LevelIndex index) {
   index.sky_checksum = base::hashOf(readSky(folder, index));
   base::writeFile(indexPath(folder), sectors::encodeLevel(index));
+  return index;
 }
 
 void removeOtherSectors(const fs::path& folder, const LevelIndex& index) {

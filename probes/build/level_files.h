@@ -18,8 +18,9 @@ bool isLevelFolder(const std::filesystem::path& folder);
 
 sectors::LevelIndex readIndex(const std::filesystem::path& path);
 
-/// Checks sky.welkin against the index, which gets its checksum, and writes level.welkin. Throws Error.
-void writeIndex(const std::filesystem::path& folder, sectors::LevelIndex index);
+/// Checks sky.welkin against the index and writes level.welkin. Returns the index with the sky's checksum. Throws
+/// Error.
+sectors::LevelIndex writeIndex(const std::filesystem::path& folder, sectors::LevelIndex index);
 
 /// Removes sectors' files that the index does not name; a bake makes no others of such names.
 void removeOtherSectors(const std::filesystem::path& folder, const sectors::LevelIndex& index);

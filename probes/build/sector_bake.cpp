@@ -8,6 +8,7 @@
 
 #include "format/container.h"
 #include "probes/build/local_bake.h"
+#include "probes/fit/fit_transfer.h"
 #include "probes/placement/cell_cuts.h"
 #include "probes/placement/counts.h"
 #include "probes/transfer/trace_transfer.h"
@@ -53,15 +54,6 @@ std::vector<transfer::TracedProbe> trace(const geometry::Tracer& tracer, const g
     traced[i] = transfer.trace(placed.probe[i].position, placed.id, i, progress);
   });
   return traced;
-}
-
-bool isUnlit(const transfer::ProbeTransfer& t) {
-  const auto none = [](const auto& light) {
-    return std::all_of(light.begin(), light.end(), [](const Number3& e) { return e == Number3(0.0); });
-  };
-  for (std::size_t b = 0; b < transfer::kDirections; ++b)
-    if (t.visibility[b] > 0.0 || !none(t.sky[b]) || !none(t.sun[b])) return false;
-  return none(t.emitted);
 }
 
 /// A place of the settings from a sector's corner. Whole micrometres are the same numbers in every sector.
@@ -170,13 +162,13 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
   placement::PlacementReport report;
   const auto placed = placement::placeSector(tracer, kHere, settings.section.probes, report, progress);
   progress.check();
-  const std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, progress);
+  std::vector<transfer::TracedProbe> traced = trace(tracer, placed, settings, progress);
   sectors::SectorFile file = placedFile(placed, report, settings);
   file.id = sector;
   file.baked_from = from;
   for (std::size_t i = 0; i < traced.size(); ++i) {
     file.rays += traced[i].effort.rays;
-    file.unlit += isUnlit(traced[i].transfer) ? 1 : 0;
+    file.unlit += transfer::isUnlit(traced[i].transfer) ? 1 : 0;
     if (traced[i].effort.error > file.error.sampling) {
       file.error.sampling = traced[i].effort.error;
       file.error.sampling_probe = i;
@@ -184,6 +176,10 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
   }
   if (settings.section.probes.walls == placement::Walls::cut)
     file.cuts = placement::cutCells(tracer, placed, looksOf(traced), progress);
+  std::vector<transfer::ProbeTransfer*> transfers;
+  for (transfer::TracedProbe& t : traced) transfers.push_back(&t.transfer);
+  if (transfer.fit == Fit::surfaces)
+    file.rays += fit::fitTransfer(tracer, placed, file.cuts, transferSettings(settings), transfers, progress).rays;
   const transfer::SectorProbes probes = probesOf(placed, traced, settings, file.error.modes);
   file.probes = transfer::encodeProbes(probes);
   file.error.encoding = transfer::encodingError(probes, transfer::decodedProbes(file.probes, kHere));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "probes/build/local_bake.h"
+#include "probes/fit/fit_transfer.h"
 #include "probes/transfer/local_transfer.h"
 
 namespace welkin::build {
@@ -48,7 +49,12 @@ std::optional<std::uint64_t> mostRays(const SectorPlan& plan, const SectorSettin
   const auto bounces = static_cast<std::uint64_t>(t.bounces);
   const std::size_t lights = settings.sun.direction.size() + settings.moon.direction.size();
   const std::uint64_t tested = std::min(transfer::TransferSettings{}.light_rays, lights);
-  std::uint64_t rays = paths * (1 + bounces * (1 + tested));
+  const std::uint64_t rays_of_path = 1 + bounces * (1 + tested);
+  std::uint64_t rays = paths * rays_of_path;
+  if (t.fit == Fit::surfaces) {
+    constexpr fit::FitSettings kFit;
+    rays += (kFit.surface_points + kFit.air_points) * kFit.paths * rays_of_path;
+  }
   if (plan.has_local)
     rays += 2 * paths * bounces * (1 + transfer::LocalSettings{}.light_rays) + 9 * geometry::kMostProbes;
   return plan.probes * rays;

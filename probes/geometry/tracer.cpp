@@ -177,6 +177,16 @@ bool Tracer::isNearer(const Number3& position, double distance_m) const {
   return question.is_nearer;
 }
 
+Hit Tracer::pointOn(const Number3& position, const Number3& normal) const {
+  constexpr double kOnSurface_m = 0.01;
+  Hit hit;
+  hit.position = position;
+  hit.normal = normal;
+  if (const auto under = closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
+    hit.coarsest_m = under->coarsest_m;
+  return hit;
+}
+
 Number3 Tracer::leaving(const Hit& hit) const {
   constexpr double kLeast_m = 1e-5;
   constexpr double kFloats = 4.0 * 0x1p-23;  // rounding of the origin, and of Embree's robust test

@@ -64,6 +64,11 @@ class Tracer {
   /// surface.
   bool isNearer(const Number3& position, double distance_m) const;
 
+  /// A point of a surface, or in the air, as a hit that no ray found. A ray that leaves it starts as far off the
+  /// surface as one that had found it. `normal` is a unit vector; it may be a smooth one. Only position, normal and
+  /// coarsest_m are set.
+  Hit pointOn(const Number3& position, const Number3& normal) const;
+
   /// The start of a ray that leaves the hit: off the plane on the normal's side, by more than the rounding of floats.
   /// It also moves back along the ray that found the hit, where that way was free. So it does not start in or behind a
   /// wall that stands on the surface there.

@@ -131,16 +131,6 @@ PathScene pathScene(const geometry::Tracer& tracer, const DistantLight& distant,
           distant.groundAlbedo() * geometry::onOpenGround(tracer.surfaces().light) / det::kPi};
 }
 
-geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal) {
-  constexpr double kOnSurface_m = 0.01;
-  geometry::Hit start;
-  start.position = position;
-  start.normal = normal;
-  if (const auto under = tracer.closest(position + normal * kOnSurface_m, -normal, 2.0 * kOnSurface_m))
-    start.coarsest_m = under->coarsest_m;
-  return start;
-}
-
 LightShares meanOfBatch(const PathScene& scene, const geometry::Hit& start, std::size_t strata, std::uint64_t seed,
                         std::size_t batch) {
   LightShares sum;

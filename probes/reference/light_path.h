@@ -28,10 +28,6 @@ struct PathScene {
 PathScene pathScene(const geometry::Tracer& tracer, const DistantLight& distant, std::span<const LocalLight> lights,
                     int bounces);
 
-/// The start of a path at a point that may lie on a surface. It is as far off that surface as a ray that found it.
-/// `normal` is a unit vector; it may be a smooth one.
-geometry::Hit startAt(const geometry::Tracer& tracer, const Number3& position, const Number3& normal);
-
 /// Irradiance that one path from a surface point finds, pi included. Its mean over s and t, uniform in [0, 1), and over
 /// `random` is the irradiance. Only position and normal of `start` are needed.
 LightShares tracePath(const PathScene& scene, const geometry::Hit& start, double s, double t, geometry::Random& random);

@@ -51,7 +51,7 @@ ReferenceIrradiance traceReference(const geometry::Tracer& tracer, const Distant
                                    const ReferenceSettings& settings, const base::Progress& progress) {
   const PathScene scene = pathScene(tracer, distant, lights, settings.bounces);
   const std::size_t strata = strataOf(settings);
-  const geometry::Hit start = startAt(tracer, position, normal);
+  const geometry::Hit start = tracer.pointOn(position, normal);
   std::vector<LightShares> batches(referenceBatches(settings));
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
     batches[i] = meanOfBatch(scene, start, strata, settings.seed, i);

@@ -36,21 +36,26 @@ void check(const TransferSettings& s) {
 
 }  // namespace
 
+OwnLight ownLightAt(const geometry::Tracer& tracer, const TransferSettings& settings, bool emissive,
+                    const Number3& position) {
+  const std::vector<geometry::StaticLight>& lights = tracer.surfaces().light;
+  OwnLight own{emissive, {}, settings.ground_albedo * geometry::onOpenGround(lights) / det::kPi};
+  for (const geometry::StaticLight& light : lights)
+    if (light.directional || (std::abs(light.position.x - position.x) <= settings.reach_m &&
+                              std::abs(light.position.z - position.z) <= settings.reach_m))
+      own.light.push_back(light);
+  return own;
+}
+
 TransferTracer::TransferTracer(const geometry::Tracer& tracer, TransferSettings settings)
     : tracer_(&tracer), settings_(std::move(settings)), emissive_(anyEmissive(tracer.surfaces())) {
   check(settings_);
-  plane_radiance_ = settings_.ground_albedo * geometry::onOpenGround(tracer.surfaces().light) / det::kPi;
 }
 
 TracedProbe TransferTracer::trace(const Number3& position, geometry::SectorId sector, std::size_t probe,
                                   const base::Progress& progress) const {
-  OwnLight own{emissive_, {}, plane_radiance_};
-  for (const geometry::StaticLight& light : tracer_->surfaces().light)
-    if (light.directional || (std::abs(light.position.x - position.x) <= settings_.reach_m &&
-                              std::abs(light.position.z - position.z) <= settings_.reach_m))
-      own.light.push_back(light);
-  return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_, own, position, sector, probe,
-                    progress);
+  return traceProbe(tracer_->within(position, settings_.reach_m), settings_, circle_,
+                    ownLightAt(*tracer_, settings_, emissive_, position), position, sector, probe, progress);
 }
 
 std::vector<TracedProbe> TransferTracer::trace(const geometry::PlacedSector& sector) const {

@@ -61,7 +61,6 @@ class TransferTracer {
   TransferSettings settings_;
   CircleTable circle_;
   bool emissive_;
-  Number3 plane_radiance_{0.0};
 };
 
 /// Traces a single probe.

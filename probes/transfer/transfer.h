@@ -2,6 +2,7 @@
 // A probe's transfer of distant light: the radiance transfer of the sky and of the sun.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,16 @@ struct ProbeTransfer {
   /// Irradiance by emissive surfaces, direct and bounced, and by the level's own lights, bounced.
   std::array<Number3, kDirections> emitted{};
 };
+
+/// Whether no light reaches the probe at all, as in a closed room.
+inline bool isUnlit(const ProbeTransfer& t) {
+  const auto none = [](const auto& light) {
+    return std::all_of(light.begin(), light.end(), [](const Number3& e) { return e == Number3(0.0); });
+  };
+  for (std::size_t b = 0; b < kDirections; ++b)
+    if (t.visibility[b] > 0.0 || !none(t.sky[b]) || !none(t.sun[b])) return false;
+  return none(t.emitted);
+}
 
 /// Cost and error of a probe's transfer.
 struct TransferEffort {

@@ -86,6 +86,7 @@ TEST_CASE("Far, ALevelMovedByWholeSectorsHasTheSameBytes") {
 TEST_CASE("Far, ALevelMovedAnyhowHasTheSameLight") {
   build::BakeSection exact = section();
   exact.transfer.rays = 131072;
+  exact.transfer.fit = build::Fit::none;  // whose points are others at other places
   exact.probes.spacing_m = exact.probes.coverage_m = exact.probes.minimum_separation_m = 64.0;  // few probes
   const auto lightOf = [&](const Number3& by) {
     const sectors::SectorFile file = bakedAt(by, exact);

@@ -55,6 +55,8 @@ void bake(const Options& options) {
   if (report.contains("certificate"))
     std::fputs(fmt::format("welkin: {}{}\n", certificateText(report["certificate"]), remedyText(report)).c_str(),
                stderr);
+  if (report.contains("surfaces"))
+    std::fputs(fmt::format("welkin: {}\n", surfacesText(report["surfaces"])).c_str(), stderr);
 }
 
 }  // namespace

@@ -28,6 +28,17 @@ std::string certificateText(const Json& c) {
   return text;
 }
 
+std::string surfacesText(const Json& surfaces) {
+  const auto rms = [](const Json& error) { return 100.0 * error["rms"].get<double>(); };
+  const Json& s = surfaces["surface"];
+  return fmt::format(
+      "surfaces within {:.0f} +- {:.0f} % rms of the open sky (sky {:.0f}, bounced sun and moon {:.0f}; without any "
+      "light {:.0f}), the air {:.0f} +- {:.0f} %; {:.1f} % of the surface has no probe",
+      rms(s["total"]), 100.0 * s["total"]["interval"].get<double>(), rms(s["sky"]), rms(s["sun_bounce"]),
+      rms(s["nothing"]), rms(surfaces["air"]["total"]), 100.0 * surfaces["air"]["total"]["interval"].get<double>(),
+      100.0 * s["without"].get<double>());
+}
+
 std::string remedyText(const Json& report) {
   constexpr double kBad = 0.1;          // of the irradiance: the budget "draft"
   constexpr double kBadCubemaps = 0.3;  // a reflection that is plainly another sky's

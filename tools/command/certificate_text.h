@@ -11,6 +11,9 @@ namespace welkin::command {
 /// The certificate of a report in one line.
 std::string certificateText(const nlohmann::ordered_json& certificate);
 
+/// The error of a level on its surfaces and in the air, a report's "surfaces", in one line.
+std::string surfacesText(const nlohmann::ordered_json& surfaces);
+
 /// The options that lower a report's errors, where these are large and no budget asked for them; else nothing.
 std::string remedyText(const nlohmann::ordered_json& report);
 

@@ -34,7 +34,7 @@ TracedImage traceSurfaces(const reference::PathScene& scene, const FloatImage& p
     for (uint32_t x = 0; x < places.width; ++x) {
       const auto place = place_of(x, y);
       if (!place || place->position.y < settings.lowest_m) continue;
-      geometry::Hit start = reference::startAt(scene.tracer, place->position, place->normal);
+      geometry::Hit start = scene.tracer.pointOn(place->position, place->normal);
       start.back_along = place->towards;
       const std::size_t texel = std::size_t{y} * places.width + x;
       const Number3 a = scaledSum(meanOfBatch(scene, start, strata, 0, 2 * texel), settings.parts);

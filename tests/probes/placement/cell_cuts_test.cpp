@@ -14,8 +14,10 @@ namespace {
 constexpr double kMostLeak = 0.02;  // of the open ground's light: the aim of the method
 constexpr std::uint64_t kPlaces = 8;
 
-sectors::SectorFile bakedWith(const geometry::Surfaces& surfaces, placement::Walls walls) {
+sectors::SectorFile bakedWith(const geometry::Surfaces& surfaces, placement::Walls walls,
+                              build::Fit fit = build::Fit::surfaces) {
   build::BakeSection section;
+  section.transfer.fit = fit;
   section.transfer.rays = 64;
   section.transfer.bounces = 0;
   section.transfer.sun = transfer::SunTransfer::none;
@@ -70,8 +72,8 @@ TEST_CASE("CellCuts, FarFromWallsNothingChanges") {
   constexpr double kAway_m = 9.0;  // two cells and the push
   const geometry::Surfaces surfaces = leakLevel("hall, turned by 17", 3).surfaces;
   const model::Sky sky = uniformSky(1.0);
-  const std::vector<sectors::SectorFile> cut = {bakedWith(surfaces, placement::Walls::cut)};
-  const std::vector<sectors::SectorFile> plain = {bakedWith(surfaces, placement::Walls::ignore)};
+  const std::vector<sectors::SectorFile> cut = {bakedWith(surfaces, placement::Walls::cut, build::Fit::none)};
+  const std::vector<sectors::SectorFile> plain = {bakedWith(surfaces, placement::Walls::ignore, build::Fit::none)};
   REQUIRE_FALSE(cut[0].cuts.empty());
   const sectors::LevelLight light(cut, sky, 12.0);
   const sectors::LevelLight before(plain, sky, 12.0);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The certificate of a baked level: its error on surfaces and in the air, for the report.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "probes/build/level_bake.h"
+#include "sky/bake/certify.h"
+
+namespace welkin::build {
+
+/// Measures the whole level in a folder and adds the result to the report as "surfaces". `none` adds nothing. Where the
+/// folder's report.json has the certificate of the same files already, that is taken. Throws Error.
+void certifyBake(const LevelBake& level, const model::Sky& sky, const std::filesystem::path& folder,
+                 const sectors::LevelIndex& index, bake::Certify how, const base::Progress& progress,
+                 nlohmann::ordered_json& report);
+
+}  // namespace welkin::build
