@@ -209,6 +209,44 @@ TEST_CASE("Render, ThePathTracersPictureIsThatOfOpenGround") {
   CHECK(draw("g.png", {"--reference", "--sky-light", "sh"})["error"].contains("sh"));
 }
 
+TEST_CASE("Render, LampsAndOcclusionAreInThePicture") {
+  if (!fs::exists(WELKIN_TEST_ICD)) {
+    WARN("no " WELKIN_TEST_ICD);
+    return;
+  }
+  const SmallLevel level;
+  level.writeLevel("rays = 64\nlocal_lights = true");
+  level.bake("out");
+  const Setting lavapipe = {{{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}}, "", "", 0, 240.0};
+  const auto draw = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render",     level / "out", "--level", level / "level.toml",
+                                          "--time",     "10",          "--size",  "32x24",
+                                          "--exposure", "0",           "-o",      level / name};
+    // Towards the hut.
+    arguments.insert(arguments.end(), {"--camera", "160,3,38", "--yaw", "50", "--progress", "none"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = runTool(arguments, lavapipe);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return run.out;
+  };
+  draw("a.png", {});
+  draw("b.png", {"--component", "occlusion"});
+  CHECK(readBytes(level / "a.png") != readBytes(level / "b.png"));
+  const auto local = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--difference", "--component", "local", "--paths", "8", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json::parse(draw("c.png", arguments))["pictures"][0];
+  };
+  const json dark = local({});
+  CHECK(dark["mean_irradiance"] == 0.0);
+  const json lit = local({"--light", "166,2,36,50,50,50"});
+  CHECK(lit["mean_irradiance"] > 0.0);
+  CHECK(lit["error"]["query"]["mean"] > -1.0);  // it reaches the probes, too
+  const json behind = local({"--light", "172.5,0.5,40,50,50,50"});
+  CHECK(behind["mean_irradiance"] != lit["mean_irradiance"]);
+}
+
 TEST_CASE("Render, CubemapsThatAreNotThere") {
   const Folder folder;
   const std::string file = folder.write("sky.toml", skyText(kUniform, kStillSun, "keys = 1\ncubemap_size = 0\n"));
