@@ -10,7 +10,8 @@
 #include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/build/merged_report.h"
-#include "sky/bake/bake_sky.h"
+#include "sky/bake/bake_family.h"
+#include "sky/bake/family.h"
 #include "sky/bake/sky_domain.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
@@ -47,11 +48,48 @@ void requireLevel(const BakeRequest& request) {
                         fmt::format("{}: {} is no level file: it has no sectors", name, request.file.string()));
 }
 
-/// The output whose date says that the bake ran to its end: of a level its index, or a shard's part of it.
-std::filesystem::path ruleTarget(const std::filesystem::path& folder, const std::optional<Shard>& shard,
-                                 bool of_level) {
-  if (shard) return partPath(folder, *shard);
-  return of_level ? indexPath(folder) : folder / "sky.welkin";
+/// The outputs whose dates say that the bake ran to its end: of a level its index, or a shard's part of it.
+std::string ruleTargets(const BakeRequest& request, const BakeInput& read) {
+  if (request.shard) return escaped(partPath(request.folder, *request.shard));
+  if (read.level) return escaped(indexPath(request.folder));
+  std::string targets;
+  for (const bake::SkyFile& sky : skiesOf(read)) {
+    if (!targets.empty()) targets += ' ';
+    targets += escaped(request.folder / (sky.name + ".welkin"));
+  }
+  return targets;
+}
+
+/// Bakes one sky or a family. A level's report is that of its own sky, with the family's members beside.
+Json bakeSkies(const BakeRequest& request, const BakeInput& read, const base::Progress& progress, Json& timing) {
+  const bake::SkyRequest wanted{request.certify, request.force, request.warn};
+  if (read.more.empty()) return bake::bakeSky(read.sky, read.inputs, request.folder, wanted, progress, timing);
+  Json report = bake::bakeFamily(skiesOf(read), read.inputs, request.folder, wanted, progress, timing);
+  if (!read.level) return report;
+  Json own = report["skies"][read.sky.name];
+  own.update(report);
+  return own;
+}
+
+/// The outputs of all skies that a report is about.
+std::vector<Json> skyOutputs(const Json& report) {
+  if (!report.contains("skies")) return {report.value("outputs", Json::array())};
+  std::vector<Json> outputs;
+  for (const Json& sky : report["skies"]) outputs.push_back(sky["outputs"]);
+  return outputs;
+}
+
+std::vector<std::string> skyNames(const BakeInput& read) {
+  std::vector<std::string> names;
+  for (const bake::SkyFile& sky : skiesOf(read)) names.push_back(sky.name);
+  return names;
+}
+
+/// The budgets and the target of a request in place of those of a sky file.
+void applyOptions(const BakeRequest& request, bake::BakeSettings& bake) {
+  if (request.max_error) bake.max_error = request.max_error;
+  if (!request.target.empty()) bake::setTarget(bake, request.target);
+  if (request.cubemap_error) bake::setCubemapError(bake, *request.cubemap_error);
 }
 
 void writeRule(const BakeRequest& request, const BakeInput& read) {
@@ -60,7 +98,7 @@ void writeRule(const BakeRequest& request, const BakeInput& read) {
   if (read.level)
     for (const auto& file : read.level->surfaces().file)
       if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
-  std::string rule = escaped(ruleTarget(request.folder, request.shard, read.level.has_value()));
+  std::string rule = ruleTargets(request, read);
   rule += ':';
   for (const auto& input : inputs) rule.append(1, ' ').append(escaped(input));
   rule += '\n';
@@ -69,14 +107,24 @@ void writeRule(const BakeRequest& request, const BakeInput& read) {
 
 }  // namespace
 
+std::vector<bake::SkyFile> skiesOf(const BakeInput& read) {
+  std::vector<bake::SkyFile> skies = {read.sky};
+  skies.insert(skies.end(), read.more.begin(), read.more.end());
+  return skies;
+}
+
 BakeInput readInput(const BakeRequest& request, const base::Progress& progress) {
   requireInDomain("max_error", request.max_error);
   if (request.cubemap_error != 0.0) requireInDomain("cubemap_error", request.cubemap_error);
-  Subject subject = readSubject(request.file);
-  if (request.max_error) subject.sky.bake.max_error = request.max_error;
-  if (!request.target.empty()) bake::setTarget(subject.sky.bake, request.target);
-  if (request.cubemap_error) bake::setCubemapError(subject.sky.bake, *request.cubemap_error);
-  BakeInput read{std::move(subject.sky), std::move(subject.inputs), std::nullopt};
+  Subject subject = readSubject(request.file, request.more);
+  BakeInput read{std::move(subject.sky), std::move(subject.more), std::move(subject.inputs), std::nullopt};
+  applyOptions(request, read.sky.bake);
+  for (bake::SkyFile& sky : read.more) applyOptions(request, sky.bake);
+  if (!read.more.empty()) {
+    const std::vector<bake::SkyFile> family = skiesOf(read);
+    bake::checkFamily(family);
+    if (subject.level) bake::checkLevelFamily(family);
+  }
   if (!subject.level) requireLevel(request);
   if (!subject.level) return read;
   try {
@@ -100,21 +148,20 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->sectors());
   base::makeFolder(request.folder);
   const base::FolderLock lock(request.folder, request.shard ? std::optional(request.shard->index) : std::nullopt);
-  if (!request.shard) removeTemporaries(request.folder);  // those of shards may be at work
+  if (!request.shard) removeTemporaries(request.folder, skyNames(read));  // those of shards may be at work
   // A bake may end at any of these writes. The rule is there before its target has a new date; the report, which has
   // the checksums of all outputs, comes last: a set that it does not fit is half of an old bake and half of a new one.
   if (!request.depfile.empty()) writeRule(request, read);
   Json timing;
   Json report = {{"warnings", Json::array()}};
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
-    report = bake::bakeSky(read.sky, read.inputs, request.folder, {request.certify, request.force, request.warn},
-                           progress, timing);
+    report = bakeSkies(request, read, progress, timing);
   if (read.level)
     if (const auto index = bakeSectors(*read.level, wanted, progress, report, timing))
       certifyBake(*read.level, read.sky.sky, request.folder, *index, request.certify, progress, report);
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (report.contains("outputs"))
-    for (const Json& output : report["outputs"])
+  for (const Json& outputs : skyOutputs(report))
+    for (const Json& output : outputs)
       base::requireSize(request.folder / output.at("file").get<std::string>(), output.at("bytes").get<std::uint64_t>());
   if (!lock.readOnly()) base::writeFile(timingPath(request.folder, request.shard), reportText(timing));
   base::writeFile(request.report.empty() ? reportPath(request.folder, request.shard) : request.report,

@@ -17,11 +17,12 @@ namespace welkin::build {
 
 /// Options of a bake. An empty path or text stands for none.
 struct BakeRequest {
-  std::filesystem::path file;       ///< a sky file or a level file
-  std::filesystem::path folder;     ///< of the outputs; made when missing
-  std::filesystem::path report;     ///< of the report, in place of the folder's report.json
-  std::filesystem::path depfile;    ///< of the inputs as a make rule
-  std::optional<double> max_error;  ///< the budget, in place of the sky file's, in its domain
+  std::filesystem::path file;                    ///< a sky file or a level file
+  std::vector<std::filesystem::path> more = {};  ///< further sky files, which share their modes with the first
+  std::filesystem::path folder;                  ///< of the outputs; made when missing
+  std::filesystem::path report;                  ///< of the report, in place of the folder's report.json
+  std::filesystem::path depfile;                 ///< of the inputs as a make rule
+  std::optional<double> max_error;               ///< the budget, in place of the sky file's, in its domain
   /// The budget of the cubemaps, in place of the sky file's settings of them, in its domain; 0: no cubemaps.
   std::optional<double> cubemap_error;
   std::string target;  ///< the reader of the ambient light, a name of bake::kTargets, in place of the sky file's
@@ -35,9 +36,13 @@ struct BakeRequest {
 /// The input of a request as it was read.
 struct BakeInput {
   bake::SkyFile sky;                ///< under the request's budget
-  std::vector<bake::Input> inputs;  ///< the files of which sky.welkin and the sectors are made
+  std::vector<bake::SkyFile> more;  ///< further skies of its family, likewise
+  std::vector<bake::Input> inputs;  ///< the files of which the skies and the sectors are made
   std::optional<LevelBake> level;
 };
+
+/// All skies of an input: one, or a family.
+std::vector<bake::SkyFile> skiesOf(const BakeInput& read);
 
 /// Reads the request's file. Throws Error: usage for a budget outside its domain, or sectors asked of a sky.
 BakeInput readInput(const BakeRequest& request, const base::Progress& progress);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "probes/build/level_files.h"
@@ -30,8 +31,15 @@ bool isOfIndex(const Json& sectors, const sectors::LevelIndex& index) {
   });
 }
 
-/// Compares a report with the record of the sky, null where there is none, and with the index.
-void checkReport(const fs::path& path, const Json& made, const std::optional<sectors::LevelIndex>& index) {
+/// The part of a report that is about a sky; null where it is about others.
+Json partOf(const Json& report, const std::string& sky) {
+  if (!report.contains("skies")) return sky == "sky" ? report : Json();
+  return report["skies"].is_object() ? report["skies"].value(sky, Json()) : Json();
+}
+
+/// Compares a report with the records of the skies, by name, and with the index.
+void checkReport(const fs::path& path, const std::map<std::string, Json>& made,
+                 const std::optional<sectors::LevelIndex>& index) {
   constexpr std::size_t kLargest = std::size_t{256} << 20;
   const auto bytes = base::readFile(path, kLargest);
   const auto report = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -39,11 +47,15 @@ void checkReport(const fs::path& path, const Json& made, const std::optional<sec
   if (!report || !base::hasForm(*report, {{"warnings", Json::array()}}) ||
       !base::hasForm(report->value("sectors", Json::array()), Json::array({of_sector})))
     throw base::Error(base::ExitStatus::content, fmt::format("{}: is no report; bake again", path.string()));
-  for (const auto& [key, value] : made.items())
-    if (key != "warnings" && report->value(key, Json()) != value)
-      throw base::Error(base::ExitStatus::content,
-                        fmt::format("{}: \"{}\" is not that of sky.json: damaged, or of another bake; bake again",
-                                    path.string(), key));
+  for (const auto& [sky, record] : made) {
+    const Json part = partOf(*report, sky);
+    if (part.is_null()) continue;
+    for (const auto& [key, value] : record.items())
+      if (key != "warnings" && part.value(key, Json()) != value)
+        throw base::Error(base::ExitStatus::content,
+                          fmt::format("{}: \"{}\" is not that of {}.json: damaged, or of another bake; bake again",
+                                      path.string(), key, sky));
+  }
   if (index && !isOfIndex(report->value("sectors", Json::array()), *index))
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: a sector is not that of level.welkin: damaged, or of another bake; bake again",
@@ -53,7 +65,8 @@ void checkReport(const fs::path& path, const Json& made, const std::optional<sec
 }  // namespace
 
 void checkFolder(const fs::path& folder) {
-  const Json made = bake::checkedRecord(folder);
+  std::map<std::string, Json> made;
+  for (const std::string& sky : bake::recordedSkies(folder)) made[sky] = bake::checkedRecord(folder, sky);
   std::optional<sectors::LevelIndex> index;
   if (isLevelFolder(folder)) {
     index = readIndex(indexPath(folder));

@@ -153,14 +153,20 @@ void removeOtherSectors(const fs::path& folder, const LevelIndex& index) {
   }
 }
 
-void removeTemporaries(const fs::path& folder) {
+void removeTemporaries(const fs::path& folder, const std::vector<std::string>& skies) {
   static const std::regex kOurs(
-      "((sky|level|report|timing)(\\.[0-9]+-of-[0-9]+)?\\.(welkin|json)|sector_-?[0-9]+_-?[0-9]+\\.welkin|"
-      "sky_[0-9]{9}(_latlong)?\\.exr)(\\.[0-9]+)?\\.tmp");
+      "((level|report|timing)(\\.[0-9]+-of-[0-9]+)?\\.(welkin|json)|sector_-?[0-9]+_-?[0-9]+\\.welkin)"
+      "(\\.[0-9]+)?\\.tmp");
+  static const std::regex kOfSky("(\\.(welkin|json)|_[0-9]{9}(_latlong)?\\.exr)(\\.[0-9]+)?\\.tmp");
+  const auto isOurs = [&](const std::string& name) {
+    return std::regex_match(name, kOurs) || std::any_of(skies.begin(), skies.end(), [&](const std::string& sky) {
+             return name.starts_with(sky) && std::regex_match(name.substr(sky.size()), kOfSky);
+           });
+  };
   for (const fs::path& place : {folder, folder / "cubemaps", folder / "sectors"}) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(place, error))
-      if (std::regex_match(entry.path().filename().string(), kOurs)) fs::remove(entry.path(), error);
+      if (isOurs(entry.path().filename().string())) fs::remove(entry.path(), error);
   }
 }
 

@@ -25,8 +25,8 @@ sectors::LevelIndex writeIndex(const std::filesystem::path& folder, sectors::Lev
 /// Removes sectors' files that the index does not name; a bake makes no others of such names.
 void removeOtherSectors(const std::filesystem::path& folder, const sectors::LevelIndex& index);
 
-/// Removes the temporary files of bakes that were killed. For the owner of the folder's lock.
-void removeTemporaries(const std::filesystem::path& folder);
+/// Removes the temporary files of bakes of these skies that were killed. For the owner of the folder's lock.
+void removeTemporaries(const std::filesystem::path& folder, const std::vector<std::string>& skies = {"sky"});
 
 /// Removes the parts of shards, all but those of `count` shards.
 void removeParts(const std::filesystem::path& folder, std::optional<int> count);

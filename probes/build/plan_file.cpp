@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/build/plan_file.h"
 
+#include <algorithm>
+
 #include "probes/build/sector_warnings.h"
 #include "probes/geometry/sector_name.h"
+#include "sky/bake/bake_family.h"
+#include "sky/bake/family.h"
 #include "sky/bake/sky_plan_json.h"
 #include "sky/bake/sky_record.h"
 #include "sky/bake/warnings.h"
@@ -37,17 +41,9 @@ Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, co
   return sectors;
 }
 
-/// What a bake into the folder would do with the sky. One that is up to date is not planned: its record has its plan.
-Json skyJson(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
-  const bake::SkyFile& file = read.sky;
-  Json inputs = Json::array();
-  for (const auto& input : read.inputs) inputs.push_back(input.name);
-  Json json = {{"inputs", inputs}};
-  const bake::SkyState state = bake::skyState(request.folder, file, request.certify);
-  const bool fresh = state.stale.empty();
-  const Json plan = fresh ? state.made
-                          : bake::planJson(bake::SkyPlanner(file, progress).plan(file.bake.max_error.value_or(0.0)),
-                                           file.bake.max_error);
+/// A sky's table, bytes and paths, from its plan as JSON; and whether it is to be baked.
+Json skyJson(const bake::SkyFile& file, const Json& plan, const std::string& stale) {
+  Json json;
   for (const char* part : {"table", "gradients", "cubemaps", "left_out"}) json[part] = plan[part];
   const std::size_t star_bytes = file.sky.stars ? file.sky.stars->rgba.size() : 0;
   json["stars"] = {{"bytes", star_bytes}};
@@ -57,16 +53,59 @@ Json skyJson(const BakeRequest& request, const BakeInput& read, const base::Prog
   std::size_t bytes = star_bytes;
   for (const char* part : {"table", "gradients", "cubemaps"}) bytes += plan[part]["bytes"].get<std::size_t>();
   json["bytes"] = bytes;
-  json["sky"] = {{"bake", !fresh}, {"why", fresh ? "up to date" : state.stale}};
+  json["sky"] = {{"bake", !stale.empty()}, {"why", stale.empty() ? "up to date" : stale}};
   json["warnings"] = bake::warningsJson(file.warnings);
   json["warnings"].insert(json["warnings"].end(), plan["warnings"].begin(), plan["warnings"].end());
+  return json;
+}
+
+/// What a bake into the folder would do with the skies, in their order. Those that are up to date are not
+/// planned: their records have their plans.
+std::vector<Json> skiesJson(const BakeRequest& request, const std::vector<bake::SkyFile>& skies,
+                            const base::Progress& progress) {
+  std::vector<bake::SkyState> states;
+  bool fresh = true;
+  for (const bake::SkyFile& sky : skies) {
+    states.push_back(bake::skyState(request.folder, sky, request.certify));
+    fresh = fresh && states.back().stale.empty();
+  }
+  std::vector<Json> list;
+  std::vector<bake::SkyPlan> plans;
+  if (!fresh) plans = bake::FamilyPlanner(skies, progress).plan(1.0);
+  for (std::size_t i = 0; i < skies.size(); ++i) {
+    const Json plan = fresh ? states[i].made : bake::planJson(plans[i], skies[i].bake.max_error);
+    const std::string with = "another sky of its family";
+    list.push_back(skyJson(skies[i], plan, !fresh && states[i].stale.empty() ? with : states[i].stale));
+  }
+  return list;
+}
+
+/// A sky's plan, with those of its family under "skies"; of a family without a level, these alone.
+Json familyJson(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
+  Json json = {{"inputs", Json::array()}};
+  for (const auto& input : read.inputs) json["inputs"].push_back(input.name);
+  std::vector<bake::SkyFile> files = skiesOf(read);
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  if (files.size() > 1) bake::relate(files);
+  std::vector<Json> skies = skiesJson(request, files, progress);
+  if (files.size() == 1) {
+    json.update(skies.front());
+    return json;
+  }
+  Json warnings = Json::array();
+  for (std::size_t i = 0; i < skies.size(); ++i) {
+    warnings.insert(warnings.end(), skies[i]["warnings"].begin(), skies[i]["warnings"].end());
+    if (read.level && files[i].name == read.sky.name) json.update(skies[i]);
+    json["skies"][files[i].name] = std::move(skies[i]);
+  }
+  json["warnings"] = std::move(warnings);
   return json;
 }
 
 }  // namespace
 
 Json planFile(const BakeRequest& request, const BakeInput& read, const base::Progress& progress) {
-  Json json = skyJson(request, read, progress);
+  Json json = familyJson(request, read, progress);
   if (!read.level) return json;
   addWarnings(*read.level, json["warnings"]);
   json["sectors"] = sectorsJson(*read.level, request.folder, progress);

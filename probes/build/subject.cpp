@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/build/subject.h"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
+#include "sky/bake/family.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 
@@ -20,11 +25,31 @@ void requireUnchanged(const bake::Input& input) {
     throw base::Error(base::ExitStatus::file, input.path.string() + ": changed while it was read; bake again");
 }
 
+/// Unless the file asks for some.
+void leaveOutCubemaps(bake::BakeSettings& bake) {
+  if (bake.fixed.cubemaps || bake.cubemap_error) return;
+  bake.cubemap_time_h.clear();
+  bake.fixed.cubemaps = true;
+}
+
+/// Takes the first sky, and reads further ones of its family. The first `named` keep their names, the others have those
+/// of their files.
+void readSkies(bake::SkyFile first, const std::vector<std::filesystem::path>& more, std::size_t named,
+               Subject& subject) {
+  std::vector<bake::SkyFile> family = {std::move(first)};
+  for (const std::filesystem::path& path : more) family.push_back(bake::readSkyFile(path));
+  if (!more.empty()) bake::nameAfterFiles(family, named);
+  for (const bake::SkyFile& sky : family)
+    subject.inputs.insert(subject.inputs.end(), sky.inputs.begin(), sky.inputs.end());
+  subject.sky = std::move(family.front());
+  subject.more.assign(std::make_move_iterator(family.begin() + 1), std::make_move_iterator(family.end()));
+}
+
 Subject subjectOf(const base::TomlFile& toml) {
   const level::LevelFile file = level::levelFileOf(toml);
   Level level{bakeSectionOf(toml), {}};
-  Subject subject{bake::readSkyFile(file.sky), {}, {}};
-  subject.inputs = subject.sky.inputs;
+  Subject subject;
+  readSkies({bake::readSkyFile(file.sky)}, file.more_skies, 1, subject);
   subject.inputs.push_back(bake::inputOf(toml.path.filename().string(), toml.path, toml.bytes));
   const std::size_t first = subject.inputs.size();
   for (const level::GeometryEntry& geometry : file.geometry) subject.inputs.push_back(hashed(geometry.path));
@@ -37,10 +62,9 @@ Subject subjectOf(const base::TomlFile& toml) {
     scene.warnings.push_back("reads files " + level::outsideText(outside) +
                              "; [level] outside_files = \"refuse\" or \"allow\"");
   for (std::size_t i = first; i < subject.inputs.size(); ++i) requireUnchanged(subject.inputs[i]);
-  bake::BakeSettings& bake = subject.sky.bake;
-  if (scene.least_roughness > kReflectiveRoughness && !bake.fixed.cubemaps && !bake.cubemap_error) {
-    bake.cubemap_time_h.clear();
-    bake.fixed.cubemaps = true;
+  if (scene.least_roughness > kReflectiveRoughness) {
+    leaveOutCubemaps(subject.sky.bake);
+    for (bake::SkyFile& sky : subject.more) leaveOutCubemaps(sky.bake);
   }
   try {
     level.surfaces = loader::surfacesOf(scene, subject.sky.sky.luminance_unit);
@@ -54,11 +78,17 @@ Subject subjectOf(const base::TomlFile& toml) {
 
 }  // namespace
 
-Subject readSubject(const std::filesystem::path& path) {
+Subject readSubject(const std::filesystem::path& path, const std::vector<std::filesystem::path>& more) {
   const base::TomlFile toml = base::readToml(path);
-  if (toml.root.contains("level") && !toml.root.contains("sky")) return subjectOf(toml);
-  Subject subject{bake::skyFileOf(toml), {}, {}};
-  subject.inputs = subject.sky.inputs;
+  if (toml.root.contains("level") && !toml.root.contains("sky")) {
+    if (more.empty()) return subjectOf(toml);
+    throw base::Error(base::ExitStatus::usage,
+                      fmt::format("{}: is a level file and stands beside {}; only sky files are baked together: list a "
+                                  "level's in its sky = [..]",
+                                  path.string(), more.front().string()));
+  }
+  Subject subject;
+  readSkies(bake::skyFileOf(toml), more, 0, subject);
   return subject;
 }
 

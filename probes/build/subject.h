@@ -23,12 +23,14 @@ struct Level {
 
 struct Subject {
   bake::SkyFile sky;                ///< without cubemaps for a level where nothing reflects, unless it asks for some
-  std::vector<bake::Input> inputs;  ///< sky.inputs, then level.toml and its geometry
+  std::vector<bake::SkyFile> more;  ///< further skies of its family
+  std::vector<bake::Input> inputs;  ///< those of the skies, then level.toml and its geometry
   std::optional<Level> level;
 };
 
-/// Reads a sky file or a level file, told apart by their sections. Throws Error.
-Subject readSubject(const std::filesystem::path& path);
+/// Reads a sky file or a level file, told apart by their sections; `more` are further sky files, of a family. Throws
+/// Error.
+Subject readSubject(const std::filesystem::path& path, const std::vector<std::filesystem::path>& more = {});
 
 /// Reads a level file and all that it names. Throws Error.
 Subject readLevel(const std::filesystem::path& path);

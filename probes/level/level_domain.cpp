@@ -18,7 +18,14 @@ constexpr std::string_view kMetre = "m";
 
 base::Domain rows() {
   return {
-      {"level", "sky", "", Kind::file, "", {}, Required{}, "the sky file"},
+      {"level",
+       "sky",
+       "",
+       Kind::file,
+       "",
+       {},
+       Required{},
+       "the sky file; or a list: the sky, then further ones of its family"},
       {"level",
        "outside_files",
        "",

@@ -24,6 +24,21 @@ std::string requiredName(TomlTable& table, const std::string& key) {
   return name;
 }
 
+/// One name, or a list of names.
+std::vector<std::string> requiredNames(TomlTable& table, const std::string& key) {
+  const toml::node* n = table.node(key);
+  if (n == nullptr || !n->is_array()) return {requiredName(table, key)};
+  constexpr const char* kMust = "must be the name of a file, or a list of one or more names";
+  std::vector<std::string> names;
+  for (const toml::node& entry : *n->as_array()) {
+    const auto name = entry.value<std::string>();
+    if (!entry.is_string() || name->empty()) table.refuse(key, &entry, kMust);
+    names.push_back(*name);
+  }
+  if (names.empty()) table.refuse(key, n, kMust);
+  return names;
+}
+
 Number3 readScale(TomlTable& table) {
   const toml::node* n = table.node("scale");
   if (n == nullptr || n->is_array()) return table.colour("scale", rangeOf("scale"), Number3(1.0));
@@ -74,7 +89,9 @@ LevelFile levelFileOf(const base::TomlFile& toml) {
   LevelFile file;
   TomlTable level = top.table("level");
   file.folder = folder.empty() ? "." : folder;
-  file.sky = folder / requiredName(level, "sky");
+  const std::vector<std::string> skies = requiredNames(level, "sky");
+  file.sky = folder / skies.front();
+  for (std::size_t i = 1; i < skies.size(); ++i) file.more_skies.push_back(folder / skies[i]);
   const std::string outside = level.string("outside_files", {"warn", "allow", "refuse"}, "warn");
   file.outside_files = outside == "warn"    ? OutsideFiles::warn
                        : outside == "allow" ? OutsideFiles::allow

@@ -29,6 +29,7 @@ struct GeometryEntry {
 
 struct LevelFile {
   std::filesystem::path sky;
+  std::vector<std::filesystem::path> more_skies;  ///< further ones of its family
   std::vector<GeometryEntry> geometry;
   std::filesystem::path folder;  ///< of level.toml; empty: unknown, and no file is outside of it
   OutsideFiles outside_files = OutsideFiles::warn;

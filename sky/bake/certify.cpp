@@ -8,7 +8,7 @@
 
 #include "sh/spiral.h"
 #include "sh/window.h"
-#include "sky/base/error.h"
+#include "sky/bake/measured_instant.h"
 
 namespace welkin::bake {
 namespace {
@@ -22,79 +22,29 @@ constexpr std::size_t kQuadratureChecks = 24;  ///< number of instants at which 
 constexpr double kConverged = 1e-9;
 constexpr std::size_t kInstantsAtOnce = 1024;  ///< bounds the memory
 
-std::vector<double> instantsOf(const Baked& baked, double step_h) {
-  std::vector<double> hours = table::hoursOfInterest(baked.sky, step_h);
-  const auto& keys = baked.table.key_time_h;
-  hours.insert(hours.end(), keys.begin(), keys.end());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const double next = i + 1 < keys.size() ? keys[i + 1] : keys[0] + format::kDay_h;
-    hours.push_back(format::wrapTime(0.5 * (keys[i] + next)));
-  }
-  std::sort(hours.begin(), hours.end());
-  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
-  return hours;
-}
-
-/// Errors of an instant by channel, before the division.
-struct InstantErrors {
-  double error[3] = {};
-  Number3 normal[3];
-  double sum[3] = {};
-  std::size_t normals = 0;
-
-  void at(const Number3& direction, const Number3& got, const Number3& want) {
-    ++normals;
-    for (int c = 0; c < 3; ++c) {
-      const double off = std::abs(got[c] - want[c]);
-      sum[c] += off;
-      if (off <= error[c]) continue;
-      error[c] = off;
-      normal[c] = direction;
-    }
-  }
-};
-
-class Instant {
+/// An instant of a file beside that of its model.
+class Measured {
  public:
-  Instant(const WelkinSky* opened, const model::Sky& model, const DayInstant& at)
-      : opened_(opened), at_(at), instant_(model, at.time_h) {
-    if (welkin_sky_sample(opened, at.time_h, &sample_) != WELKIN_OK)
-      throw base::Error(base::ExitStatus::internal, "the certificate: the runtime cannot sample the baked sky");
-    const Number3& sun = instant_.sunDirection();
-    const double length = det::horizontalLength(sun);
-    along_ = length > 0.0 ? Number3(sun.x / length, 0.0, sun.z / length) : Number3(0.0, 0.0, 1.0);
-    ground_ = instant_.groundRadiance(at.field.moments.horizontal_irradiance);
-  }
+  Measured(const WelkinSky* opened, const model::Sky& sky, const DayInstant& at)
+      : model(sky, at), opened_(opened), sample_(sampleOf(opened, at.time_h)) {}
 
-  /// World direction of a normal in the sun's frame, on either side of the sun's plane.
-  Number3 inWorld(const Number3& n, double side) const {
-    return along_ * n.z + Number3(along_.z, 0.0, -along_.x) * (side * n.x) + Number3(0.0, n.y, 0.0);
-  }
-  const model::SkyInstant& model() const { return instant_; }
+  const ModelInstant model;
 
   /// `shape` is the sky's irradiance at the normal, at intensity 1.
   void measure(const Number3& normal, const Number3& shape, InstantErrors& errors) const {
-    const float n[3] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
-    float e[3];
-    welkin_sky_irradiance(opened_, &sample_, n, e);
-    const Number3 want =
-        det::desaturate(shape * at_.intensity + ground_ * det::groundIrradiance(normal.y), at_.saturation);
-    errors.at(normal, {double{e[0]}, double{e[1]}, double{e[2]}}, want);
+    errors.at(normal, irradianceOf(opened_, sample_, normal), model.irradiance(normal, shape));
   }
 
  private:
   const WelkinSky* opened_;
-  const DayInstant& at_;
-  model::SkyInstant instant_;
-  WelkinSkySample sample_{};
-  Number3 along_, ground_;
+  WelkinSkySample sample_;
 };
 
-InstantErrors errorsAt(const Instant& instant, const table::DayValues& day, std::size_t i) {
+InstantErrors errorsAt(const Measured& instant, const table::DayValues& day, std::size_t i) {
   InstantErrors errors;
   const std::size_t normals = day.grid->count();
   for (std::size_t p = 0; p < normals; ++p)
-    instant.measure(instant.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0),
+    instant.measure(instant.model.inWorld(day.grid->normal(p).inSunFrame(), p % 2 == 0 ? 1.0 : -1.0),
                     day.value[i * normals + p], errors);
   return errors;
 }
@@ -171,10 +121,10 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
   const model::SkyProjector direct(baked.sky.luminance, 1, kFullTolerance);
   std::vector<InstantErrors> errors(instants.size());
   tbb::parallel_for(std::size_t{0}, errors.size(), [&](std::size_t i) {
-    const Instant instant(opened, baked.sky, instants[i]);
+    const Measured instant(opened, baked.sky, instants[i]);
     errors[i] = errorsAt(instant, day, i);
     if (how != Certify::full) return;
-    for (const Number3& n : kSpread) instant.measure(n, direct.irradiance(instant.model(), n), errors[i]);
+    for (const Number3& n : kSpread) instant.measure(n, direct.irradiance(instant.model.instant(), n), errors[i]);
     progress.step();
   });
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -203,6 +153,19 @@ void add(const WelkinSky* opened, const Baked& baked, Certify how, const table::
 
 }  // namespace
 
+std::vector<double> instantsOf(const model::Sky& sky, const table::DayTable& table, double step_h) {
+  std::vector<double> hours = table::hoursOfInterest(sky, step_h);
+  const auto& keys = table.key_time_h;
+  hours.insert(hours.end(), keys.begin(), keys.end());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double next = i + 1 < keys.size() ? keys[i + 1] : keys[0] + format::kDay_h;
+    hours.push_back(format::wrapTime(0.5 * (keys[i] + next)));
+  }
+  std::sort(hours.begin(), hours.end());
+  hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
+  return hours;
+}
+
 const char* nameOf(Certify certify) {
   switch (certify) {
     case Certify::none:
@@ -216,7 +179,7 @@ const char* nameOf(Certify certify) {
 }
 
 std::size_t certifySteps(const Baked& baked, Certify how) {
-  return instantsOf(baked, kMinute_h).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
+  return instantsOf(baked.sky, baked.table, kMinute_h).size() * (how == Certify::full ? 2 : 1) + kQuadratureChecks;
 }
 
 table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const base::Progress& progress,
@@ -225,7 +188,7 @@ table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify 
   table::Certificate certificate;
   certificate.method = how == Certify::full ? table::Certificate::Method::full : table::Certificate::Method::fast;
   Mean mean;
-  const std::vector<double> hours = instantsOf(baked, step_h);
+  const std::vector<double> hours = instantsOf(baked.sky, baked.table, step_h);
   for (std::size_t first = 0; first < hours.size(); first += kInstantsAtOnce) {
     const std::size_t last = std::min(first + kInstantsAtOnce, hours.size());
     const table::DayFields fields = table::sampleDay(

@@ -26,11 +26,14 @@ struct Baked {
   double window_strength = 0.0;  ///< of the window on the table's coefficients (sh/window.h)
 };
 
-/// Measures `opened`, the file of `baked`, at every `step_h` hours of the day, every key, the middle between two keys,
-/// and the instants where the sun's path bends. `fast` compares with the sky's irradiance at 884 normals on both sides
-/// of the sun's plane (sky/model/irradiance.h). `full` adds direct integration (sky/model/projection.h, 1e-5) at 642
-/// evenly spread normals, which takes minutes. The numbers are the same for any number of threads. Throws
-/// Error(interrupted).
+/// The hours that a certificate looks at: every `step_h`, the keys, the middle between two keys, and where the sun's
+/// path bends. Ascending.
+std::vector<double> instantsOf(const model::Sky& sky, const table::DayTable& table, double step_h);
+
+/// Measures `opened`, the file of `baked`, at instantsOf the day. `fast` compares with the sky's irradiance at 884
+/// normals on both sides of the sun's plane (sky/model/irradiance.h). `full` adds direct integration
+/// (sky/model/projection.h, 1e-5) at 642 evenly spread normals, which takes minutes. The numbers are the same for any
+/// number of threads. Throws Error(interrupted).
 table::Certificate certify(const WelkinSky* opened, const Baked& baked, Certify how, const base::Progress& progress,
                            double step_h = kMinute_h);
 

@@ -64,10 +64,11 @@ Offset<format::Day> encodeDay(FlatBufferBuilder& b, const table::DayTable& table
 
 Offset<format::Certificate> encodeCertificate(FlatBufferBuilder& b, const table::Certificate& c) {
   const format::Direction normal(c.normal.x, c.normal.y, c.normal.z);
-  return format::CreateCertificate(
-      b, static_cast<std::uint8_t>(c.method), c.max_error, c.time_h, &normal, static_cast<std::uint8_t>(c.channel),
-      c.mean_error, c.parts.quadrature, c.parts.truncation, c.parts.time, c.parts.encoding, c.cubemaps.max_error,
-      c.cubemaps.time_h, c.cubemaps.resolution, c.cubemaps.time, c.cubemaps.encoding, c.dome_error);
+  return format::CreateCertificate(b, static_cast<std::uint8_t>(c.method), c.max_error, c.time_h, &normal,
+                                   static_cast<std::uint8_t>(c.channel), c.mean_error, c.parts.quadrature,
+                                   c.parts.truncation, c.parts.time, c.parts.encoding, c.cubemaps.max_error,
+                                   c.cubemaps.time_h, c.cubemaps.resolution, c.cubemaps.time, c.cubemaps.encoding,
+                                   c.dome_error, c.blends.max_error, c.blends.time_h);
 }
 
 }  // namespace

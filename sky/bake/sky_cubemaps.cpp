@@ -43,7 +43,7 @@ void writeImages(const SkyFile& file, const SkyPlan& plan, SkyOutputs& outputs, 
          {std::pair(cubemap::Layout::exr_cube, ".exr"), {cubemap::Layout::exr_latlong, "_latlong.exr"}}) {
       const auto image = cubemap::renderDome(instant, ground, layout, plan.cubemap_size, images);
       saturated += image.saturated;
-      outputs.write("cubemaps/" + cubemapName(time_h) + suffix,
+      outputs.write("cubemaps/" + cubemapName(time_h, file.name) + suffix,
                     cubemap::encodeExr(image, layout, file.sky.luminance_unit, images));
     }
     images.step();

@@ -27,10 +27,12 @@ struct Input {
 Input inputOf(const std::string& name, const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct SkyFile {
+  std::string name = "sky";  ///< of the outputs: NAME.welkin, NAME.json, cubemaps/NAME_HHMMSSmmm.exr
   model::Sky sky;
   BakeSettings bake;
   std::string settings;  ///< sky.toml as JSON, keys sorted
   std::vector<Input> inputs;
+  std::vector<Input> family;             ///< inputs of the other skies that share its modes; empty for a sky alone
   std::vector<model::Warning> warnings;  ///< each message begins with sky.toml's name, without folders, and the line
 };
 

@@ -18,9 +18,9 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-std::string cubemapName(double time_h) {
+std::string cubemapName(double time_h, const std::string& sky) {
   const long ms = cubemap::millisecondOf(time_h);
-  return fmt::format("sky_{:02}{:02}{:02}{:03}", ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
+  return fmt::format("{}_{:02}{:02}{:02}{:03}", sky, ms / 3600000, ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
 }
 
 void SkyOutputs::add(const std::string& name, std::span<const std::byte> bytes) {
@@ -32,15 +32,16 @@ void SkyOutputs::write(const std::string& name, std::span<const std::byte> bytes
   add(name, bytes);
 }
 
-void removeLeftovers(const std::filesystem::path& folder, const Json& outputs) {
-  static const std::regex kOurs("sky_[0-9]{9}(_latlong)?\\.exr");
+void removeLeftovers(const std::filesystem::path& folder, const std::string& sky, const Json& outputs) {
+  static const std::regex kOurs("_[0-9]{9}(_latlong)?\\.exr");
   const auto isOutput = [&](const std::string& name) {
     return std::any_of(outputs.begin(), outputs.end(), [&](const Json& o) { return o["file"] == "cubemaps/" + name; });
   };
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "cubemaps", error)) {
     const std::string name = entry.path().filename().string();
-    if (std::regex_match(name, kOurs) && !isOutput(name)) std::filesystem::remove(entry.path(), error);
+    if (name.starts_with(sky) && std::regex_match(name.substr(sky.size()), kOurs) && !isOutput(name))
+      std::filesystem::remove(entry.path(), error);
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace welkin::bake {
 
-/// File name of the cubemap of a time, without suffix: sky_HHMMSSmmm, to the nearest millisecond.
-std::string cubemapName(double time_h);
+/// File name of the cubemap of a time, without suffix: SKY_HHMMSSmmm, to the nearest millisecond.
+std::string cubemapName(double time_h, const std::string& sky = "sky");
 
 /// Writes outputs, and lists them for record and report.
 class SkyOutputs {
@@ -31,7 +31,8 @@ class SkyOutputs {
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
 };
 
-/// Removes cubemaps of earlier bakes that a finished one, whose outputs are listed, has not.
-void removeLeftovers(const std::filesystem::path& folder, const nlohmann::ordered_json& outputs);
+/// Removes cubemaps of earlier bakes of a sky that a finished one, whose outputs are listed, has not.
+void removeLeftovers(const std::filesystem::path& folder, const std::string& sky,
+                     const nlohmann::ordered_json& outputs);
 
 }  // namespace welkin::bake

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "sh/spiral.h"
-#include "sh/window.h"
 #include "sky/bake/left_out.h"
+#include "sky/bake/mildest_window.h"
 #include "sky/base/error.h"
 #include "sky/cubemap/dome_error.h"
 
@@ -29,36 +28,6 @@ std::vector<double> instantsFor(const SkyFile& file, double step_h) {
   std::sort(hours.begin(), hours.end());
   hours.erase(std::unique(hours.begin(), hours.end()), hours.end());
   return hours;
-}
-
-/// Lessens the bands of a table of coefficients by the mildest window that keeps irradiance from being negative.
-double applyMildestWindow(table::DayTable& table) {
-  constexpr int kNormals = 642;
-  std::vector<det::Number3> normals;
-  for (int i = 0; i < kNormals; ++i) {
-    const det::Number3 d = sh::onSpiral(1.0 - (2.0 * i + 1.0) / kNormals, i);
-    normals.push_back({d.z, d.x, d.y});
-  }
-  const auto channels = static_cast<std::size_t>(table.channels);
-  const auto count = static_cast<std::size_t>(table.bands * table.bands);
-  std::vector<double> sets;  // the frame's pole as the basis' own: a rotation changes no irradiance
-  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
-    for (std::size_t c = 0; c < channels; ++c) {
-      std::vector<double> set(count);
-      for (int l = 0; l < table.bands; ++l)
-        for (int m = 0; m <= l; ++m)
-          set[static_cast<std::size_t>(sh::indexOf(l, m))] =
-              table.number[key * table.numbersOfKey() + model::polarIndex(l, m) * channels + c];
-      sets.insert(sets.end(), set.begin(), set.end());
-    }
-  const sh::Window window = sh::mildestWindow(sets, table.bands, normals);
-  for (std::size_t key = 0; key < table.key_time_h.size(); ++key)
-    for (int l = 0; l < table.bands; ++l)
-      for (int m = 0; m <= l; ++m)
-        for (std::size_t c = 0; c < channels; ++c)
-          table.number[key * table.numbersOfKey() + model::polarIndex(l, m) * channels + c] *=
-              window.factor[static_cast<std::size_t>(l)];
-  return window.strength;
 }
 
 base::Error cannotMeet(const SkyFile& file, const char* key, double budget, const std::string& best) {
@@ -152,6 +121,18 @@ SkyPlanner::~SkyPlanner() = default;
 SkyPlan SkyPlanner::plan(double aim) {
   SkyPlan plan;
   planTable(aim, plan);
+  return finished(std::move(plan));
+}
+
+SkyPlan SkyPlanner::planWith(table::DayPlan table) {
+  SkyPlan plan;
+  take(std::move(table), plan);
+  return finished(std::move(plan));
+}
+
+SkyPlan SkyPlanner::finished(SkyPlan plan) {
+  if (file_.bake.mildest_window) plan.window_strength = applyMildestWindow(plan.table);
+  plan.table_bytes = table::bytesOf(plan.representation, plan.table, plan.encoding);
   planCubemaps(plan);
   planGradients(plan);
   plan.left_out = leftOut(file_, plan);
@@ -168,9 +149,8 @@ void SkyPlanner::lookAt(std::vector<double> time_h) {
   day_->add(time_h, brightest(), progress_.stage("plan", time_h.size()), ruleFor(file_));
 }
 
-void SkyPlanner::planTable(double aim, SkyPlan& plan) {
+void SkyPlanner::checkSettings() const {
   const BakeSettings& bake = file_.bake;
-  const bool fits = bake.reconstruction != table::Reconstruction::projected;
   if (bake.mildest_window && bake.reconstruction == table::Reconstruction::modes)
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: bake.window = 'mildest': must be \"off\" with modes: it is one of coefficients",
@@ -181,55 +161,74 @@ void SkyPlanner::planTable(double aim, SkyPlan& plan) {
         fmt::format("{}: bake.reconstruction = \"modes\" needs a budget, max_error or --quality: it says how many",
                     file_.inputs.front().path.string()));
   checkTarget(file_);
-  if ((bake.max_error || fits) && !day_) {
-    const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
-    day_ =
-        std::make_unique<Day>(file_, step_h, brightest(), progress_.stage("plan", instantsFor(file_, step_h).size()));
-  }
-  if (bake.max_error) {
-    table::PlanRequest request;
-    request.max_error = aim;
-    if (bake.fixed.bands) request.bands = bake.bands;
-    if (bake.fixed.reconstruction) request.reconstruction = bake.reconstruction;
-    if (bake.mildest_window) request.reconstruction = table::Reconstruction::projected;
-    request.sh_bands = bake.target.sh_bands;
-    if (bake.fixed.encoding) request.encoding = bake.encoding;
-    if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
-    table::DayPlan day = table::planDay(day_->values, request, progress_);
-    if (!day.met && day.predicted_error > *bake.max_error)
-      throw cannotMeet(file_, "max_error", *bake.max_error,
-                       fmt::format("the least error of the irradiance is {}, by {}, {} keys and {} numbers: "
-                                   "{} bytes{}",
-                                   leastText(day.predicted_error), day.representation.name(),
-                                   day.table.key_time_h.size(), nameOf(day.encoding), day.bytes,
-                                   bake.target.sh_bands == 0
-                                       ? ""
-                                       : fmt::format("; target = \"{}\" reads no more than {} bands; modes hold less "
-                                                     "error: --target modes, and shaders/welkin/modes.glsl in the game",
-                                                     bake.target.name, bake.target.sh_bands)));
-    plan.representation = std::move(day.representation);
-    plan.table = std::move(day.table);
-    plan.encoding = day.encoding;
-    plan.quadrature.circles = &ruleFor(file_);
-    plan.predicted_error = day.predicted_error;
-    plan.considered = std::move(day.considered);
-  } else {
-    plan.table =
-        table::bakeDayTable(file_.sky, bake.bands, bake.key_time_h, progress_.stage("table", bake.key_time_h.size()));
-    plan.encoding = bake.encoding;
-    plan.representation.bands = bake.bands;
-    plan.representation.fitted = fits;
-    if (fits) {
-      const auto& hours = day_->fields.instant;
-      std::vector<std::size_t> keys;
-      for (std::size_t i = 0; i < hours.size(); ++i)
-        if (std::binary_search(bake.key_time_h.begin(), bake.key_time_h.end(), hours[i].time_h)) keys.push_back(i);
-      plan.table = table::tableAt(day_->values, table::coefficientsOf(day_->values, bake.bands, true), keys);
-      plan.quadrature.circles = &ruleFor(file_);
-    }
-  }
-  if (bake.mildest_window) plan.window_strength = applyMildestWindow(plan.table);
-  plan.table_bytes = table::bytesOf(plan.representation, plan.table, plan.encoding);
+}
+
+void SkyPlanner::sample() {
+  if (day_) return;
+  const BakeSettings& bake = file_.bake;
+  const double step_h = bake.max_error ? samplingStep_h(*bake.max_error) : format::kDay_h;
+  day_ = std::make_unique<Day>(file_, step_h, brightest(), progress_.stage("plan", instantsFor(file_, step_h).size()));
+}
+
+table::FamilyMember SkyPlanner::member(double aim) {
+  const BakeSettings& bake = file_.bake;
+  checkSettings();
+  sample();
+  table::PlanRequest request;
+  request.max_error = aim;
+  if (bake.fixed.bands) request.bands = bake.bands;
+  if (bake.fixed.reconstruction) request.reconstruction = bake.reconstruction;
+  if (bake.mildest_window) request.reconstruction = table::Reconstruction::projected;
+  request.sh_bands = bake.target.sh_bands;
+  if (bake.fixed.encoding) request.encoding = bake.encoding;
+  if (bake.fixed.keys) request.key_time_h = bake.key_time_h;
+  return {&day_->values, std::move(request)};
+}
+
+void SkyPlanner::take(table::DayPlan day, SkyPlan& plan) const {
+  const BakeSettings& bake = file_.bake;
+  if (!day.met && day.predicted_error > *bake.max_error)
+    throw cannotMeet(file_, "max_error", *bake.max_error,
+                     fmt::format("the least error of the irradiance is {}, by {}, {} keys and {} numbers: "
+                                 "{} bytes{}",
+                                 leastText(day.predicted_error), day.representation.name(), day.table.key_time_h.size(),
+                                 nameOf(day.encoding), day.bytes,
+                                 bake.target.sh_bands == 0
+                                     ? ""
+                                     : fmt::format("; target = \"{}\" reads no more than {} bands; modes hold less "
+                                                   "error: --target modes, and shaders/welkin/modes.glsl in the game",
+                                                   bake.target.name, bake.target.sh_bands)));
+  plan.representation = std::move(day.representation);
+  plan.table = std::move(day.table);
+  plan.encoding = day.encoding;
+  plan.quadrature.circles = &ruleFor(file_);
+  plan.predicted_error = day.predicted_error;
+  plan.considered = std::move(day.considered);
+}
+
+void SkyPlanner::planTable(double aim, SkyPlan& plan) {
+  if (!file_.bake.max_error) return planWithoutBudget(plan);
+  const table::FamilyMember request = member(aim);
+  take(table::planDay(*request.day, request.request, progress_), plan);
+}
+
+void SkyPlanner::planWithoutBudget(SkyPlan& plan) {
+  const BakeSettings& bake = file_.bake;
+  checkSettings();
+  const bool fits = bake.reconstruction != table::Reconstruction::projected;
+  if (fits) sample();
+  plan.table =
+      table::bakeDayTable(file_.sky, bake.bands, bake.key_time_h, progress_.stage("table", bake.key_time_h.size()));
+  plan.encoding = bake.encoding;
+  plan.representation.bands = bake.bands;
+  plan.representation.fitted = fits;
+  if (!fits) return;
+  const auto& hours = day_->fields.instant;
+  std::vector<std::size_t> keys;
+  for (std::size_t i = 0; i < hours.size(); ++i)
+    if (std::binary_search(bake.key_time_h.begin(), bake.key_time_h.end(), hours[i].time_h)) keys.push_back(i);
+  plan.table = table::tableAt(day_->values, table::coefficientsOf(day_->values, bake.bands, true), keys);
+  plan.quadrature.circles = &ruleFor(file_);
 }
 
 void SkyPlanner::planCubemaps(SkyPlan& plan) {

@@ -10,7 +10,7 @@
 #include "sky/bake/sky_file.h"
 #include "sky/base/progress.h"
 #include "sky/cubemap/cubemap_plan.h"
-#include "sky/table/plan.h"
+#include "sky/table/family_plan.h"
 
 namespace welkin::bake {
 
@@ -56,6 +56,11 @@ class SkyPlanner {
   /// the budget cannot be met, with the best that can be had and its cost; Error(interrupted).
   SkyPlan plan(double aim);
 
+  /// The same in two steps, for skies that are planned together, under a budget: the day and what its table must keep;
+  /// and the plan with a table that was made of these. Throws as plan.
+  table::FamilyMember member(double aim);
+  SkyPlan planWith(table::DayPlan table);
+
   /// After a plan under a budget: the next ones look at these hours of the day as well. Throws Error(interrupted).
   void lookAt(std::vector<double> time_h);
 
@@ -65,6 +70,11 @@ class SkyPlanner {
  private:
   struct Day;
   void planTable(double aim, SkyPlan& plan);
+  void planWithoutBudget(SkyPlan& plan);
+  void take(table::DayPlan table, SkyPlan& plan) const;
+  void checkSettings() const;
+  void sample();
+  SkyPlan finished(SkyPlan plan);
   void planCubemaps(SkyPlan& plan);
   void planGradients(SkyPlan& plan);
 

@@ -26,13 +26,24 @@ bool isThere(const fs::path& path) {
   return fs::exists(path, none);
 }
 
-Json requestJson(const BakeSettings& bake, Certify certify) {
-  return {{"method", kSkyBakeVersion},
-          {"max_error", bake.max_error ? Json(*bake.max_error) : Json()},
-          {"cubemap_error", bake.cubemap_error ? Json(*bake.cubemap_error) : Json()},
-          {"target", bake.target.name},
-          {"certify", nameOf(certify)},
-          {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
+/// Null for a sky alone.
+Json familyJson(const SkyFile& file) {
+  Json inputs;
+  for (const Input& input : file.family)
+    inputs.push_back({{"name", input.name}, {kChecksum, base::textOf({input.xxh3_low, input.xxh3_high})}});
+  return inputs;
+}
+
+Json requestJson(const SkyFile& file, Certify certify) {
+  const BakeSettings& bake = file.bake;
+  Json json = {{"method", kSkyBakeVersion},
+               {"max_error", bake.max_error ? Json(*bake.max_error) : Json()},
+               {"cubemap_error", bake.cubemap_error ? Json(*bake.cubemap_error) : Json()},
+               {"target", bake.target.name},
+               {"certify", nameOf(certify)},
+               {"cubemaps", !(bake.fixed.cubemaps && bake.cubemap_time_h.empty())}};  // a level may need none
+  if (Json family = familyJson(file); !family.is_null()) json["family"] = std::move(family);
+  return json;
 }
 
 /// A file's name may hold bytes that are no UTF-8, which JSON does not allow.
@@ -47,7 +58,7 @@ std::string checksumOf(Json record) {
 }
 
 /// Whether `made` has all that reports, plans and comparisons take from it.
-bool isMade(const Json& made, const Json& request) {
+bool isMade(const std::string& sky, const Json& made, const Json& request) {
   Json form = {
       {"table", {{"name", ""}, {"channels", 0}, {"encoding", ""}, {"keys", 0}, {"quadrature", ""}, {"bytes", 0}}},
       {"cubemaps", {{"count", 0}, {"size", 0}, {"format", ""}, {"bytes", 0}}},
@@ -65,10 +76,13 @@ bool isMade(const Json& made, const Json& request) {
                            {"parts", {{"quadrature", 0.0}, {"truncation", 0.0}, {"time", 0.0}, {"encoding", 0.0}}}};
   if (made.contains("certificate") && made["certificate"].contains("cubemaps"))
     form["certificate"]["cubemaps"] = {{"max_error", 0.0}};
-  static const std::regex kNames("sky\\.welkin|cubemaps/sky_[0-9]{9}(_latlong)?\\.exr");
-  return base::hasForm(made, form) &&
-         std::all_of(made["outputs"].begin(), made["outputs"].end(),
-                     [](const Json& output) { return std::regex_match(output["file"].get<std::string>(), kNames); });
+  static const std::regex kCubemaps("_[0-9]{9}(_latlong)?\\.exr");
+  const std::string cubemaps = "cubemaps/" + sky;
+  return base::hasForm(made, form) && std::all_of(made["outputs"].begin(), made["outputs"].end(), [&](const Json& o) {
+           const std::string name = o["file"];
+           return name == sky + ".welkin" ||
+                  (name.starts_with(cubemaps) && std::regex_match(name.substr(cubemaps.size()), kCubemaps));
+         });
 }
 
 /// Null where it is not a whole record.
@@ -134,43 +148,61 @@ format::Fault noSky(const format::File& file) {
 }  // namespace
 
 SkyState skyState(const fs::path& folder, const SkyFile& file, Certify certify) {
-  if (folder.empty() || !isThere(folder / "sky.welkin")) return {"missing", {}};
+  const std::string record_name = file.name + ".json";
+  const fs::path baked = folder / (file.name + ".welkin");
+  if (folder.empty() || !isThere(baked)) return {"missing", {}};
   Names changed;
   try {
-    const auto bytes = base::readFile(folder / "sky.welkin");
+    const auto bytes = base::readFile(baked);
     addChanged(file.inputs, openChecked(bytes, "it", format::Kind::sky, noSky).inputs(), changed);
   } catch (const base::Error& e) {
     if (e.status() != base::ExitStatus::content) throw;
     return {std::string("unreadable: ") + e.what(), {}};
   }
-  if (!isThere(folder / "sky.json")) return {"missing: sky.json", {}};
-  Json record = readRecord(folder / "sky.json");
-  if (record.is_null()) return {"unreadable: sky.json", {}};
-  const Json request = requestJson(file.bake, certify);
+  if (!isThere(folder / record_name)) return {"missing: " + record_name, {}};
+  Json record = readRecord(folder / record_name);
+  if (record.is_null()) return {"unreadable: " + record_name, {}};
+  const Json request = requestJson(file, certify);
   for (const auto& [key, value] : request.items())
     if (record["request"].value(key, Json("")) != value) changed.add(key);
+  if (record["request"].contains("family") && !request.contains("family")) changed.add("family");
   if (!changed.text().empty()) return {"changed: " + changed.text(), {}};
-  if (!isMade(record["made"], request)) return {"unreadable: sky.json", {}};
+  if (!isMade(file.name, record["made"], request)) return {"unreadable: " + record_name, {}};
   std::string difference = differenceOf(folder, record["made"]["outputs"]);
   if (!difference.empty()) return {std::move(difference), {}};
   return {"", std::move(record["made"])};
 }
 
-Json checkedRecord(const fs::path& folder) {
-  const fs::path path = folder / "sky.json";
+Json checkedRecord(const fs::path& folder, const std::string& sky) {
+  const std::string name = sky + ".json";
+  const fs::path path = folder / name;
   if (!isThere(path)) return {};
   Json record = readRecord(path);
-  if (record.is_null() || !isMade(record["made"], record["request"]))
+  if (record.is_null() || !isMade(sky, record["made"], record["request"]))
     throw base::Error(base::ExitStatus::content, path.string() + ": is damaged or was edited; bake again");
   const std::string difference = differenceOf(folder, record["made"]["outputs"]);
   if (!difference.empty())
     throw base::Error(difference.starts_with("missing") ? base::ExitStatus::file : base::ExitStatus::content,
-                      fmt::format("{}: outputs that sky.json lists are {}; bake again", folder.string(), difference));
+                      fmt::format("{}: outputs that {} lists are {}; bake again", folder.string(), name, difference));
   return std::move(record["made"]);
 }
 
-std::string recordText(const BakeSettings& bake, Certify certify, const Json& made) {
-  Json record = {{"request", requestJson(bake, certify)}, {"made", made}};
+std::vector<std::string> recordedSkies(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == ".welkin" && isThere(fs::path(path).replace_extension(".json")))
+      names.push_back(path.stem().string());
+  }
+  if (isThere(folder / "sky.json") && std::find(names.begin(), names.end(), "sky") == names.end())
+    names.emplace_back("sky");
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string recordText(const SkyFile& file, Certify certify, const Json& made) {
+  Json record = {{"request", requestJson(file, certify)}, {"made", made}};
   record[kChecksum] = checksumOf(record);
   return textOf(record, 2) + "\n";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a sky's bake, DIR/sky.json: what it was asked for and what it made. By it the next bake sees that there
-// is nothing to do, and reports the same. It is no part of sky.welkin, which games load.
+// The record of a sky's bake, DIR/NAME.json: what it was asked for and what it made. By it the next bake sees that
+// there is nothing to do, and reports the same. It is no part of NAME.welkin, which games load. NAME is "sky", but for
+// a sky of a family.
 #pragma once
 
 #include <filesystem>
@@ -31,16 +32,19 @@ struct SkyState {
   nlohmann::ordered_json made;  ///< when it is up to date: what recordText was told of it
 };
 
-/// Compares sky.welkin, its inputs and checksum, what its bake was asked for, and every output that the record has the
+/// Compares NAME.welkin, its inputs and checksum, what its bake was asked for, and every output that the record has the
 /// checksum of, with what a bake into `folder` (none: a new one) of `file` would be. Throws Error(file) for what is
 /// there and cannot be read.
 SkyState skyState(const std::filesystem::path& folder, const SkyFile& file, Certify certify);
 
-/// The outputs that sky.json of a folder records; null without the file. Throws Error: content where it is damaged,
-/// or where an output that it lists is another file; file where one is missing.
-nlohmann::ordered_json checkedRecord(const std::filesystem::path& folder);
+/// The outputs that the record of a sky of a folder lists; null without the file. Throws Error: content where it is
+/// damaged, or where an output that it lists is another file; file where one is missing.
+nlohmann::ordered_json checkedRecord(const std::filesystem::path& folder, const std::string& sky = "sky");
 
-/// The content of sky.json, with a checksum of itself. `made` has "outputs": of each "file" and "xxh3_128".
-std::string recordText(const BakeSettings& bake, Certify certify, const nlohmann::ordered_json& made);
+/// The names of the skies of a folder that have a record, sorted.
+std::vector<std::string> recordedSkies(const std::filesystem::path& folder);
+
+/// The content of NAME.json, with a checksum of itself. `made` has "outputs": of each "file" and "xxh3_128".
+std::string recordText(const SkyFile& file, Certify certify, const nlohmann::ordered_json& made);
 
 }  // namespace welkin::bake

@@ -48,6 +48,12 @@ struct Certificate {
     double resolution = 0.0, time = 0.0, encoding = 0.0;  ///< parts
   } cubemaps;
   double dome_error = 0.0;  ///< error of the analytic dome, in the same measure; gradient rounding causes it
+
+  /// Largest error of the blends with the other skies of its family, as max_error; 0 for a sky alone.
+  struct Blends {
+    double max_error = 0.0;
+    double time_h = 0.0;
+  } blends;
 };
 
 }  // namespace welkin::table

@@ -99,6 +99,13 @@ DayFields::Error DayFields::errorOf(const DayInstant& at, const ErrorGrid& grid,
   return worst;
 }
 
+Number3 divisorOf(const Number3& mean, double brightest) {
+  const double luminance = det::luminanceOf(mean);
+  Number3 divisor(std::max(mean.x, luminance), std::max(mean.y, luminance), std::max(mean.z, luminance));
+  for (int c = 0; c < 3; ++c) divisor[c] = std::max(divisor[c], kDarkest * brightest);
+  return divisor;
+}
+
 double brightestOf(const model::Sky& sky) {
   constexpr double kQuarter_h = 0.25;
   double brightest = 0.0;
@@ -118,13 +125,10 @@ DayFields sampleDay(const model::Sky& sky, const std::vector<double>& time_h, do
     at.field = projector.fieldOf(instant);
     at.intensity = instant.intensity();
     at.saturation = sky.ambient_saturation.at(time_h[i]);
-    const Number3 mean = meanAmbient(instant, at.field, at.saturation);
-    const double luminance = det::luminanceOf(mean);
-    at.divisor = {std::max(mean.x, luminance), std::max(mean.y, luminance), std::max(mean.z, luminance)};
+    at.mean = meanAmbient(instant, at.field, at.saturation);
+    at.divisor = divisorOf(at.mean, brightest);
     progress.step();
   });
-  for (DayInstant& at : day.instant)
-    for (int c = 0; c < 3; ++c) at.divisor[c] = std::max(at.divisor[c], kDarkest * brightest);
   return day;
 }
 

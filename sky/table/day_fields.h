@@ -54,6 +54,7 @@ struct DayInstant {
   model::IrradianceField field;
   double intensity = 1.0;
   double saturation = 1.0;
+  Number3 mean{0.0};     ///< by channel: ambient irradiance over all normals, ground included, after desaturation
   Number3 divisor{0.0};  ///< by channel; docs/conventions.md, "Irradiance error"; 0 only where the whole day is black
 };
 
@@ -69,6 +70,9 @@ struct DayFields {
   Error errorOf(const DayInstant& at, const ErrorGrid& grid, std::span<const Number3> shape,
                 const Number3& horizontal) const;
 };
+
+/// The divisor of irradiance errors where the irradiance has that mean over the normals. `brightest`: of the day.
+Number3 divisorOf(const Number3& mean, double brightest);
 
 /// The largest divisor of the day, by quarter hours. Far darker instants are divided by a share of it.
 double brightestOf(const model::Sky& sky);

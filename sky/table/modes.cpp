@@ -13,10 +13,11 @@ namespace {
 constexpr std::size_t kRows = model::IrradianceProjector::kRows;
 constexpr std::size_t kOrders = model::IrradianceProjector::kOrders;
 constexpr std::size_t kOrdersCompared = 12;  ///< the remaining orders follow these and weigh nothing
-constexpr std::size_t kBasis = 20;
-constexpr std::size_t kSteps = 24;        ///< steps of the refinement; more gain only a few hundredths
-constexpr std::size_t kSnapshots = 300;   ///< about as many snapshots are searched for modes
-constexpr std::size_t kNormalsApart = 4;  ///< every so many of the grid's normals are compared
+constexpr std::size_t kBasis = 20;           ///< for one day
+constexpr std::size_t kBasisMore = 8;        ///< for each further day
+constexpr std::size_t kSteps = 24;           ///< steps of the refinement; more gain only a few hundredths
+constexpr std::size_t kSnapshots = 300;      ///< about as many snapshots are searched for modes
+constexpr std::size_t kNormalsApart = 4;     ///< every so many of the grid's normals are compared
 
 }  // namespace
 
@@ -54,23 +55,27 @@ std::vector<double> DayModes::vectorOf(const FieldChannel& channel) {
   return v;
 }
 
-DayModes::DayModes(const DayFields& day, const ErrorGrid& grid) {
+DayModes::DayModes(const DayFields& day, const ErrorGrid& grid) : DayModes(std::array{&day}, grid) {}
+
+DayModes::DayModes(std::span<const DayFields* const> days, const ErrorGrid& grid) {
   std::vector<FieldChannel> channel;
   std::vector<double> rows;
-  const std::size_t apart = std::max<std::size_t>(1, day.instant.size() * 3 / kSnapshots);
-  const int channels = isGrey(*day.sky) ? 1 : 3;
-  for (std::size_t i = 0; i < day.instant.size(); i += apart)
-    for (int c = 0; c < channels; ++c) {
-      const DayInstant& at = day.instant[i];
-      if (!(at.divisor[c] > 0.0)) continue;
-      channel.push_back(FieldChannel().add(FieldChannel(at.field, c), at.intensity / at.divisor[c]));
-      const std::vector<double> vector = vectorOf(channel.back());
-      rows.insert(rows.end(), vector.begin(), vector.end());
-    }
+  for (const DayFields* day : days) {
+    const std::size_t apart = std::max<std::size_t>(1, day->instant.size() * 3 / kSnapshots);
+    const int channels = isGrey(*day->sky) ? 1 : 3;
+    for (std::size_t i = 0; i < day->instant.size(); i += apart)
+      for (int c = 0; c < channels; ++c) {
+        const DayInstant& at = day->instant[i];
+        if (!(at.divisor[c] > 0.0)) continue;
+        channel.push_back(FieldChannel().add(FieldChannel(at.field, c), at.intensity / at.divisor[c]));
+        const std::vector<double> vector = vectorOf(channel.back());
+        rows.insert(rows.end(), vector.begin(), vector.end());
+      }
+  }
   if (channel.empty()) return;
 
   const std::size_t dimension = rows.size() / channel.size();
-  const sh::Modes leading = sh::leadingModes({rows, dimension}, {}, kBasis);
+  const sh::Modes leading = sh::leadingModes({rows, dimension}, {}, kBasis + kBasisMore * (days.size() - 1));
   const auto directions = sh::asRows(leading.vector, dimension);
   const sh::RowMatrix share = sh::asRows(rows, dimension) * directions.transpose();  // channel, mode
   const Eigen::VectorXd energy = share.colwise().squaredNorm();

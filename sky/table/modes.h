@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The modes of a day's irradiance: the few functions whose combinations give every hour and channel of one sky. They
-// come from a singular value decomposition (Eckart and Young 1936) of the irradiance over time, with each instant
-// divided by its mean. They are then refined for the worst instant instead of the mean square.
+// The modes of a day's irradiance: the few functions whose combinations give every hour and channel of one sky, or of
+// the skies of a family. They come from a singular value decomposition (Eckart and Young 1936) of the irradiance over
+// time, with each instant divided by its mean. They are then refined for the worst instant instead of the mean square.
 #pragma once
 
 #include <array>
@@ -22,12 +22,14 @@ struct ModeSet {
   std::vector<double> weightsOf(std::span<const double> field) const;
 };
 
-/// Finds the modes of a day.
+/// Finds the modes of a day, or those that several days share.
 class DayModes {
  public:
   static constexpr std::size_t kMost = 12;  ///< the most a file may hold
 
   DayModes(const DayFields& day, const ErrorGrid& grid);
+  /// Of all days together. Every day counts alike, whatever its number of instants.
+  DayModes(std::span<const DayFields* const> days, const ErrorGrid& grid);
 
   /// Returns the best `count` modes, 1 to kMost. Fewer when the day has no more.
   ModeSet best(std::size_t count) const;
@@ -37,9 +39,9 @@ class DayModes {
   static std::vector<double> vectorOf(const FieldChannel& channel);
 
  private:
-  std::vector<FieldChannel> basis_;  ///< more modes than a file may hold; they span the day
+  std::vector<FieldChannel> basis_;  ///< more modes than a file may hold; they span the days
   std::vector<std::vector<double>> vector_;
-  std::vector<double> snapshot_;  ///< coefficients of the day's channels in that basis, divided by their divisors
+  std::vector<double> snapshot_;  ///< coefficients of the days' channels in that basis, divided by their divisors
   std::vector<double> values_;    ///< values of the basis, by normal and mode
 };
 

@@ -14,26 +14,7 @@ namespace welkin::table {
 using det::Number3;
 namespace {
 
-/// Sizes of mode maps to try, in order of growing bytes.
-struct MapSize {
-  int columns, rows;
-};
-constexpr MapSize kMaps[] = {{5, 3}, {5, 5}, {9, 5}, {9, 7}, {9, 9}, {9, 13}, {13, 13}, {17, 17}, {17, 25}, {25, 25}};
-
-/// Largest gain expected of a minimax fit. A fit costs 0.2 s a day, so only tables this close are fitted.
-constexpr double kWorthFitting = 1.7;
-constexpr int kFallbackBands = 3;          // Bands of the samples beside modes, unless the file says.
 constexpr std::size_t kInstantsApart = 4;  // in the first look at a candidate; keys are placed with all instants
-
-/// The largest error of every kInstantsApart-th instant when it is a key.
-double errorAtKeys(const DayValues& day, const Representation& r) {
-  std::vector<double> error((day.day->instant.size() + kInstantsApart - 1) / kInstantsApart);
-  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
-    const std::size_t at = i * kInstantsApart;
-    error[i] = errorOf(day, r, at, {r.weight.data() + at * r.rows, r.rows}).value;
-  });
-  return *std::max_element(error.begin(), error.end());
-}
 
 /// Indices of the instants at fixed keys. Every fixed key was sampled.
 std::vector<std::size_t> fixedKeys(const DayValues& day, const std::vector<double>& time_h) {
@@ -94,6 +75,11 @@ class Planner {
     candidates_.push_back({std::move(r), {std::move(name), error}});
   }
   void collect() {
+    if (request_.shared) {
+      const SharedModes& m = *request_.shared;
+      add(modesOf(day_, *m.set, weightsOf(day_, *m.set), m.columns, m.rows, request_.bands.value_or(kFallbackBands)));
+      return;
+    }
     const int most = request_.sh_bands > 0 ? request_.sh_bands : 5;
     if (request_.reconstruction != Reconstruction::modes)
       for (int bands = request_.bands.value_or(2); bands <= request_.bands.value_or(most); ++bands)
@@ -198,6 +184,15 @@ class Planner {
 };
 
 }  // namespace
+
+double errorAtKeys(const DayValues& day, const Representation& r) {
+  std::vector<double> error((day.day->instant.size() + kInstantsApart - 1) / kInstantsApart);
+  tbb::parallel_for(std::size_t{0}, error.size(), [&](std::size_t i) {
+    const std::size_t at = i * kInstantsApart;
+    error[i] = errorOf(day, r, at, {r.weight.data() + at * r.rows, r.rows}).value;
+  });
+  return *std::max_element(error.begin(), error.end());
+}
 
 std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding encoding) {
   return r.fixedBytes() + format::bytesOfTable(encoding, table.key_time_h.size(), table.numbersOfKey());

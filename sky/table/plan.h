@@ -10,6 +10,12 @@
 
 namespace welkin::table {
 
+/// Modes that a table must weigh, and the size of their map: those that the skies of a family share.
+struct SharedModes {
+  const ModeSet* set = nullptr;  ///< must outlive the plan
+  int columns = 0, rows = 0;
+};
+
 /// The request, and the choices that the sky file fixes.
 struct PlanRequest {
   double max_error = 0.01;  ///< of the irradiance; docs/conventions.md
@@ -17,7 +23,8 @@ struct PlanRequest {
   std::optional<Reconstruction> reconstruction;
   int sh_bands = 0;  ///< bands of SH that are all the light's reader can use; 0: it reads modes and any bands
   std::optional<Encoding> encoding;
-  std::vector<double> key_time_h;  ///< fixed keys; empty: keys go where they are needed
+  std::vector<double> key_time_h;     ///< fixed keys; empty: keys go where they are needed
+  std::optional<SharedModes> shared;  ///< in place of everything that a plan may choose but keys and encoding
 };
 
 /// One of the ways that were tried.
@@ -37,6 +44,21 @@ struct DayPlan {
   std::size_t bytes = 0;  ///< bytes of table and modes
   std::vector<PlanChoice> considered;
 };
+
+/// Sizes of modes' maps to try, in order of growing bytes.
+struct MapSize {
+  int columns, rows;
+};
+inline constexpr MapSize kMaps[] = {{5, 3},  {5, 5},   {9, 5},   {9, 7},   {9, 9},
+                                    {9, 13}, {13, 13}, {17, 17}, {17, 25}, {25, 25}};
+
+/// Largest gain expected of a minimax fit. A fit costs 0.2 s a day, so only tables this close are fitted.
+inline constexpr double kWorthFitting = 1.7;
+
+inline constexpr int kFallbackBands = 3;  ///< bands of the samples beside modes, unless the file says
+
+/// The largest error of every fourth instant when it is a key: a first look at a representation.
+double errorAtKeys(const DayValues& day, const Representation& r);
 
 /// Bytes of a table as it is stored, modes included.
 std::size_t bytesOf(const Representation& r, const DayTable& table, Encoding encoding);

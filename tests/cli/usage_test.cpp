@@ -37,7 +37,7 @@ TEST_CASE("Usage, UnknownAndMissingWords") {
                 {{"bake", "sky.toml"}, "-o"},
                 {{"bake", "sky.toml", "-o"}, "-o"},
                 {{"bake", "sky.toml", "-o", "out", "--fast"}, "--fast"},
-                {{"bake", "sky.toml", "-o", "out", "another"}, "another"},
+                {{"merge", "out", "another"}, "another"},
                 {{"bake", "sky.toml", "-o", "out", "--threads", "-1"}, "--threads"},
                 {{"bake", "sky.toml", "-o", "out", "--threads", "many"}, "many"},
                 {{"bake", "sky.toml", "-o", "out", "--progress", "loud"}, "loud"},

@@ -6,6 +6,8 @@
 #include <random>
 #include <welkin/level.hpp>
 
+#include "sky/bake/encode.h"
+#include "sky/table/family_plan.h"
 #include "tests/runtime/random_level.h"
 
 namespace welkin::tests {
@@ -187,6 +189,40 @@ TEST_CASE("Level, ColoursGiveTheIrradianceOfEveryNormal") {
   }
 }
 
+/// The colours at many points of a level lit by a sample.
+std::vector<double> lightOfAll(OpenedLevel& opened, const WelkinSkySample& sample) {
+  WelkinLevelLight light{};
+  light.sample = &sample;
+  light.sky = light.sun_bounce = light.local = 1.0F;
+  REQUIRE(welkin_level_set_light(opened.level, &light) == WELKIN_OK);
+  REQUIRE(welkin_level_relight(opened.level, UINT32_MAX, nullptr) == WELKIN_OK);
+  std::vector<double> numbers;
+  for (const Point& p : somePoints(200)) {
+    WelkinColours colours;
+    REQUIRE(welkin_level_colours(opened.level, 1, &p.position, &colours, nullptr) == WELKIN_OK);
+    for (const auto& rgb : colours.irradiance)
+      numbers.insert(numbers.end(), {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}});
+  }
+  return numbers;
+}
+
+/// Requires that a relight by the blend is the blend of both relights. Returns the blend.
+WelkinSkySample requireFollows(OpenedLevel& opened, const WelkinSkySample& clear, const WelkinSkySample& storm) {
+  WelkinSkySample blended{};
+  REQUIRE(welkin_sample_blend(&clear, &storm, 0.3F, &blended) == WELKIN_OK);
+  const auto first = lightOfAll(opened, clear), second = lightOfAll(opened, storm), mixed = lightOfAll(opened, blended);
+  double largest = 0.0, worst = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    largest = std::max(largest, std::abs(first[i]));
+    apart = std::max(apart, std::abs(mixed[i] - first[i]));
+    worst = std::max(worst, std::abs(mixed[i] - (0.7 * first[i] + 0.3 * second[i])));
+  }
+  CHECK(largest > 0.0);
+  CHECK(apart > 0.1 * largest);
+  CHECK(worst < 1e-5 * largest);  // floats
+  return blended;
+}
+
 TEST_CASE("Level, ProbesFollowABlendOfSkies") {
   const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
   OpenedLevel opened(baked);
@@ -199,31 +235,47 @@ TEST_CASE("Level, ProbesFollowABlendOfSkies") {
     storm.sun.normal_irradiance[c] *= 0.05F;
   }
   storm.sun.illuminance *= 0.05F;
-  const auto lightOfAll = [&](const WelkinSkySample& sample) {
-    WelkinLevelLight light{};
-    light.sample = &sample;
-    light.sky = light.sun_bounce = light.local = 1.0F;
-    REQUIRE(welkin_level_set_light(opened.level, &light) == WELKIN_OK);
-    REQUIRE(welkin_level_relight(opened.level, UINT32_MAX, nullptr) == WELKIN_OK);
-    std::vector<double> numbers;
-    for (const Point& p : somePoints(200)) {
-      WelkinColours colours;
-      REQUIRE(welkin_level_colours(opened.level, 1, &p.position, &colours, nullptr) == WELKIN_OK);
-      for (const auto& rgb : colours.irradiance)
-        numbers.insert(numbers.end(), {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}});
-    }
-    return numbers;
-  };
-  WelkinSkySample blended{};
-  REQUIRE(welkin_sample_blend(&clear, &storm, 0.3F, &blended) == WELKIN_OK);
-  const auto first = lightOfAll(clear), second = lightOfAll(storm), mixed = lightOfAll(blended);
-  double largest = 0.0, worst = 0.0;
-  for (std::size_t i = 0; i < mixed.size(); ++i) {
-    largest = std::max(largest, std::abs(first[i]));
-    worst = std::max(worst, std::abs(mixed[i] - (0.7 * first[i] + 0.3 * second[i])));
+  requireFollows(opened, clear, storm);
+}
+
+TEST_CASE("Level, ProbesFollowABlendOfAFamily") {
+  bake::SkyFile files[] = {skyOfLevel(), skyOfLevel()};
+  model::Sky& storm = files[1].sky;
+  storm.luminance = *model::findLuminance("cie-2");
+  storm.intensity = base::Curve::constant(0.3);
+  storm.sun.illuminance = base::Curve::constant(0.2);
+  std::vector<double> hours;
+  for (int i = 0; i < 24; ++i) hours.push_back(i);
+  const table::ErrorGrid grid;
+  std::vector<table::DayFields> fields;
+  std::vector<table::DayValues> values;
+  for (const bake::SkyFile& file : files)
+    fields.push_back(table::sampleDay(file.sky, hours, table::brightestOf(file.sky), {}));
+  for (const table::DayFields& day : fields) values.emplace_back(day, grid);
+  std::vector<table::FamilyMember> family = {{&values[0], {}}, {&values[1], {}}};
+  for (table::FamilyMember& member : family) {
+    member.request.max_error = 0.05;
+    member.request.reconstruction = table::Reconstruction::modes;
   }
-  CHECK(largest > 0.0);
-  CHECK(worst < 1e-5 * largest);  // floats
+  const auto plan = table::planFamily(family);
+  RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
+  baked.sky = bake::encodeSky(files[0], plan[0].table, {}, plan[0].encoding);
+  OpenedLevel opened(baked);
+  const AlignedBytes bytes(bake::encodeSky(files[1], plan[1].table, {}, plan[1].encoding));
+  Sky second;
+  REQUIRE(second.open(bytes.data(), bytes.size));
+  WelkinSkySample of_second{};
+  REQUIRE(second.sample(9.0, of_second));
+  const WelkinSkySample blended = requireFollows(opened, opened.sampleAt(9.0), of_second);
+  CHECK(blended.mode_count == static_cast<std::uint32_t>(plan[0].table.modes->count));
+  // The sectors fit every sky of the family that has the level's paths and ground.
+  WelkinOpenInfo info{};
+  const AlignedBytes index(sectors::encodeLevel(baked.index));
+  info.data = index.data();
+  info.size = index.size;
+  WelkinLevel* level = nullptr;
+  CHECK(welkin_level_open(&info, second.get(), nullptr, &level, nullptr) == WELKIN_OK);
+  welkin_level_close(level);
 }
 
 TEST_CASE("Level, FilesOfDifferentBakesAreRefused") {

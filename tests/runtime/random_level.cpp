@@ -46,20 +46,6 @@ transfer::EncodedProbes randomProbes(std::size_t n, std::size_t modes, bool emit
   return p;
 }
 
-bake::SkyFile skyFile() {
-  bake::SkyFile file;
-  file.sky.ground_albedo = model::Number3(0.3, 0.2, 0.1);
-  file.sky.sun.path.latitude_rad = 0.6;
-  file.sky.sun.path.declination_rad = 0.2;
-  file.sky.sun.illuminance = base::Curve::constant(5.0);
-  file.sky.sun.colour = base::Curve::constant(model::Number3(1.0, 0.8, 0.6));
-  file.sky.moon = file.sky.sun;
-  file.sky.moon->path.transit_h = 3.0;  // for some hours both are up
-  file.settings = "{}";
-  file.bake.key_time_h = {0.0, 6.0, 12.0, 18.0};
-  return file;
-}
-
 /// Random transfers of some of the lights to each probe.
 transfer::EncodedLocal randomLocal(const std::vector<f64::Number3>& lights, const f64::Number3& corner,
                                    std::size_t probes, std::size_t transfers, std::mt19937& random) {
@@ -93,10 +79,24 @@ AlignedBytes::AlignedBytes(std::span<const std::byte> bytes)
   std::memcpy(static_cast<void*>(room.data()), bytes.data(), bytes.size());
 }
 
+bake::SkyFile skyOfLevel() {
+  bake::SkyFile file;
+  file.sky.ground_albedo = model::Number3(0.3, 0.2, 0.1);
+  file.sky.sun.path.latitude_rad = 0.6;
+  file.sky.sun.path.declination_rad = 0.2;
+  file.sky.sun.illuminance = base::Curve::constant(5.0);
+  file.sky.sun.colour = base::Curve::constant(model::Number3(1.0, 0.8, 0.6));
+  file.sky.moon = file.sky.sun;
+  file.sky.moon->path.transit_h = 3.0;  // for some hours both are up
+  file.settings = "{}";
+  file.bake.key_time_h = {0.0, 6.0, 12.0, 18.0};
+  return file;
+}
+
 RandomLevel::RandomLevel(int count, std::size_t probes, std::size_t modes, transfer::SunTransfer sun, bool emits,
                          unsigned seed) {
   std::mt19937 random(seed);
-  const bake::SkyFile file = skyFile();
+  const bake::SkyFile file = skyOfLevel();
   sky = bake::encodeSky(file, table::bakeDayTable(file.sky, 3, file.bake.key_time_h, {}), {});
   for (int i = 0; i < count; ++i) {
     sectors::SectorFile s;

@@ -11,8 +11,12 @@
 #include "probes/sectors/level_index.h"
 #include "probes/sectors/level_light.h"
 #include "probes/sectors/sector_file.h"
+#include "sky/bake/sky_file.h"
 
 namespace welkin::tests {
+
+/// The sky that the sectors of every random level are baked for.
+bake::SkyFile skyOfLevel();
 
 /// Bytes at an address that the runtime accepts.
 struct AlignedBytes {

@@ -18,7 +18,8 @@ namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string file, folder, report, depfile;
+  std::vector<std::string> files;
+  std::string folder, report, depfile;
   std::string shard, sectors;
   ProgressOption progress;
   ThreadsOption threads;
@@ -33,7 +34,8 @@ void bake(const Options& options) {
   catchInterrupts();
   const auto limit = options.threads.limit();
   build::BakeRequest request;
-  request.file = options.file;
+  request.file = options.files.front();
+  request.more.assign(options.files.begin() + 1, options.files.end());
   request.folder = options.folder;
   request.report = options.report;
   request.depfile = options.depfile;
@@ -52,9 +54,7 @@ void bake(const Options& options) {
   ProgressReport shown(options.progress.style());
   const nlohmann::ordered_json report = build::bakeFile(request, shown.progress());
   printWarnings(report["warnings"], told);
-  if (report.contains("certificate"))
-    std::fputs(fmt::format("welkin: {}{}\n", certificateText(report["certificate"]), remedyText(report)).c_str(),
-               stderr);
+  printCertificates(report);
   if (report.contains("surfaces"))
     std::fputs(fmt::format("welkin: {}\n", surfacesText(report["surfaces"])).c_str(), stderr);
 }
@@ -65,15 +65,16 @@ void addBake(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("bake", "Bake a sky file, or a level file's sky and sectors, into a folder");
   command
-      ->add_option("FILE", options->file,
-                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
+      ->add_option("FILE", options->files,
+                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors; or several sky "
+                   "files, a family: DIR/NAME.welkin of each NAME.toml, whose blends are as exact as each sky")
       ->required();
   command->add_option("-o", options->folder, "Folder of the outputs; made when missing")->required();
   options->threads.addTo(*command, "The outputs do not depend on it");
   command->add_option("--report", options->report, "Write the report here instead of DIR/report.json");
   command->add_option(
       "--depfile", options->depfile,
-      "Write the inputs here as a make rule of sky.welkin; of a level, level.welkin or the shard's part of it");
+      "Write the inputs here as a make rule of the sky; of a level, level.welkin or the shard's part of it");
   options->progress.addTo(*command);
   auto* shard = command->add_option("--shard", options->shard,
                                     "i/n: every n-th sector from the i-th, 0 <= i < n; shard 0 bakes the sky, too");

@@ -53,6 +53,24 @@ std::string remedyText(const Json& report) {
   return text;
 }
 
+void printCertificates(const Json& report) {
+  const auto print = [](const std::string& name, const Json& sky) {
+    if (sky.contains("certificate"))
+      std::fputs(fmt::format("welkin: {}{}{}\n", name, certificateText(sky["certificate"]), remedyText(sky)).c_str(),
+                 stderr);
+  };
+  if (!report.contains("skies")) return print("", report);
+  for (const auto& [name, sky] : report["skies"].items()) print(base::oneLine(name) + ": ", sky);
+  if (!report.contains("blends")) return;
+  const Json& worst = report["blends"];
+  std::fputs(fmt::format("welkin: blends within {:.3g} % ({} and {}, weight {:g}, at {:.2f} h)\n",
+                         100.0 * worst["max_error"].get<double>(), base::oneLine(worst["skies"][0].get<std::string>()),
+                         base::oneLine(worst["skies"][1].get<std::string>()), worst["weight"].get<double>(),
+                         worst["time_h"].get<double>())
+                 .c_str(),
+             stderr);
+}
+
 void printWarning(const std::string& message) {
   std::fputs(fmt::format("welkin: warning: {}\n", base::oneLine(message)).c_str(), stderr);
 }

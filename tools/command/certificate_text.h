@@ -17,6 +17,9 @@ std::string surfacesText(const nlohmann::ordered_json& surfaces);
 /// The options that lower a report's errors, where these are large and no budget asked for them; else nothing.
 std::string remedyText(const nlohmann::ordered_json& report);
 
+/// Prints the certificate of a report to stderr, one line a sky, and one for the blends of a family.
+void printCertificates(const nlohmann::ordered_json& report);
+
 /// Prints a warning to stderr, on one line.
 void printWarning(const std::string& message);
 

@@ -78,8 +78,10 @@ void inspect(const std::string& path, bool as_json) {
   WelkinCertificate c{};
   welkin_sky_certificate(sky.get(), &c);
   if (c.method != WELKIN_CERTIFICATE_NONE)
-    fmt::print("irradiance within {:.3g} %, mean {:.3g} %{}\n", 100.0 * c.max_error, 100.0 * c.mean_error,
-               c.cubemap_error > 0.0 ? fmt::format("; cubemaps within {:.3g} %", 100.0 * c.cubemap_error) : "");
+    fmt::print(
+        "irradiance within {:.3g} %, mean {:.3g} %{}{}\n", 100.0 * c.max_error, 100.0 * c.mean_error,
+        c.blend_error > 0.0 ? fmt::format("; blends within its family within {:.3g} %", 100.0 * c.blend_error) : "",
+        c.cubemap_error > 0.0 ? fmt::format("; cubemaps within {:.3g} %", 100.0 * c.cubemap_error) : "");
   fmt::print("{:>7} {:>8} {:>9} {:>10} {:>10}  {}\n", "time_h", "sun az", "elevation", "sun illum.", "intensity",
              "ambient c0 (r, g, b)");
   for (std::uint32_t i = 0; i < info.key_count; ++i) {

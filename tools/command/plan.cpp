@@ -70,7 +70,8 @@ void drawPictures(const std::optional<build::LevelBake>& level, const std::files
 }
 
 struct Options {
-  std::string file, folder, pictures;
+  std::vector<std::string> files;
+  std::string folder, pictures;
   ProgressOption progress;
   CertifyOption certify;
   bool json = false;
@@ -105,13 +106,15 @@ void printSky(const nlohmann::ordered_json& plan, const bake::SkyFile& file, boo
   for (const auto& l : plan["left_out"])
     fmt::print("left out   {}: {}{}\n", text(l["what"]), text(l["why"]),
                number(l["bytes"]) > 0 ? fmt::format("; saves {} bytes", number(l["bytes"])) : "");
-  fmt::print("sky.welkin about {} bytes{}\n", number(plan["bytes"]), compares ? "  " + text(plan["sky"]["why"]) : "");
+  fmt::print("{}.welkin about {} bytes{}\n", file.name, number(plan["bytes"]),
+             compares ? "  " + text(plan["sky"]["why"]) : "");
 }
 
 void plan(const Options& options) {
   catchInterrupts();
   build::BakeRequest request;
-  request.file = options.file;
+  request.file = options.files.front();
+  request.more.assign(options.files.begin() + 1, options.files.end());
   request.folder = options.folder;
   request.max_error = options.budget.value();
   request.cubemap_error = options.cubemaps.value();
@@ -127,7 +130,8 @@ void plan(const Options& options) {
     fmt::print("{}", build::reportText(json));
     return;
   }
-  printSky(json, read.sky, !options.folder.empty());
+  for (const bake::SkyFile& sky : build::skiesOf(read))
+    printSky(json.contains("skies") ? json["skies"][sky.name] : json, sky, !options.folder.empty());
   if (read.level) printSectors(json["sectors"]);
 }
 
@@ -137,8 +141,9 @@ void addPlan(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("plan", "Say what a bake would make, and how large");
   command
-      ->add_option("FILE", options->file,
-                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors")
+      ->add_option("FILE", options->files,
+                   "sky.toml, or level.toml: its sky, with what the level requires, and its sectors; or several sky "
+                   "files, a family")
       ->required();
   command->add_option("-o", options->folder, "The folder of a bake: what of it is out of date, and why");
   command->add_option("--pictures", options->pictures,

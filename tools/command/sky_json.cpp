@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/sky_json.h"
 
+#include <fmt/format.h>
+
 #include "command/arguments.h"
 #include "format/cubemap_format.h"
 #include "sky/base/error.h"
@@ -34,7 +36,7 @@ Json keyJson(const Sky& sky, std::uint32_t index) {
 Json modesJson(const Sky& sky) {
   WelkinModes m{};
   welkin_sky_modes(sky.get(), &m);
-  return {{"count", m.count}, {"columns", m.columns}, {"rows", m.rows}};
+  return {{"count", m.count}, {"columns", m.columns}, {"rows", m.rows}, {"family", fmt::format("{:016x}", m.family)}};
 }
 
 /// The certificate; null if nothing was measured.
@@ -56,7 +58,8 @@ Json certificateJson(const Sky& sky) {
             {"time_h", c.cubemap_time_h},
             {"parts",
              {{"resolution", c.cubemap_resolution}, {"time", c.cubemap_blend}, {"encoding", c.cubemap_encoding}}}}},
-          {"dome", {{"max_error", c.dome_error}}}};
+          {"dome", {{"max_error", c.dome_error}}},
+          {"blends", {{"max_error", c.blend_error}, {"time_h", c.blend_time_h}}}};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "probes/build/level_files.h"
 #include "probes/build/sector_warnings.h"
 #include "probes/sectors/sector_file.h"
+#include "sky/bake/sky_record.h"
 #include "sky/bake/warnings.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
@@ -30,7 +31,9 @@ void validateFile(const std::string& path) {
     build::BakeRequest request;
     request.file = path;
     const build::BakeInput read = build::readInput(request, {});
-    Json warnings = bake::warningsJson(read.sky.warnings);
+    Json warnings = Json::array();
+    for (const bake::SkyFile& sky : build::skiesOf(read))
+      for (Json& warning : bake::warningsJson(sky.warnings)) warnings.push_back(std::move(warning));
     if (read.level) build::addWarnings(*read.level, warnings);
     return printWarnings(warnings);
   }
@@ -53,10 +56,21 @@ void requireNoSectors(const std::filesystem::path& folder) {
                                   folder.string()));
 }
 
-/// Checks a path. A folder stands for its sky and for all files that it records a checksum of.
+/// The skies of a folder, or the file itself.
+std::vector<std::string> skiesAt(const std::string& path) {
+  std::error_code error;
+  std::vector<std::string> skies;
+  if (std::filesystem::is_directory(path, error))
+    for (const std::string& name : bake::recordedSkies(path))
+      skies.push_back((std::filesystem::path(path) / (name + ".welkin")).string());
+  if (skies.empty()) skies.push_back(skyFileOf(path));
+  return skies;
+}
+
+/// Checks a path. A folder stands for its skies and for all files that it records a checksum of.
 void validatePath(const std::string& path) {
   if (!build::isLevelFolder(path)) requireNoSectors(path);
-  validateFile(skyFileOf(path));
+  for (const std::string& sky : skiesAt(path)) validateFile(sky);
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) build::checkFolder(path);
 }
@@ -69,7 +83,7 @@ void validate(const std::vector<std::string>& paths) {
       base::requireUnused(path);  // a bake at work is why the files do not agree
       throw;
     }
-    fmt::print("{}: ok\n", skyFileOf(path));
+    for (const std::string& sky : skiesAt(path)) fmt::print("{}: ok\n", sky);
   }
 }
 
