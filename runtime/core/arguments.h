@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
@@ -101,6 +102,24 @@ inline WelkinResult checkSample(const char* function, const char* name, const We
     return refuse(function, "%s->mode_count is %u, must be 0 to %d", name, sample->mode_count, WELKIN_MAX_MODES);
   if (!(sample->time_h >= 0.0 && sample->time_h < 24.0))
     return refuse(function, "%s->time_h is %g, must be in [0, 24)", name, sample->time_h);
+  return WELKIN_OK;
+}
+
+/// The family of a sample's modes; 0 if there is none, or if the caller's struct has no room for it.
+inline std::uint64_t familyOf(const WelkinSkySample& sample) {
+  constexpr std::size_t kEnd = offsetof(WelkinSkySample, mode_family) + sizeof sample.mode_family;
+  return sample.struct_size >= kEnd ? sample.mode_family : 0;
+}
+
+/// WELKIN_OK if a sample, which `checkSample` has checked, has no modes or those of a sky.
+inline WelkinResult checkModes(const char* function, const char* name, const WelkinSkySample& sample, std::size_t count,
+                               std::uint64_t family) {
+  if (sample.mode_count == 0) return WELKIN_OK;
+  if (sample.mode_count != count)
+    return refuse(function, "%s->mode_count is %u, must be 0 or the sky's, %zu", name, sample.mode_count, count);
+  if (familyOf(sample) != 0 && familyOf(sample) != family)
+    return refuse(function, "%s->mode_family is %#llx, must be the sky's, %#llx: its modes are those of another sky",
+                  name, static_cast<unsigned long long>(familyOf(sample)), static_cast<unsigned long long>(family));
   return WELKIN_OK;
 }
 

@@ -156,8 +156,7 @@ WelkinResult welkin_sky_constants(const WelkinSky* sky, const WelkinSkySample* s
   if (const auto r = checkBlock(__func__, constants, size)) return r;
   SkyShape shape;
   if (const auto r = shapeOf(sky, shape)) return r;
-  if (sample->mode_count != 0 && sample->mode_count != shape.modes.count)
-    return refuse(__func__, "sample->mode_count is %u, the sky has %u", sample->mode_count, shape.modes.count);
+  if (const auto r = checkModes(__func__, "sample", *sample, shape.modes.count, shape.modes.family)) return r;
   const WelkinSkyConstants packed_block = packConstants(shape, *sample);
   std::memcpy(constants, &packed_block, size);
   return WELKIN_OK;

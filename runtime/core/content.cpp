@@ -159,12 +159,12 @@ void checkCertificate(Check& check, const format::Certificate& c) {
   if (!check.that(c.normal() != nullptr, kName, "has no normal")) return;
   const double numbers[] = {c.max_error(),     c.mean_error(),       c.quadrature(),    c.truncation(),
                             c.time(),          c.encoding(),         c.cubemap_error(), c.cubemap_resolution(),
-                            c.cubemap_blend(), c.cubemap_encoding(), c.dome_error()};
+                            c.cubemap_blend(), c.cubemap_encoding(), c.dome_error(),    c.blend_error()};
   check.that(within(std::span<const double>(numbers), 0.0, kAny), kName, "has an error out of its domain");
   const double normal[] = {c.normal()->x(), c.normal()->y(), c.normal()->z()};
   check.that(within(std::span<const double>(normal), -1.0, 1.0) && c.channel() <= 2 && c.time_h() >= 0.0 &&
                  c.time_h() < 24.0 && c.cubemap_time_h() >= 0.0 && c.cubemap_time_h() < 24.0 &&
-                 (c.method() == 1 || c.method() == 2),
+                 c.blend_time_h() >= 0.0 && c.blend_time_h() < 24.0 && (c.method() == 1 || c.method() == 2),
              kName, "has a value out of its domain");
 }
 

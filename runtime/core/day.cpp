@@ -6,6 +6,7 @@
 #include "core/sky.h"
 #include "format/day_numbers.h"
 #include "format/key_segment.h"
+#include "format/mode_family.h"
 #include "format/mode_texels.h"
 
 namespace welkin::core {
@@ -42,6 +43,7 @@ Day::Day(const format::Day& day)
   format::visitEncoding(day.encoding(), [this](auto encoding) { blend_ = &Day::blend<encoding()>; });
   if (day.modes() == nullptr) return;
   modes_ = ModeMap(*day.modes());
+  family_ = format::familyOf(*day.modes());
   mode_sh_ = spanOf(day.modes()->polar_sh());
   mode_upwards_ = modes_.at(0.5, 1.0);
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/polar_frame.h"
@@ -50,6 +51,8 @@ class Day {
 
   std::size_t bands() const { return bands_; }
   const ModeMap& modes() const { return modes_; }
+  /// format::familyOf the modes; 0 without modes.
+  std::uint64_t family() const { return family_; }
 
  private:
   using Blend = void (Day::*)(double time_h, Channels* rows) const;
@@ -62,6 +65,7 @@ class Day {
   const std::uint8_t* numbers_ = nullptr;
   std::size_t bands_ = 0, rows_ = 0, channels_ = 0;
   ModeMap modes_;
+  std::uint64_t family_ = 0;
   std::span<const float> mode_sh_;                 ///< mode, coefficient
   std::array<double, kMostModes> mode_upwards_{};  ///< modes of the normal that looks up
 };

@@ -33,6 +33,12 @@ WelkinLight blendLights(const WelkinLight& a, const WelkinLight& b, float weight
   return light;
 }
 
+/// Whether the weights of both samples are of the same functions of the normal: the same modes about the same azimuth.
+bool shareModes(const WelkinSkySample& a, const WelkinSkySample& b) {
+  return a.mode_count > 0 && a.mode_count == b.mode_count && familyOf(a) != 0 && familyOf(a) == familyOf(b) &&
+         std::equal(a.mode_azimuth, a.mode_azimuth + 2, b.mode_azimuth);
+}
+
 /// Luminance of the light's irradiance on a surface that faces it, with the visible share.
 double facing(const WelkinLight& light) {
   return f64::luminanceOf(load(light.normal_irradiance)) * double{light.visible};
@@ -63,8 +69,7 @@ WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* 
   if (const auto r = checkSample(__func__, "sample", sample)) return r;
   if (sample->mode_count == 0) return welkin_sample_irradiance(sample, normal, irradiance);
   if (const auto r = unit(__func__, "normal", normal)) return r;
-  if (sample->mode_count != sky->day.modes().count())
-    return refuse(__func__, "sample->mode_count is %u, the sky has %zu", sample->mode_count, sky->day.modes().count());
+  if (const auto r = checkModes(__func__, "sample", *sample, sky->day.modes().count(), sky->day.family())) return r;
   const Number3 n = load(normal);
   const Number3 up = n.y < 0.0 ? -n : n;
   const double horizontal = f64::horizontalLength(up);
@@ -101,8 +106,14 @@ WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySa
     lerp3(first->ambient_sh[i], second->ambient_sh[i], weight, out.ambient_sh[i]);
   }
   lerp3(first->ambient_ground, second->ambient_ground, weight, out.ambient_ground);
-  out.mode_count = 0;  // two skies have two sets of modes
-  std::fill_n(&out.mode_weight[0][0], 3 * WELKIN_MAX_MODES, 0.0F);
+  if (shareModes(*first, *second)) {
+    for (std::uint32_t k = 0; k < out.mode_count; ++k)
+      lerp3(first->mode_weight[k], second->mode_weight[k], weight, out.mode_weight[k]);
+  } else {
+    out.mode_count = 0;
+    out.mode_family = 0;
+    std::fill_n(&out.mode_weight[0][0], 3 * WELKIN_MAX_MODES, 0.0F);
+  }
   out.unchanged = 0;
   give(out, blended);
   return WELKIN_OK;

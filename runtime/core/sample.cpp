@@ -61,6 +61,7 @@ void blendTable(const WelkinSky& opened, double time_h, double intensity, const 
   }
   store(ambient, 3 * modes, out.mode_weight[0]);
   out.mode_count = static_cast<std::uint32_t>(modes);
+  out.mode_family = opened.day.family();
   out.mode_azimuth[0] = toFloat(azimuth.sine * azimuth.share);
   out.mode_azimuth[1] = toFloat(azimuth.cosine * azimuth.share);
 }

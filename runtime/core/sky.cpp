@@ -126,7 +126,7 @@ WelkinResult welkin_sky_modes(const WelkinSky* sky, WelkinModes* modes) {
   if (const auto r = checkGetter(__func__, sky, "modes", modes)) return r;
   WelkinModes out{};
   if (const auto* m = sky->file->sky()->day()->modes(); m != nullptr)
-    out = {sizeof out, m->count(), m->columns(), m->rows(), m->texels()->data()};
+    out = {sizeof out, m->count(), m->columns(), m->rows(), m->texels()->data(), sky->day.family()};
   give(out, modes);
   return WELKIN_OK;
 }
@@ -151,7 +151,9 @@ WelkinResult welkin_sky_certificate(const WelkinSky* sky, WelkinCertificate* cer
            c->cubemap_resolution(),
            c->cubemap_blend(),
            c->cubemap_encoding(),
-           c->dome_error()};
+           c->dome_error(),
+           c->blend_error(),
+           c->blend_time_h()};
   give(out, certificate);
   return WELKIN_OK;
 }

@@ -17,16 +17,14 @@ void selectCubemaps(WelkinVulkanSky& o, uint32_t frame, uint32_t first, uint32_t
   o.frames[frame].cubemap[1] = second;
 }
 
-/// WELKIN_OK if the sample can light this object's frame: it has as many modes as the sky, or none.
+/// WELKIN_OK if the sample can light this object's frame: it has the modes of the sky, or none.
 WelkinResult checkFrame(const char* function, const WelkinVulkanSky* object, uint32_t frame, const char* name,
                         const WelkinSkySample* sample) {
   if (const auto r = nonNull(function, {{"object", object}})) return r;
   if (const auto r = core::checkSample(function, name, sample)) return r;
   if (frame >= object->frame_count)
     return refuse(function, "frame is %u, must be below frames_in_flight, %u", frame, object->frame_count);
-  if (sample->mode_count == 0 || sample->mode_count == object->shape.modes.count) return WELKIN_OK;
-  return refuse(function, "%s->mode_count is %u, must be 0 or the sky's, %u", name, sample->mode_count,
-                object->shape.modes.count);
+  return core::checkModes(function, name, *sample, object->shape.modes.count, object->shape.modes.family);
 }
 
 WelkinResult createFrames(WelkinVulkanSky& o, WelkinMessage* message) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Irradiance from a file's modes, by hand: positions in the map, lower normals, grey, encodings, blends.
+#include <welkin/sky_constants.h>
 #include <welkin/welkin.h>
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <random>
 
 #include "forge.h"
@@ -253,7 +256,7 @@ TEST_CASE("Modes, GreyIsTheSameInEveryChannel") {
     }
 }
 
-TEST_CASE("Modes, BlendsAndOtherSkiesHaveNone") {
+TEST_CASE("Modes, BlendsWithOtherSkiesHaveNone") {
   const Opened five(partsOf(randomModes(5, 3, 3)));
   const Opened four(partsOf(randomModes(4, 3, 3)));
   Parts plain_parts;
@@ -277,6 +280,86 @@ TEST_CASE("Modes, BlendsAndOtherSkiesHaveNone") {
     REQUIRE(welkin_sky_irradiance(sky, &blended, normal, e) == WELKIN_OK);
     CHECK(std::equal(e, e + 3, of_sample));
   }
+}
+
+/// Another sky of the same modes: other weights, intensity and ground.
+Parts stormOf(Parts parts) {
+  std::vector<float> numbers(parts.day.numbers.size() / sizeof(float));
+  std::memcpy(numbers.data(), parts.day.numbers.data(), parts.day.numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] *= i % 3 == 0 ? 0.25F : -0.5F;
+  for (std::size_t i = 0; i < numbers.size(); i += parts.day.rows * std::size_t{3}) numbers[i] += 3.0F;
+  parts.day.numbers = DayParts::bytesOf(numbers);
+  parts.albedo = format::Rgb(0.1F, 0.2F, 0.3F);
+  return parts;
+}
+
+TEST_CASE("Modes, BlendOfAFamilyIsTheBlendOfItsIrradiances") {
+  for (const std::uint8_t count : {3, 8, 12}) {
+    const Parts clear = partsOf(randomModes(count, 5, 4));
+    const Opened first(clear), second(stormOf(clear));
+    const WelkinSkySample a = first.at(9.0), b = second.at(9.0);
+    REQUIRE(a.mode_family != 0);
+    CHECK(a.mode_family == b.mode_family);
+    for (const float weight : {0.0F, 0.25F, 0.7F, 1.0F}) {
+      WelkinSkySample blended{};
+      REQUIRE(welkin_sample_blend(&a, &b, weight, &blended) == WELKIN_OK);
+      CHECK(blended.mode_count == count);
+      CHECK(blended.mode_family == a.mode_family);
+      for (const double y : {-1.0, -0.4, 0.0, 0.2, 0.9})
+        for (const double azimuth : {0.0, 1.2, 2.9}) {
+          const Number3 n = normalAt(a, azimuth, std::abs(y)) * (y < 0.0 ? -1.0 : 1.0);
+          const Number3 one = irradianceOf(first.sky, a, n), other = irradianceOf(second.sky, b, n);
+          if (std::min({one.x, one.y, one.z, other.x, other.y, other.z}) <= 0.0) continue;  // clamped at 0
+          const Number3 want = mix(one, other, double{weight});
+          for (const WelkinSky* sky : {first.sky, second.sky}) checkNear(irradianceOf(sky, blended, n), want, 40.0);
+        }
+      WelkinSkyConstants constants{}, of_first{};
+      REQUIRE(welkin_sky_constants(first.sky, &a, &constants, sizeof constants) == WELKIN_OK);
+      of_first = constants;
+      REQUIRE(welkin_sample_ambient_constants(&blended, &constants, sizeof constants) == WELKIN_OK);
+      CHECK(constants.mode_weight[0].y == blended.mode_weight[1][0]);
+      CHECK(constants.mode_weight[2].x == blended.mode_weight[0][2]);
+      CHECK(std::memcmp(&constants.mode_frame, &of_first.mode_frame, sizeof constants.mode_frame) == 0);
+    }
+  }
+}
+
+TEST_CASE("Modes, OnlyTheSameModesAboutTheSameAzimuthBlend") {
+  const Parts clear = partsOf(randomModes(5, 5, 4));
+  const Opened first(clear), second(stormOf(clear));
+  const WelkinSkySample a = first.at(9.0), b = second.at(9.0);
+  const auto modesOfBlend = [&](const WelkinSkySample& other) {
+    WelkinSkySample blended{};
+    REQUIRE(welkin_sample_blend(&a, &other, 0.5F, &blended) == WELKIN_OK);
+    CHECK((blended.mode_count == 0) == (blended.mode_family == 0));
+    return blended.mode_count;
+  };
+  CHECK(modesOfBlend(b) == 5);
+  CHECK(modesOfBlend(second.at(9.5)) == 0);  // the modes stand about the sun's azimuth
+  Parts parts = stormOf(clear);
+  parts.day.mode_texels[7] ^= 1;
+  const Opened other_map(parts);
+  CHECK(modesOfBlend(other_map.at(9.0)) == 0);
+  parts = stormOf(clear);
+  parts.day.mode_sh[2] += 0.25F;
+  CHECK(modesOfBlend(Opened(parts).at(9.0)) == 0);
+  WelkinSkySample old = b;  // of a program that does not know the field
+  old.struct_size = offsetof(WelkinSkySample, mode_family);
+  CHECK(modesOfBlend(old) == 0);
+
+  const float normal[3] = {0.6F, 0.0F, 0.8F};
+  float e[3];
+  CHECK(welkin_sky_irradiance(other_map.sky, &a, normal, e) == WELKIN_ERROR_ARGUMENT);
+  CHECK_THAT(welkin_argument_error(), Catch::Contains("another sky"));
+  WelkinSkyConstants constants{};
+  CHECK(welkin_sky_constants(other_map.sky, &a, &constants, sizeof constants) == WELKIN_ERROR_ARGUMENT);
+  CHECK(welkin_sky_irradiance(second.sky, &a, normal, e) == WELKIN_OK);
+  old = a;
+  old.struct_size = offsetof(WelkinSkySample, mode_family);
+  CHECK(welkin_sky_irradiance(first.sky, &old, normal, e) == WELKIN_OK);
+  WelkinModes modes{};
+  REQUIRE(welkin_sky_modes(second.sky, &modes) == WELKIN_OK);
+  CHECK(modes.family == a.mode_family);
 }
 
 TEST_CASE("Modes, FilterOfEightBits") {

@@ -148,13 +148,15 @@ typedef struct WelkinSkySample {
   float radiance_sh[WELKIN_MAX_COEFFICIENTS][3]; /* RGB radiance of sky and ground, before desaturation, no tint */
   float ambient_sh[WELKIN_MAX_COEFFICIENTS][3];  /* the same after desaturation: it lights the scene */
   float ambient_ground[3];                       /* ground_radiance after desaturation */
-  uint32_t mode_count;                           /* number of weights below; 0 without modes or after a blend */
+  uint32_t mode_count;                           /* number of weights below; 0 without modes, and after a blend of
+                                                    skies that do not share their modes */
   float mode_weight[WELKIN_MAX_MODES][3];        /* RGB weight of each mode, after desaturation. The weighted modes
                                                     sum to the sky's irradiance, pi included, without ground */
   float mode_azimuth[2]; /* x and z of the unit horizontal direction towards the sun's azimuth; within 1e-5 rad of
                             the zenith or the nadir it fades to 0 */
   uint32_t cubemap[2];   /* indices of the two cubemaps to blend; equal if there is one, 0 without */
   float cubemap_weight;  /* weight of the second cubemap, in [0, 1): sky = mix(first, second, weight) */
+  uint64_t mode_family;  /* WelkinModes::family of the modes that the weights are of; 0 without modes */
 } WelkinSkySample;
 
 /* Coefficients of the sky's relative luminance, in the form of the CIE standard general sky. The file
@@ -213,6 +215,7 @@ typedef struct WelkinModes {
   uint32_t count;         /* 0..12; 0 without modes */
   uint32_t columns, rows; /* 2..256 */
   const uint16_t* texels;
+  uint64_t family; /* hash of the modes, not 0; skies that were baked as a family share them. 0 without modes */
 } WelkinModes;
 
 /* The reference for the certificate's errors. */
@@ -237,7 +240,9 @@ typedef struct WelkinCertificate {
   double cubemap_error; /* root mean square over the upper hemisphere, divided by the dome's mean; 0 without cubemaps */
   double cubemap_time_h;                                      /* hour of cubemap_error, in [0, 24) */
   double cubemap_resolution, cubemap_blend, cubemap_encoding; /* parts of cubemap_error */
-  double dome_error; /* error of welkin_dome_radiance, measured as cubemap_error is */
+  double dome_error;   /* error of welkin_dome_radiance, measured as cubemap_error is */
+  double blend_error;  /* largest error of the blends with each sky of its family, as max_error; 0 for a sky alone */
+  double blend_time_h; /* hour of blend_error, in [0, 24) */
 } WelkinCertificate;
 
 #ifdef __cplusplus

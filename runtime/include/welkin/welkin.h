@@ -117,7 +117,7 @@ WELKIN_API WelkinResult welkin_sky_sample(const WelkinSky* sky, double time_h, W
 
 /* RGB irradiance of a surface from sky and ground: pi included, scene units, at least 0. `normal` is a unit vector. The
  * result comes from the modes if the sample has them, else from the ambient coefficients. The certificate measures this
- * function. `sample` comes from the same sky or from welkin_sample_blend; a sample with another number of modes is
+ * function. `sample` comes from the same sky or from welkin_sample_blend; a sample of other modes is
  * WELKIN_ERROR_ARGUMENT. */
 WELKIN_API WelkinResult welkin_sky_irradiance(const WelkinSky* sky, const WelkinSkySample* sample,
                                               const float normal[3], float irradiance[3]);
@@ -128,8 +128,9 @@ WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, 
                                                  float irradiance[3]);
 
 /* Blends two skies, for weather: lights, tint, ambient coefficients and ground. `weight`, in [0, 1], is the weight of
- * the second sky. Directions are blended and normalised. The blend has no modes: the coefficients give its irradiance.
- * Fields that belong to one file (luminance_norm, intensity, cubemaps) are copied from the first sample. So draw both
+ * the second sky. Directions are blended and normalised. Skies that were baked as a family share their modes: their
+ * blend has modes, and its irradiance is the blend of both. Other blends have none, nor have samples whose suns differ
+ * in azimuth: the coefficients give their irradiance. Fields that belong to one file (luminance_norm, intensity, cubemaps) are copied from the first sample. So draw both
  * domes, the second with `weight` as its opacity. Different coefficient counts and other weights are
  * WELKIN_ERROR_ARGUMENT. */
 WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,

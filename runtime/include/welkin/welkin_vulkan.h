@@ -144,9 +144,10 @@ WELKIN_API void welkin_vulkan_free_staging(WelkinVulkanSky* object);
 WELKIN_API WelkinResult welkin_vulkan_update(WelkinVulkanSky* object, uint32_t frame, const WelkinSkySample* sample);
 
 /* Replaces the ambient light in the constants of a frame index by that of a cross-blend from welkin_sample_blend. Call
- * it after welkin_vulkan_update of that frame index, else it is WELKIN_ERROR_ARGUMENT. A cross-blend has no modes:
- * light that frame with ambient.glsl. There modes.glsl gives the first two bands of the coefficients alone, as it does
- * for a file without modes. */
+ * it after welkin_vulkan_update of that frame index, else it is WELKIN_ERROR_ARGUMENT. modes.glsl
+ * lights that frame where the skies were baked as a family. Any other cross-blend has no modes: light that frame with
+ * ambient.glsl. There modes.glsl gives the first two bands of the coefficients alone, as it does for a file without
+ * modes. */
 WELKIN_API WelkinResult welkin_vulkan_update_ambient(WelkinVulkanSky* object, uint32_t frame,
                                                      const WelkinSkySample* blended);
 
