@@ -72,6 +72,7 @@ struct WelkinSector {
   welkin::probes::SectorLight now{};                              ///< the light of `pass`
   std::uint64_t pass = 0;      ///< WelkinLevel::instant at which the running pass began; 0: none
   std::uint32_t done = 0;      ///< probes that the running pass has relit
+  std::uint64_t arrival = 0;   ///< WelkinLevel::residents when it came
   std::uint64_t complete = 0;  ///< the instant that all probes have, or a later one; 0: none
   std::uint32_t slot = 0;      ///< place among the resident sectors
   bool resident = false;
@@ -91,6 +92,7 @@ struct WelkinLevel {
   welkin::probes::LevelLight light;
   std::uint64_t instant = 0;                                     ///< counts changes of the light; 0: none set
   std::uint64_t changes = 0;                                     ///< counts relightings and changes of the residents
+  std::uint64_t residents = 0;                                   ///< counts changes of the residents
   std::uint32_t next = 0;                                        ///< slot where relighting goes on
   welkin::probes::PackedLight packed;                            ///< of WelkinSector::packed
   welkin::core::HostArray<welkin::probes::RelightPiece> pieces;  ///< of the relighting that has begun

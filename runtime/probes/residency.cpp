@@ -59,6 +59,7 @@ WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector) {
   level->table.get()[bucket] = sector->slot + 1;
   level->probes += sector->probes;
   ++level->changes;
+  sector->arrival = ++level->residents;
   lightsCome(*level, *sector);
   return WELKIN_OK;
 }
@@ -81,6 +82,7 @@ WelkinResult welkin_level_remove(WelkinLevel* level, int32_t x, int32_t z, Welki
   --level->count;
   level->probes -= gone.probes;
   ++level->changes;
+  ++level->residents;
   gone.resident = false;
   return WELKIN_OK;
 }

@@ -68,12 +68,20 @@ void addBox(WelkinVolumeUpdate& update, const std::array<std::uint32_t, 3>& firs
   update.filled += size[0] * size[1] * size[2];
 }
 
+/// Adds the copy of the first slice to a run of slices that begins with it.
+void addFirstSlice(WelkinVolume& volume, std::uint32_t from, WelkinVolumeUpdate& update) {
+  if (from != 0) return;
+  copyFirstSlice(volume);
+  addBox(update, {0, 0, volume.count[2]}, {volume.count[0], volume.count[1], 1});
+}
+
 void fillAll(WelkinVolume& volume, const WelkinLevel& level, WelkinVolumeUpdate& update) {
   Cells high = volume.first;
   for (std::size_t a = 0; a < 3; ++a) high[a] += volume.count[a];
   fillCells(volume, level, volume.first, high);
   std::fill_n(volume.slice.get(), volume.count[2], volume.version);
-  addBox(update, {0, 0, 0}, volume.count);
+  copyFirstSlice(volume);
+  addBox(update, {0, 0, 0}, {volume.count[0], volume.count[1], volume.count[2] + 1});
 }
 
 /// Fills the slab of cells that the volume enters along an axis. `first` is the new corner.
@@ -92,11 +100,16 @@ void enter(WelkinVolume& volume, const WelkinLevel& level, const Cells& first, s
   for (const auto& [from, size] : {std::pair(start, until_end), std::pair(0U, width - until_end)}) {
     if (size == 0) continue;
     std::array<std::uint32_t, 3> corner{}, edges = volume.count;
+    edges[2] += 1;
     corner[axis] = from;
     edges[axis] = size;
     addBox(update, corner, edges);
-    if (axis == 2) std::fill_n(volume.slice.get() + from, size, volume.version);
+    if (axis == 2) {
+      std::fill_n(volume.slice.get() + from, size, volume.version);
+      addFirstSlice(volume, from, update);
+    }
   }
+  copyFirstSlice(volume);
 }
 
 /// Fills slices along z that show earlier light: at most two runs of neighbours.
@@ -128,11 +141,30 @@ void refresh(WelkinVolume& volume, const WelkinLevel& level, std::uint32_t max_t
       volume.slice.get()[s] = volume.version;
     }
     addBox(update, {0, 0, from}, {volume.count[0], volume.count[1], size});
+    addFirstSlice(volume, from, update);
     left -= size;
     ++runs;
     volume.next = (from + size) % slices;
   }
   for (std::uint32_t s = 0; s < slices; ++s) update.remaining += volume.slice.get()[s] != volume.version ? texels : 0;
+}
+
+/// Follows the cells along walls, and fills bricks that are new or show earlier light. `anew`: all of them, as another
+/// scale needs.
+void updateCuts(WelkinVolume& volume, const WelkinLevel& level, std::uint32_t max_texels, bool anew,
+                WelkinVolumeUpdate& out) {
+  constexpr std::uint32_t kWord = sizeof(std::uint32_t);
+  const CutChange change =
+      volume.cuts.update(level, volume.first[0], volume.first[2], volume.version, anew ? UINT32_MAX : max_texels);
+  out.cut_first = kWord * change.first_word;
+  out.cut_bytes = kWord * change.words;
+  out.bricks = volume.cuts.bricks();
+  out.cuts_left = volume.cuts.left();
+  out.remaining += volume.cuts.remaining();
+  if (change.layers == 0) return;
+  fillBricks(volume, change.first_layer, change.layers);
+  addBox(out, {0, 0, volume.count[2] + 1 + 3 * change.first_layer},
+         {volume.count[0], volume.count[1], 3 * change.layers});
 }
 
 void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sample, const Cells& first,
@@ -154,7 +186,8 @@ void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sam
   if (whole) {
     volume.first = first;
     volume.filled = true;
-    return fillAll(volume, level, out);
+    fillAll(volume, level, out);
+    return updateCuts(volume, level, max_texels, true, out);
   }
   for (std::size_t a = 0; a < 3; ++a) {
     if (first[a] == volume.first[a]) continue;
@@ -162,6 +195,7 @@ void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sam
   }
   volume.first = first;
   refresh(volume, level, max_texels, out);
+  updateCuts(volume, level, max_texels, false, out);
 }
 
 }  // namespace
@@ -187,6 +221,10 @@ WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVo
   const float height = s.texel_height_m == 0.0F ? 4.0F : s.texel_height_m;
   if (!(height >= 0.5F && height <= 1e4F))
     return refuse(__func__, "settings->texel_height_m is %g, must be 0 or 0.5 to 10000", double{s.texel_height_m});
+  constexpr std::uint32_t kUsualBricks = 4096, kMostBricks = 32760;
+  if (s.bricks > kMostBricks && s.bricks != WELKIN_VOLUME_NO_BRICKS)
+    return refuse(__func__, "settings->bricks is %u, must be 0 to %u or WELKIN_VOLUME_NO_BRICKS", s.bricks,
+                  kMostBricks);
   if (s.allocator != nullptr) {
     if (const auto r = sized(__func__, "settings->allocator", s.allocator)) return r;
     if (const auto r = nonNull(__func__, {{"settings->allocator->allocate", asPointer(s.allocator->allocate)},
@@ -197,8 +235,11 @@ WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVo
   made.format = s.format;
   made.texel_m = {welkin::format::kCellWidth_m, double{height}, welkin::format::kCellWidth_m};
   made.texel_bytes = s.format == WELKIN_VOLUME_RGBA16F ? 8 : 4;
-  const std::size_t texels = std::size_t{made.count[0]} * made.count[1] * made.count[2];
-  bool room = made.slice.allocate(made.memory, made.count[2]);
+  const std::uint32_t bricks = s.bricks == WELKIN_VOLUME_NO_BRICKS ? 0 : s.bricks == 0 ? kUsualBricks : s.bricks;
+  bool room = made.slice.allocate(made.memory, made.count[2]) &&
+              made.cuts.allocate(made.memory, made.count, double{height}, bricks);
+  made.depth = made.count[2] + 1 + 3 * made.cuts.layers();
+  const std::size_t texels = std::size_t{made.count[0]} * made.count[1] * made.depth;
   for (auto& channel : made.texels) room = room && channel.allocate(made.memory, texels * made.texel_bytes);
   void* place = room ? made.memory.allocate(sizeof(WelkinVolume), alignof(WelkinVolume)) : nullptr;
   if (place == nullptr) return WELKIN_ERROR_MEMORY;
@@ -237,6 +278,21 @@ WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, 
   if (const auto r = nonNull(__func__, {{"volume", volume}, {"texels", texels}, {"bytes", bytes}})) return r;
   if (channel > 2) return refuse(__func__, "channel is %u, must be 0 to 2", channel);
   *texels = volume->texels[channel].get();
-  *bytes = std::size_t{volume->count[0]} * volume->count[1] * volume->count[2] * volume->texel_bytes;
+  *bytes = std::size_t{volume->count[0]} * volume->count[1] * volume->depth * volume->texel_bytes;
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_volume_cuts(const WelkinVolume* volume, const void** words, size_t* bytes) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"words", words}, {"bytes", bytes}})) return r;
+  *words = volume->cuts.words().data();
+  *bytes = volume->cuts.words().size_bytes();
+  return WELKIN_OK;
+}
+
+WelkinResult welkin_volume_extent(const WelkinVolume* volume, uint32_t extent[3]) {
+  if (const auto r = nonNull(__func__, {{"volume", volume}, {"extent", extent}})) return r;
+  extent[0] = volume->count[0];
+  extent[1] = volume->count[1];
+  extent[2] = volume->depth;
   return WELKIN_OK;
 }

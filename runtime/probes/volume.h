@@ -8,13 +8,14 @@
 #include <cstdint>
 
 #include "probes/level.h"
+#include "probes/volume_cuts.h"
 
 namespace welkin::core {
 
 template <>
 inline constexpr std::size_t kFirstSize<WelkinVolumeSettings> = 32;
 template <>
-inline constexpr std::size_t kFirstSize<WelkinVolumeUpdate> = 208;
+inline constexpr std::size_t kFirstSize<WelkinVolumeUpdate> = 320;
 
 }  // namespace welkin::core
 
@@ -33,6 +34,10 @@ std::array<float, kDirections> unpackTexel(std::uint64_t word, WelkinVolumeForma
 
 /// Fills the texels of the cells from `low` up to but not including `high`.
 void fillCells(WelkinVolume& volume, const WelkinLevel& level, const Cells& low, const Cells& high);
+/// Copies the first slice along z to the one after the last.
+void copyFirstSlice(WelkinVolume& volume);
+/// Fills the texels of the bricks of `count` layers.
+void fillBricks(WelkinVolume& volume, std::uint32_t first, std::uint32_t count);
 
 }  // namespace welkin::probes
 
@@ -40,6 +45,7 @@ struct WelkinVolume {
   welkin::core::HostMemory memory;
   WelkinVolumeFormat format = WELKIN_VOLUME_RGBA16F;
   std::array<std::uint32_t, 3> count{};  ///< texels on each axis
+  std::uint32_t depth = 0;               ///< slices of the textures: count[2], a copy of the first, and bricks
   std::array<double, 3> texel_m{};
   std::size_t texel_bytes = 0;
   welkin::core::HostArray<std::byte> texels[3];
@@ -51,4 +57,5 @@ struct WelkinVolume {
   std::uint64_t version = 0;          ///< of the light that texels are filled with
   std::uint32_t next = 0;             ///< slice where filling goes on
   welkin::probes::TexelWords open{};  ///< beyond the resident sectors
+  welkin::probes::VolumeCuts cuts;
 };

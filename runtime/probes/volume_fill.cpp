@@ -116,4 +116,27 @@ void fillCells(WelkinVolume& volume, const WelkinLevel& level, const Cells& low,
     fill<std::uint32_t>(volume, level, low, high);
 }
 
+void copyFirstSlice(WelkinVolume& volume) {
+  const std::size_t bytes = volume.texel_bytes * volume.count[0] * volume.count[1];
+  for (auto& channel : volume.texels) std::memcpy(channel.get() + bytes * volume.count[2], channel.get(), bytes);
+}
+
+void fillBricks(WelkinVolume& volume, std::uint32_t first, std::uint32_t count) {
+  const VolumeCuts& cuts = volume.cuts;
+  for (std::uint32_t b = first * cuts.perLayer(); b < (first + count) * cuts.perLayer(); ++b) {
+    const BrickProbes* probes = cuts.probesOf(b);
+    if (probes == nullptr) continue;
+    const std::uint32_t in_layer = b % cuts.perLayer(), across = cuts.across()[0];
+    const std::size_t x = 3 * (in_layer % across), y = 3 * (in_layer / across);
+    const std::size_t z = volume.count[2] + 1 + 3 * (b / cuts.perLayer());
+    for (std::size_t i = 0; i < probes->size(); ++i) {
+      const std::size_t at = x + i % 3 + volume.count[0] * (y + i / 3 % 3 + volume.count[1] * (z + i / 9));
+      if (volume.format == WELKIN_VOLUME_RGBA16F)
+        write<std::uint64_t>(volume, at, cuts.lightOf((*probes)[i]));
+      else
+        write<std::uint32_t>(volume, at, cuts.lightOf((*probes)[i]));
+    }
+  }
+}
+
 }  // namespace welkin::probes

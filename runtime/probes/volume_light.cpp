@@ -3,15 +3,21 @@
 #include <welkin/volume_constants.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 #include "core/floats.h"
+#include "probes/cut_reader.h"
 #include "probes/volume.h"
 #include "shared.h"
 
 namespace welkin::probes {
 namespace {
+
+/// A surface is on the side of its cell's walls where a point so far off it is. Where walls meet, small parts of a cell
+/// have no leaf of their own, and points on the surface may lie in them.
+constexpr double kOffWalls_m = 0.25;
 
 WelkinVolumeConstants constantsOf(const WelkinVolume& volume) {
   WelkinVolumeConstants out{};
@@ -25,20 +31,50 @@ WelkinVolumeConstants constantsOf(const WelkinVolume& volume) {
   }
   set(out.low, low, double{volume.scale});
   set(out.camera, volume.camera, kPush_m);
-  set(out.size, size, 0.0);
+  set(out.size, size, volume.count[2]);
   set(out.texel, volume.texel_m, 1.0 / (2.0 * *std::max_element(volume.texel_m.begin(), volume.texel_m.end())));
+  const auto& mask = volume.cuts.mask();
+  set(out.cuts, {1.0 * mask[0], 1.0 * mask[1], kOffWalls_m}, 1.0 / volume.depth);
   return out;
 }
 
+/// A place among the texels, in texels from the first one's corner.
+struct TexelPlace {
+  std::array<double, 3> at;
+  bool repeats;  ///< along z; else it is in a brick
+};
+
+/// Where a surface looks up its light.
+TexelPlace placeOf(const WelkinVolume& volume, const float position[3], const float normal[3]) {
+  TexelPlace place{{}, true};
+  bool is_inside = true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double first = static_cast<double>(volume.first[a]), end = first + volume.count[a];
+    const double p = double{position[a]} / volume.texel_m[a];
+    is_inside = is_inside && p > first && p < end;
+    place.at[a] = std::clamp(p + kPush_m * double{normal[a]} / volume.texel_m[a], first + 0.5, end - 0.5);
+  }
+  if (!is_inside) return place;
+  f32::CutReader cuts(volume.cuts.words(), volume.cuts.mask());
+  const f32::Number3 p(position[0], position[1], position[2]), n(normal[0], normal[1], normal[2]);
+  const auto found = cuts.cutBrickAt(p + n * static_cast<float>(kOffWalls_m), p + n * static_cast<float>(kPush_m));
+  if (found.brick == 0) return place;
+  const auto corner = cuts.cutBrickCorner(found.brick);
+  for (int a = 0; a < 3; ++a)
+    place.at[static_cast<std::size_t>(a)] = 3.0 * double{corner[a]} + std::clamp(double{found.at[a]}, 0.5, 2.5);
+  place.at[2] += volume.count[2] + 1.0;
+  place.repeats = false;
+  return place;
+}
+
 /// Texel numbers of one channel at a place, filtered as a GPU does.
-std::array<double, kDirections> filtered(const WelkinVolume& volume, std::size_t channel,
-                                         const std::array<double, 3>& place) {
+std::array<double, kDirections> filtered(const WelkinVolume& volume, std::size_t channel, const TexelPlace& place) {
   std::array<std::size_t, 3> index[2];
   std::array<double, 3> share;
   for (std::size_t a = 0; a < 3; ++a) {
-    const double at = place[a] / volume.texel_m[a] - 0.5;
+    const double at = place.at[a] - 0.5;
     share[a] = at - std::floor(at);
-    const auto n = static_cast<std::int64_t>(volume.count[a]);
+    const auto n = static_cast<std::int64_t>(place.repeats || a < 2 ? volume.count[a] : volume.depth);
     for (std::int64_t i = 0; i < 2; ++i)
       index[i][a] = static_cast<std::size_t>(((static_cast<std::int64_t>(std::floor(at)) + i) % n + n) % n);
   }
@@ -78,17 +114,14 @@ WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float po
   if (const auto r = nonNull(__func__, {{"volume", volume}, {"position", position}, {"irradiance", irradiance}}))
     return r;
   if (const auto r = unit(__func__, "normal", normal)) return r;
-  std::array<double, 3> place;
   double margin = 1e30;
   for (std::size_t a = 0; a < 3; ++a) {
     if (!(std::abs(position[a]) <= 1e7F))
       return refuse(__func__, "position[%zu] is %g, must be within 1e7 m", a, double{position[a]});
-    const double low = (static_cast<double>(volume->first[a]) + 0.5) * volume->texel_m[a];
-    const double high = (static_cast<double>(volume->first[a] + volume->count[a]) - 0.5) * volume->texel_m[a];
-    place[a] = std::clamp(double{position[a]} + kPush_m * double{normal[a]}, low, high);
     const double reach = (0.5 * volume->count[a] - 1.5) * volume->texel_m[a] - kPush_m;
     margin = std::min(margin, reach - std::abs(double{position[a]} - volume->camera[a]));
   }
+  const TexelPlace place = placeOf(*volume, position, normal);
   const welkin::f64::TransferWeights weight = welkin::f64::transferWeights(load(normal));
   for (std::size_t c = 0; c < kChannels; ++c) {
     const auto light = filtered(*volume, c, place);

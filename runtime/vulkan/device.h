@@ -35,6 +35,7 @@ namespace welkin::vulkan {
   X(CmdBindDescriptorSets)                \
   X(CmdBindPipeline)                      \
   X(CmdBlitImage)                         \
+  X(CmdCopyBuffer)                        \
   X(CmdCopyBufferToImage)                 \
   X(CmdDraw)                              \
   X(CmdPipelineBarrier2)                  \

@@ -58,33 +58,59 @@ WelkinResult allocateImages(const Device& device, const VkMemoryRequirements& bl
   return allocate(device, block, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, name, allocation, message);
 }
 
-WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
-                          MappedBuffer& buffer, WelkinMessage* message) {
+namespace {
+
+/// Creates a buffer and says what memory it needs.
+WelkinResult createBuffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
+                          VkBuffer& buffer, VkMemoryRequirements& needs, WelkinMessage* message) {
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = bytes;
   info.usage = usage;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  if (const auto r =
-          check(device.fn.CreateBuffer(device.handle, &info, device.allocator, &buffer.buffer), name, message))
+  if (const auto r = check(device.fn.CreateBuffer(device.handle, &info, device.allocator, &buffer), name, message))
     return r;
+  device.fn.GetBufferMemoryRequirements(device.handle, buffer, &needs);
+  device.name(VK_OBJECT_TYPE_BUFFER, buffer, name);
+  return WELKIN_OK;
+}
+
+}  // namespace
+
+WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
+                          MappedBuffer& buffer, WelkinMessage* message) {
   VkMemoryRequirements needs;
-  device.fn.GetBufferMemoryRequirements(device.handle, buffer.buffer, &needs);
+  if (const auto r = createBuffer(device, bytes, usage, name, buffer.buffer, needs, message)) return r;
   const VkMemoryPropertyFlags preferred =
       (usage & VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT) != 0 ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT : 0;
   constexpr VkMemoryPropertyFlags kMapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   if (const auto r = allocate(device, needs, kMapped, preferred, name, buffer.allocation, message)) return r;
   buffer.bytes = needs.size;
   buffer.mapped = static_cast<unsigned char*>(buffer.allocation.mapped);
-  if (const auto r = check(
-          device.fn.BindBufferMemory(device.handle, buffer.buffer, buffer.allocation.memory, buffer.allocation.offset),
-          name, message))
+  return check(
+      device.fn.BindBufferMemory(device.handle, buffer.buffer, buffer.allocation.memory, buffer.allocation.offset),
+      name, message);
+}
+
+WelkinResult createLocal(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
+                         LocalBuffer& buffer, WelkinMessage* message) {
+  VkMemoryRequirements needs;
+  if (const auto r = createBuffer(device, bytes, usage, name, buffer.buffer, needs, message)) return r;
+  if (const auto r = allocate(device, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, name, buffer.allocation, message))
     return r;
-  device.name(VK_OBJECT_TYPE_BUFFER, buffer.buffer, name);
-  return WELKIN_OK;
+  buffer.bytes = needs.size;
+  return check(
+      device.fn.BindBufferMemory(device.handle, buffer.buffer, buffer.allocation.memory, buffer.allocation.offset),
+      name, message);
 }
 
 void destroy(const Device& device, MappedBuffer& buffer) {
+  device.fn.DestroyBuffer(device.handle, buffer.buffer, device.allocator);
+  freeMemory(device, buffer.allocation);
+  buffer = {};
+}
+
+void destroy(const Device& device, LocalBuffer& buffer) {
   device.fn.DestroyBuffer(device.handle, buffer.buffer, device.allocator);
   freeMemory(device, buffer.allocation);
   buffer = {};

@@ -18,6 +18,17 @@ WelkinResult createMapped(const Device& device, VkDeviceSize bytes, VkBufferUsag
                           MappedBuffer& buffer, WelkinMessage* message);
 void destroy(const Device& device, MappedBuffer& buffer);
 
+/// A buffer in memory of the device, where it can be, that no host sees.
+struct LocalBuffer {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  WelkinVulkanAllocation allocation{};
+  VkDeviceSize bytes = 0;  ///< allocated
+};
+
+WelkinResult createLocal(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, const char* name,
+                         LocalBuffer& buffer, WelkinMessage* message);
+void destroy(const Device& device, LocalBuffer& buffer);
+
 /// A sampled image: a map (1 layer), a cubemap (6 layers) or an array of layers.
 struct Image {
   VkImage image = VK_NULL_HANDLE;

@@ -54,6 +54,34 @@ void record(const WelkinVulkanVolume& o, VkCommandBuffer commands, const VkImage
 constexpr VkPipelineStageFlags2 kShaders =
     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 
+/// Copies the words of the cuts that changed to the frame's staging memory, after its constants, and records their way.
+void recordCuts(const WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
+                const WelkinVolumeUpdate& update) {
+  const VkDeviceSize offset = frame * o.frame_bytes + o.constants_bytes;
+  const auto* words = reinterpret_cast<const std::byte*>(volume.cuts.words().data());
+  std::memcpy(o.staging.mapped + offset, words + update.cut_first, update.cut_bytes);
+  VkBufferMemoryBarrier2 b{};
+  b.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2;
+  b.srcStageMask = o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE;
+  b.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+  b.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+  b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  b.buffer = o.cuts.buffer;
+  b.size = VK_WHOLE_SIZE;
+  VkDependencyInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+  info.bufferMemoryBarrierCount = 1;
+  info.pBufferMemoryBarriers = &b;
+  o.device.fn.CmdPipelineBarrier2(commands, &info);
+  const VkBufferCopy region{offset, update.cut_first, update.cut_bytes};
+  o.device.fn.CmdCopyBuffer(commands, o.staging.buffer, o.cuts.buffer, 1, &region);
+  b.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+  b.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+  b.dstStageMask = kShaders;
+  b.dstAccessMask = VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+  o.device.fn.CmdPipelineBarrier2(commands, &info);
+}
+
 /// Copies the boxes to the frame's staging memory and records their way to the images.
 void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
                  const WelkinVolumeUpdate& update) {
@@ -69,7 +97,7 @@ void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame
   }
   record(o, commands, before);
   unsigned char* frame_memory = o.staging.mapped + frame * o.frame_bytes;
-  unsigned char* to = frame_memory + o.constants_bytes;
+  unsigned char* to = frame_memory + o.constants_bytes + o.cut_bytes;
   // Boxes that overlap hold the same texels, but two copies to one texel must not race: each waits for the one before.
   for (uint32_t b = 0; b < update.box_count; ++b) {
     const WelkinVolumeBox& box = update.box[b];
@@ -119,8 +147,10 @@ WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, con
     return result;
   }
   object->frame_count = given.frames_in_flight;
-  object->extent = {volume->count[0], volume->count[1], volume->count[2]};
+  object->extent = {volume->count[0], volume->count[1], volume->depth};
+  object->slices = volume->count[2];
   object->texel_bytes = volume->texel_bytes;
+  object->cut_bytes = volume->cuts.words().size_bytes();
   object->format = volume->format == WELKIN_VOLUME_RGBA16F ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM;
   if (const auto result = createVolumeImages(*object, message)) {
     welkin_vulkan_volume_destroy(object);
@@ -143,23 +173,25 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
   if (frame >= object->frame_count)
     return refuse(__func__, "frame is %u, must be below frames_in_flight, %u", frame, object->frame_count);
   const VkExtent3D& e = object->extent;
-  if (e.width != volume->count[0] || e.height != volume->count[1] || e.depth != volume->count[2] ||
-      object->texel_bytes != volume->texel_bytes)
+  if (e.width != volume->count[0] || e.height != volume->count[1] || e.depth != volume->depth ||
+      object->texel_bytes != volume->texel_bytes || object->cut_bytes != volume->cuts.words().size_bytes())
     return refuse(__func__, "the volume is not the one that this object was created for");
   const WelkinVolumeUpdate changed = core::take(*update);
   if (changed.box_count > WELKIN_VOLUME_MAX_BOXES)
     return refuse(__func__, "update->box_count is %u, must be at most %d", changed.box_count, WELKIN_VOLUME_MAX_BOXES);
-  const uint32_t all = e.width * e.height * e.depth;
+  const uint32_t all = e.width * e.height * object->slices, edge[3] = {e.width, e.height, e.depth};
   for (uint32_t b = 0; b < changed.box_count; ++b)
     for (int a = 0; a < 3; ++a)
-      if (changed.box[b].first[a] >= volume->count[static_cast<std::size_t>(a)] ||
-          changed.box[b].size[a] > volume->count[static_cast<std::size_t>(a)] - changed.box[b].first[a])
+      if (changed.box[b].first[a] >= edge[a] || changed.box[b].size[a] > edge[a] - changed.box[b].first[a])
         return refuse(__func__, "update->box[%u] passes the volume", b);
+  if (changed.cut_bytes > object->cut_bytes || changed.cut_first > object->cut_bytes - changed.cut_bytes)
+    return refuse(__func__, "update->cut_bytes passes the cuts of the volume");
   if (!object->recorded && (changed.box_count == 0 || changed.filled < all))
     return refuse(__func__, "the first update that is recorded must fill the whole volume");
   WelkinVolumeConstants constants{};
   if (const auto r = welkin_volume_constants(volume, &constants, sizeof constants)) return r;
   std::memcpy(object->staging.mapped + frame * object->frame_bytes, &constants, sizeof constants);
+  if (changed.cut_bytes != 0) recordCuts(*object, commands, frame, *volume, changed);
   if (changed.box_count == 0) return WELKIN_OK;
   recordBoxes(*object, commands, frame, *volume, changed);
   object->recorded = true;
@@ -178,7 +210,7 @@ WelkinResult welkin_vulkan_volume_memory(const WelkinVulkanVolume* object, Welki
   if (const auto r = nonNull(__func__, {{"object", object}})) return r;
   if (const auto r = core::sized(__func__, "memory", memory)) return r;
   WelkinVulkanMemory out{};
-  out.images = object->image_bytes;
+  out.images = object->image_bytes + object->cuts.bytes;
   out.staging = object->staging.bytes;
   core::give(out, memory);
   return WELKIN_OK;

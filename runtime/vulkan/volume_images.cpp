@@ -58,6 +58,11 @@ WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   return WELKIN_OK;
 }
 
+constexpr uint32_t kBindings = 3;
+constexpr VkDescriptorPoolSize kBound[kBindings] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3},
+                                                    {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}};
+
 WelkinResult createSets(WelkinVulkanVolume& o, WelkinMessage* message) {
   const Device& device = o.device;
   VkSamplerCreateInfo sampler{};
@@ -67,26 +72,26 @@ WelkinResult createSets(WelkinVulkanVolume& o, WelkinMessage* message) {
   if (const auto r = check(device.fn.CreateSampler(device.handle, &sampler, device.allocator, &o.sampler),
                            "vkCreateSampler", message))
     return r;
-  VkDescriptorSetLayoutBinding bindings[2] = {};
-  for (uint32_t i = 0; i < 2; ++i) {
+  VkDescriptorSetLayoutBinding bindings[kBindings] = {};
+  for (uint32_t i = 0; i < kBindings; ++i) {
     bindings[i].binding = i;
-    bindings[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    bindings[i].descriptorCount = i == 0 ? 1 : 3;
+    bindings[i].descriptorType = kBound[i].type;
+    bindings[i].descriptorCount = kBound[i].descriptorCount;
     bindings[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
   }
   VkDescriptorSetLayoutCreateInfo layout{};
   layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  layout.bindingCount = 2;
+  layout.bindingCount = kBindings;
   layout.pBindings = bindings;
   if (const auto r = check(device.fn.CreateDescriptorSetLayout(device.handle, &layout, device.allocator, &o.layout),
                            "vkCreateDescriptorSetLayout", message))
     return r;
-  const VkDescriptorPoolSize sizes[2] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, o.frame_count},
-                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3 * o.frame_count}};
+  VkDescriptorPoolSize sizes[kBindings];
+  for (uint32_t i = 0; i < kBindings; ++i) sizes[i] = {kBound[i].type, kBound[i].descriptorCount * o.frame_count};
   VkDescriptorPoolCreateInfo pool{};
   pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   pool.maxSets = o.frame_count;
-  pool.poolSizeCount = 2;
+  pool.poolSizeCount = kBindings;
   pool.pPoolSizes = sizes;
   if (const auto r = check(device.fn.CreateDescriptorPool(device.handle, &pool, device.allocator, &o.pool),
                            "vkCreateDescriptorPool", message))
@@ -106,17 +111,19 @@ void writeSets(const WelkinVulkanVolume& o) {
   for (int c = 0; c < 3; ++c) textures[c] = {o.sampler, o.views[c], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   for (uint32_t frame = 0; frame < o.frame_count; ++frame) {
     const VkDescriptorBufferInfo constants{o.staging.buffer, frame * o.frame_bytes, sizeof(WelkinVolumeConstants)};
-    VkWriteDescriptorSet writes[2] = {};
-    for (uint32_t i = 0; i < 2; ++i) {
+    const VkDescriptorBufferInfo cuts{o.cuts.buffer, 0, o.cut_bytes};
+    VkWriteDescriptorSet writes[kBindings] = {};
+    for (uint32_t i = 0; i < kBindings; ++i) {
       writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
       writes[i].dstSet = o.sets[frame];
       writes[i].dstBinding = i;
-      writes[i].descriptorCount = i == 0 ? 1 : 3;
-      writes[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      writes[i].descriptorCount = kBound[i].descriptorCount;
+      writes[i].descriptorType = kBound[i].type;
     }
     writes[0].pBufferInfo = &constants;
     writes[1].pImageInfo = textures;
-    o.device.fn.UpdateDescriptorSets(o.device.handle, 2, writes, 0, nullptr);
+    writes[2].pBufferInfo = &cuts;
+    o.device.fn.UpdateDescriptorSets(o.device.handle, kBindings, writes, 0, nullptr);
   }
 }
 
@@ -128,12 +135,18 @@ WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   // A multiple of 16 suits the copies of every texel, too.
   const VkDeviceSize alignment = std::max<VkDeviceSize>(o.device.properties.limits.minUniformBufferOffsetAlignment, 16);
   o.constants_bytes = round(sizeof(WelkinVolumeConstants), 16);
-  const VkDeviceSize texels = VkDeviceSize{o.extent.width} * o.extent.height * o.extent.depth * o.texel_bytes;
-  // An update's boxes may overlap, such as two slabs that meet at an edge: at most three of them, and two runs.
-  o.frame_bytes = round(o.constants_bytes + 3 * 4 * texels, alignment);
+  const VkDeviceSize slice = VkDeviceSize{o.extent.width} * o.extent.height * o.texel_bytes;
+  // An update's boxes may overlap, such as two slabs that meet at an edge: at most three of them, and two runs. Bricks
+  // are in one of them.
+  const VkDeviceSize most = slice * (4 * (o.slices + 1) + o.extent.depth);
+  o.frame_bytes = round(o.constants_bytes + o.cut_bytes + 3 * most, alignment);
   if (const auto r = createMapped(o.device, o.frame_bytes * o.frame_count,
                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                   "welkin volume staging", o.staging, message))
+    return r;
+  if (const auto r =
+          createLocal(o.device, o.cut_bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                      "welkin volume cuts", o.cuts, message))
     return r;
   if (const auto r = createSets(o, message)) return r;
   writeSets(o);
@@ -146,6 +159,7 @@ void destroy(WelkinVulkanVolume& o) {
   device.fn.DestroyDescriptorSetLayout(device.handle, o.layout, device.allocator);
   device.fn.DestroySampler(device.handle, o.sampler, device.allocator);
   destroy(device, o.staging);
+  destroy(device, o.cuts);
   for (int c = 0; c < 3; ++c) {
     device.fn.DestroyImageView(device.handle, o.views[c], device.allocator);
     device.fn.DestroyImage(device.handle, o.images[c], device.allocator);

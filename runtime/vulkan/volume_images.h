@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three textures of a volume and the descriptor sets that read them.
+// The three textures of a volume, its buffer of cuts, and the descriptor sets that read them.
 #pragma once
 
 #include <welkin/welkin_vulkan_volume.h>
@@ -9,6 +9,7 @@
 struct WelkinVulkanVolume {
   welkin::vulkan::Device device;
   VkExtent3D extent{};
+  uint32_t slices = 0;  ///< of the volume itself, without bricks
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkDeviceSize texel_bytes = 0;
   VkImage images[3] = {};
@@ -16,6 +17,8 @@ struct WelkinVulkanVolume {
   WelkinVulkanAllocation image_memory{};
   VkDeviceSize image_bytes = 0;
   welkin::vulkan::MappedBuffer staging;  ///< of each frame: its constants, then the texels that it copies
+  welkin::vulkan::LocalBuffer cuts;      ///< welkin_volume_cuts
+  VkDeviceSize cut_bytes = 0;            ///< of its words
   VkDeviceSize constants_bytes = 0;      ///< room for a frame's constants
   VkDeviceSize frame_bytes = 0;
   uint32_t frame_count = 0;
@@ -28,7 +31,7 @@ struct WelkinVulkanVolume {
 
 namespace welkin::vulkan {
 
-/// Creates images, staging buffer and sets. `o` has the device, extent, format and frame_count.
+/// Creates images, buffers and sets. `o` has the device, extent, slices, format, cut_bytes and frame_count.
 WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message);
 void destroy(WelkinVulkanVolume& o);
 

@@ -63,7 +63,7 @@ TEST_CASE("LevelApi, StructsKeepToTheirSize") {
       20, [&](WelkinLightsResult* out) { return welkin_level_set_lights(level, 0, nullptr, nullptr, nullptr, out); });
   const OwnedVolume v;
   checkSizes<WelkinVolumeUpdate>(
-      208, [&](WelkinVolumeUpdate* out) { return welkin_volume_update(v.volume, level, &sample, kOrigin, 1, out); });
+      320, [&](WelkinVolumeUpdate* out) { return welkin_volume_update(v.volume, level, &sample, kOrigin, 1, out); });
 }
 
 TEST_CASE("LevelApi, InputsOfAnotherSizeAreRefused") {
@@ -131,6 +131,7 @@ TEST_CASE("LevelApi, NullIsRefused") {
   WelkinVolumeUpdate update{};
   WelkinVolumeConstants constants{};
   const void* texels = nullptr;
+  std::uint32_t extent[3];
   std::size_t bytes = 0;
   const WelkinLevelLight light = lightFrom(sample), dark = WelkinLevelLight{};
   const WelkinVolumeSettings settings{};
@@ -178,6 +179,11 @@ TEST_CASE("LevelApi, NullIsRefused") {
                                   welkin_volume_texels(nullptr, 0, &texels, &bytes),
                                   welkin_volume_texels(v.volume, 0, nullptr, &bytes),
                                   welkin_volume_texels(v.volume, 0, &texels, nullptr),
+                                  welkin_volume_cuts(nullptr, &texels, &bytes),
+                                  welkin_volume_cuts(v.volume, nullptr, &bytes),
+                                  welkin_volume_cuts(v.volume, &texels, nullptr),
+                                  welkin_volume_extent(nullptr, extent),
+                                  welkin_volume_extent(v.volume, nullptr),
                                   welkin_volume_constants(nullptr, &constants, sizeof constants),
                                   welkin_volume_constants(v.volume, nullptr, sizeof constants),
                                   welkin_volume_irradiance(nullptr, kOrigin, kUp, rgb, nullptr),
@@ -426,8 +432,9 @@ TEST_CASE("LevelApi, TheGamesMemoryServesAll") {
       CHECK(heap.held.empty());
       if (result == WELKIN_OK) {
         // The index's copy, six tables and the level; blocks, emission, four arrays of local transfer, light, texels
-        // and the object of each of two sectors; slices, three channels and the object of the volume.
-        CHECK(heap.allocations == 8 + 2 * 9 + 5);
+        // and the object of each of two sectors; slices, three channels, six arrays of bricks and the object of the
+        // volume.
+        CHECK(heap.allocations == 8 + 2 * 9 + 11);
         break;
       }
       CHECK(result == WELKIN_ERROR_MEMORY);

@@ -228,6 +228,9 @@ TEST_CASE("Volume, TheBoxesHoldEveryTexelThatChanged") {
   const RandomLevel baked = wholeLevel();
   OpenedLevel opened(baked);
   Volume volume(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+  std::uint32_t extent[3];
+  REQUIRE(welkin_volume_extent(volume.volume, extent) == WELKIN_OK);
+  CHECK(extent[2] > 20 + 1);
   std::vector<std::byte> copy;
   std::mt19937 random(8);
   std::array<float, 3> camera = {0, 10, 30};
@@ -245,7 +248,7 @@ TEST_CASE("Volume, TheBoxesHoldEveryTexelThatChanged") {
       for (std::uint32_t c = 0; c < 3; ++c)
         for (std::uint32_t z = box.first[2]; z < box.first[2] + box.size[2]; ++z)
           for (std::uint32_t y = box.first[1]; y < box.first[1] + box.size[1]; ++y) {
-            const std::size_t at = 8 * (box.first[0] + 24 * (y + 8 * (z + 20 * std::size_t{c})));
+            const std::size_t at = 8 * (box.first[0] + 24 * (y + 8 * (z + extent[2] * std::size_t{c})));
             std::memcpy(copy.data() + at, now.data() + at, 8 * box.size[0]);
           }
     }

@@ -109,9 +109,10 @@ std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint
 }
 
 double computeSeconds(render::VulkanDevice& device, std::span<const uint32_t> spirv, std::span<const float> input,
-                      std::size_t outputs, int runs) {
+                      std::size_t outputs, int runs, std::size_t per_invocation, VkDescriptorSetLayout sky_layout,
+                      VkDescriptorSet sky) {
   double least_s = std::numeric_limits<double>::infinity();
-  withCompute(device, spirv, input, outputs, 1, VK_NULL_HANDLE, VK_NULL_HANDLE, [&](const auto& run) {
+  withCompute(device, spirv, input, outputs, per_invocation, sky_layout, sky, [&](const auto& run) {
     run();
     for (int i = 0; i < runs; ++i) {
       const auto start = std::chrono::steady_clock::now();

@@ -16,8 +16,9 @@ std::vector<float> runCompute(render::VulkanDevice& device, std::span<const uint
                               std::span<const float> input, std::size_t outputs, std::size_t per_invocation,
                               VkDescriptorSetLayout sky_layout, VkDescriptorSet sky);
 
-/// Least time of `runs` runs after a first, seconds: one invocation for each output, and the waiting for it.
+/// Least time of `runs` runs after a first, seconds, and the waiting for them.
 double computeSeconds(render::VulkanDevice& device, std::span<const uint32_t> spirv, std::span<const float> input,
-                      std::size_t outputs, int runs);
+                      std::size_t outputs, int runs, std::size_t per_invocation = 1,
+                      VkDescriptorSetLayout sky_layout = VK_NULL_HANDLE, VkDescriptorSet sky = VK_NULL_HANDLE);
 
 }  // namespace welkin::tests

@@ -7,39 +7,14 @@
 #include <random>
 
 #include "compute.h"
-#include "object.h"
+#include "device_volume.h"
 #include "spirv/kVolumeComp.h"
 #include "tests/runtime/random_level.h"
 
 namespace welkin::tests {
 namespace {
 
-constexpr uint32_t kFrames = 2;
-
-struct DeviceVolume {
-  WelkinVolume* volume = nullptr;
-  WelkinVulkanVolume* textures = nullptr;
-
-  DeviceVolume(const render::VulkanDevice& device, WelkinVolumeFormat format) {
-    WelkinVolumeSettings settings{};
-    settings.format = format;
-    settings.texels[0] = 24;
-    settings.texels[1] = 8;
-    settings.texels[2] = 20;
-    REQUIRE(welkin_volume_create(&settings, &volume) == WELKIN_OK);
-    const WelkinVulkanCreateInfo info = render::createInfo(device, kFrames);
-    WelkinMessage message{};
-    const WelkinResult created = welkin_vulkan_volume_create(&info, volume, &textures, &message);
-    INFO(message.text);
-    REQUIRE(created == WELKIN_OK);
-  }
-  DeviceVolume(const DeviceVolume&) = delete;
-  DeviceVolume& operator=(const DeviceVolume&) = delete;
-  ~DeviceVolume() {
-    welkin_vulkan_volume_destroy(textures);
-    welkin_volume_destroy(volume);
-  }
-};
+constexpr std::uint32_t kFrames = DeviceVolume::kFrames;
 
 std::vector<float> pointsAbout(const std::array<float, 3>& camera, std::mt19937& random) {
   const auto in = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
@@ -96,11 +71,7 @@ TEST_CASE("VolumeOnTheDevice, ItLightsAsTheTexelsOnTheCpu", "[vulkan]") {
           welkin_sector_close(sector);
         }
         for (float& c : camera) c += std::uniform_real_distribution<float>(-7, 7)(random);
-        WelkinVolumeUpdate update{};
-        REQUIRE(welkin_volume_update(v.volume, opened.level, &sample, camera.data(), 24 * 8 * 6, &update) == WELKIN_OK);
-        device.execute([&](VkCommandBuffer commands) {
-          REQUIRE(welkin_vulkan_volume_record(v.textures, commands, turn % kFrames, v.volume, &update) == WELKIN_OK);
-        });
+        v.update(device, opened.level, sample, camera.data(), turn % kFrames, 24 * 8 * 6);
         worst = std::max(worst, differenceOf(device, v, turn % kFrames, pointsAbout(camera, random)));
       }
       // lavapipe filters halfs in floats, and bytes with weights of 8 bits along each of three axes. The weights of the

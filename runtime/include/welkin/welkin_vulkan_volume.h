@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The volume of probes on Vulkan 1.3: three 3D textures, and the descriptor set through which
- * shaders/welkin/volume.glsl reads them. C ABI; rules of threads, memory and command buffers as in welkin_vulkan.h.
+ * The volume of probes on Vulkan 1.3: three 3D textures, the buffer of cells along walls, and the descriptor set
+ * through which shaders/welkin/volume.glsl reads them. C ABI; rules of threads, memory and command buffers as in
+ * welkin_vulkan.h.
  *
  *     welkin_volume_update(volume, level, &sample, camera, budget, &update);
  *     welkin_vulkan_volume_record(object, commands, frame, volume, &update);  outside a render pass
@@ -21,7 +22,8 @@ extern "C" {
 typedef struct WelkinVulkanVolume WelkinVulkanVolume;
 
 /* Creates the textures for a volume. `info` is that of the sky; the formats of the dome's attachments and the caller's
- * images do not matter here. Two allocations: the textures, and a buffer of frames_in_flight times the volume's size.
+ * images do not matter here. Three allocations: the textures, the buffer of cells along walls, and staging of
+ * frames_in_flight times the volume's size.
  * On an error *out is null. WELKIN_ERROR_ARGUMENT, WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE. */
 WELKIN_API WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, const WelkinVolume* volume,
                                                     WelkinVulkanVolume** out, WelkinMessage* message);
@@ -29,15 +31,16 @@ WELKIN_API WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo
 /* Destroys the object. No command buffer that uses it may still be running. Null is allowed. */
 WELKIN_API void welkin_vulkan_volume_destroy(WelkinVulkanVolume* object);
 
-/* Records the copy of the boxes that an update changed, and writes the constants of frame index `frame`. Every update
- * of the volume is recorded once, in order; the first must fill the whole volume, as an update of a new volume does. No
- * command buffer of this frame index may be running. All earlier reads of the textures on this queue end before the
- * copy, and fragment and compute shaders after it see the new texels. */
+/* Records the copy of the boxes and words that an update changed, and writes the constants of frame index `frame`.
+ * Every update of the volume is recorded once, in order; the first must fill the whole volume, as an update of a new
+ * volume does. No command buffer of this frame index may be running. All earlier reads of the textures on this queue
+ * end before the copy, and fragment and compute shaders after it see the new texels. */
 WELKIN_API WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBuffer commands,
                                                     uint32_t frame, const WelkinVolume* volume,
                                                     const WelkinVolumeUpdate* update);
 
-/* Layout of the descriptor set: binding 0 the constants, binding 1 the three textures; fragment and compute shaders.
+/* Layout of the descriptor set: binding 0 the constants, binding 1 the three textures, binding 2 the buffer of cells
+ * along walls; fragment and compute shaders.
  * VK_NULL_HANDLE for a null object. */
 WELKIN_API VkDescriptorSetLayout welkin_vulkan_volume_descriptor_set_layout(const WelkinVulkanVolume* object);
 
@@ -45,7 +48,8 @@ WELKIN_API VkDescriptorSetLayout welkin_vulkan_volume_descriptor_set_layout(cons
  */
 WELKIN_API VkDescriptorSet welkin_vulkan_volume_descriptor_set(const WelkinVulkanVolume* object, uint32_t frame);
 
-/* Bytes of device memory: images, uniforms (0: they lie in staging) and staging. */
+/* Bytes of device memory: images (with the buffer of cells along walls), uniforms (0: they lie in staging) and staging.
+ */
 WELKIN_API WelkinResult welkin_vulkan_volume_memory(const WelkinVulkanVolume* object, WelkinVulkanMemory* memory);
 
 #ifdef __cplusplus

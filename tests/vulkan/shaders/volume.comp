@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light of the volume for a list of positions and normals, and the volume's share there.
+// Light of the volume for a list of positions and normals, and the volume's share there. PASS is 1 for that, 0 for
+// reading the list alone, 2 for whether a cell along a wall is near.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WELKIN_VOLUME_SET 1
@@ -13,5 +14,12 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (2 * i >= uint(points.length())) return;
   vec3 p = points[2 * i].xyz;
-  results[i] = vec4(welkinVolumeIrradiance(p, points[2 * i + 1].xyz), welkinVolumeWeight(p));
+  vec3 normal = points[2 * i + 1].xyz;
+#if PASS == 0
+  results[i] = vec4(p + normal, 0.0);
+#elif PASS == 1
+  results[i] = vec4(welkinVolumeIrradiance(p, normal), welkinVolumeWeight(p));
+#else
+  results[i] = vec4(cutBrickAt(p + welkinVolume.cuts.z * normal, p).brick != 0u ? 1.0 : 0.0);
+#endif
 }

@@ -8,8 +8,14 @@
  * indices, counted from the world's origin, have these remainders. So the camera moves and no texel does: only slabs
  * that it enters are filled. Sample with repeating coordinates and linear filtering.
  *
- * Every frame: welkin_level_relight, welkin_volume_update, then copy the boxes that changed to the textures, and give
- * welkin_volume_constants to the shader. welkin_vulkan_volume.h does both on Vulkan.
+ * Filtering alone would light a place through thin walls. So the textures go on after the volume's slices: each side of
+ * the walls in a cell, and each cell beside these, has a brick of 3 x 3 x 3 texels there. It is the cell and the 26
+ * about it as that side sees them: what lies behind a wall has the light of what lies before it. A buffer of words
+ * leads the shader from a place to its brick, and the three fetches are of the brick.
+ *
+ * Every frame: welkin_level_relight, welkin_volume_update, then copy the boxes that changed to the textures and the
+ * words that changed to the buffer, and give welkin_volume_constants to the shader. welkin_vulkan_volume.h does all on
+ * Vulkan.
  */
 #ifndef WELKIN_VOLUME_H
 #define WELKIN_VOLUME_H
@@ -34,14 +40,17 @@ typedef struct WelkinVolumeSettings {
   uint32_t texels[3];               /* along x, y, z, each 2..512; 0: 96, 16, 96 */
   float texel_height_m;             /* >= 0.5; 0: 4. In x and z texels are the grid's cells of 4 m */
   const WelkinAllocator* allocator; /* null: malloc. Copied */
+  uint32_t bricks; /* room for sides of walls, 27 texels each; 0: 4096; WELKIN_VOLUME_NO_BRICKS: none, light leaks */
 } WelkinVolumeSettings;
+
+#define WELKIN_VOLUME_NO_BRICKS UINT32_MAX
 
 /* A box of texels that changed. It does not wrap. */
 typedef struct WelkinVolumeBox {
   uint32_t first[3], size[3];
 } WelkinVolumeBox;
 
-#define WELKIN_VOLUME_MAX_BOXES 8
+#define WELKIN_VOLUME_MAX_BOXES 12
 
 /* Result of an update. */
 typedef struct WelkinVolumeUpdate {
@@ -49,7 +58,11 @@ typedef struct WelkinVolumeUpdate {
   uint32_t box_count; /* 0: no texel changed */
   WelkinVolumeBox box[WELKIN_VOLUME_MAX_BOXES];
   uint32_t filled;    /* texels in the boxes */
-  uint32_t remaining; /* texels that still show earlier light */
+  uint32_t remaining; /* texels that still show earlier light, those of bricks too */
+  uint32_t cut_first; /* first byte of welkin_volume_cuts that changed, a multiple of 16 */
+  uint32_t cut_bytes; /* bytes that changed from there on, a multiple of 16; 0: none */
+  uint32_t cuts_left; /* sectors with walls that found no room, the farthest ones: light leaks there */
+  uint32_t bricks;    /* in use */
 } WelkinVolumeUpdate;
 
 struct WelkinVolumeConstants;
@@ -68,12 +81,21 @@ WELKIN_API void welkin_volume_destroy(WelkinVolume* volume);
 WELKIN_API WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, const WelkinSkySample* sample,
                                              const float camera[3], uint32_t max_texels, WelkinVolumeUpdate* update);
 
+/* Size of each texture: the texels of the settings along x and y; along z those, a copy of the first slice after the
+ * last, and the bricks. */
+WELKIN_API WelkinResult welkin_volume_extent(const WelkinVolume* volume, uint32_t extent[3]);
+
 /* The texels of channel 0, 1 or 2 (red, green, blue): x, then y, then z; 4 or 8 bytes each. They live as long as the
  * volume, and welkin_volume_update alone changes them. */
 WELKIN_API WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, const void** texels,
                                              size_t* bytes);
 
-/* Fills the constants that volume.glsl reads (welkin/volume_constants.h). `size` is that of the struct, 64. */
+/* The words that volume.glsl reads as a storage buffer: which brick each place has. They live as long as the volume,
+ * and welkin_volume_update alone changes them, when sectors come or go and when the volume's box passes a sector's
+ * border. */
+WELKIN_API WelkinResult welkin_volume_cuts(const WelkinVolume* volume, const void** words, size_t* bytes);
+
+/* Fills the constants that volume.glsl reads (welkin/volume_constants.h). `size` is that of the struct, 80. */
 WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, struct WelkinVolumeConstants* constants,
                                                 size_t size);
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces, such as places with thin walls (tests/probes/leak_levels.h), as a baked level that the runtime opens.
+#pragma once
+
+#include "tests/probes/leak_levels.h"
+#include "tests/runtime/random_level.h"
+
+namespace welkin::tests {
+
+/// The sectors, or all if there are none, without bounces and without the sun.
+RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors = {});
+
+/// Moves surfaces and points, metres.
+void move(LeakLevel& level, const Number3& by);
+
+}  // namespace welkin::tests
