@@ -16,6 +16,11 @@ namespace welkin::probes {
 inline constexpr std::uint32_t kCellWords = format::kGridCells, kMostCutNodesPlaced = 1024;
 inline constexpr std::uint32_t kBlockWords = kCellWords + 4 * kMostCutNodesPlaced;
 
+/// Whether cells of a sector, which may be null, are cut.
+inline bool hasCuts(const WelkinSector* sector) {
+  return sector != nullptr && sector->cut.get() != nullptr;
+}
+
 /// Words and layers of bricks that an update changed.
 struct CutChange {
   std::uint32_t first_word = 0, words = 0;
