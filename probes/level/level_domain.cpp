@@ -155,7 +155,8 @@ base::Domain rows() {
        "",
        {},
        "surfaces",
-       "`surfaces`: probes are fitted to the light of surfaces and of the air; `none`: they have the light of their place",
+       "`surfaces`: probes are fitted to the light of surfaces and of the air; `none`: they have the light of their "
+       "place",
        "refused",
        {"surfaces", "none"}},
       {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "factor of the bounced light of sun and moon"},

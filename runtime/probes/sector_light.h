@@ -14,8 +14,8 @@ namespace welkin::probes {
 
 inline constexpr std::size_t kDirections = 4;  ///< of the transfer basis (shaders/shared/transfer_basis.glsl)
 
-/// Largest number of a SectorLight, and largest scale of a probe. Files and samples may hold up to 1e30 and more. Within
-/// these bounds, light stays below 1e37, so no sum of floats overflows or becomes NaN.
+/// Largest number of a SectorLight, and largest scale of a probe. Files and samples may hold up to 1e30 and more.
+/// Within these bounds, light stays below 1e37, so no sum of floats overflows or becomes NaN.
 inline constexpr double kMostLight = 1e18;
 inline constexpr float kMostScale = 1e15F;
 

@@ -14,10 +14,10 @@
 struct WelkinVolumeConstants {
   WELKIN_VOLUME_FLOAT4 low;     // xyz: low corner of the covered box, metres; w: irradiance of a texel's value 1
   WELKIN_VOLUME_FLOAT4 camera;  // xyz: the last update's, metres; w: push off a surface along its normal, metres
-  WELKIN_VOLUME_FLOAT4 size;    // xyz: edges of the box, after which texture coordinates repeat, metres; w: slices along z
+  WELKIN_VOLUME_FLOAT4 size;    // xyz: edges of the box, after which coordinates repeat, metres; w: slices along z
   WELKIN_VOLUME_FLOAT4 texel;   // xyz: edges of a texel, metres; w: 1 / width of the border that fades, 1 / metres
-  WELKIN_VOLUME_FLOAT4 cuts;    // xy: sectors of the table along x and z, less 1; z: a surface counts as this far off it,
-                                // metres; w: 1 / slices of the texture with its bricks
+  WELKIN_VOLUME_FLOAT4 cuts;  // xy: sectors of the table along x and z, less 1; z: a surface counts as this far off it,
+                              // metres; w: 1 / slices of the texture with its bricks
 };
 
 #if defined(__cplusplus) || defined(__STDC__)

@@ -21,8 +21,7 @@ struct TwoSkies {
     folder.write("clear.toml", skyText(kDay, kDaySun, kModes));
     writeStorm(kOvercast);
   }
-  void writeStorm(const std::string& sky, const std::string& sun = kDaySun,
-                  const std::string& bake = kModes) const {
+  void writeStorm(const std::string& sky, const std::string& sun = kDaySun, const std::string& bake = kModes) const {
     folder.write("storm.toml", skyText(sky, sun, bake));
   }
   Run bake(const std::string& out, std::vector<std::string> files = {"clear.toml", "storm.toml"},
@@ -168,7 +167,8 @@ TEST_CASE("Family, OfALevelHasItsSkyFirst") {
   CHECK(readBytes(level / "shards/level.welkin") == readBytes(level / "out/level.welkin"));
 
   writeStorm("ground_albedo = [0.3, 0.3, 0.3]\n");
-  requireRefused(runTool(level.command("out", kBudget)), {"storm.toml: sky.ground_albedo is [0.3,0.3,0.3]", "sky.toml, absent"});
+  requireRefused(runTool(level.command("out", kBudget)),
+                 {"storm.toml: sky.ground_albedo is [0.3,0.3,0.3]", "sky.toml, absent"});
   writeLevel("[]");
   requireRefused(runTool(level.command("out", kBudget)), {"level.toml", "sky", "list of one or more names"});
   writeLevel("[\"sky.toml\", 3]");

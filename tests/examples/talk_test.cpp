@@ -15,8 +15,8 @@ TEST_CASE("TalkLevels, GeneratorWritesTheCommittedBytes") {
     CAPTURE(level.name);
     const std::filesystem::path file = std::filesystem::path(TALK_FOLDER) / level.name / level.name;
     const std::vector<std::byte> json = base::readFile(file.string() + ".gltf");
-    const bool is_same_json = json.size() == level.files.json.size() &&
-                              std::memcmp(json.data(), level.files.json.data(), json.size()) == 0;
+    const bool is_same_json =
+        json.size() == level.files.json.size() && std::memcmp(json.data(), level.files.json.data(), json.size()) == 0;
     CHECK(is_same_json);
     const bool is_same_binary = base::readFile(file.string() + ".bin") == level.files.binary;
     CHECK(is_same_binary);

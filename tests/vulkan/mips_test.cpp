@@ -45,7 +45,8 @@ TEST_CASE("Mips, AreMeansOfTheAreasThatTheyCover") {
           // The mean of every mip is the ramp's. A texel of the first mip lies between those that it covers.
           if (e == 1)
             for (int c = 0; c < 2; ++c) CHECK(double{rgb[c]} == Approx(0.5 * (edge + 1.0)).epsilon(2.0 * kMipRounding));
-          CHECK(double{rgb[2]} == Approx(1.0 + std::floor(static_cast<double>(i) / (e * e))).epsilon(2.0 * kMipRounding));
+          CHECK(double{rgb[2]} ==
+                Approx(1.0 + std::floor(static_cast<double>(i) / (e * e))).epsilon(2.0 * kMipRounding));
           const double width = double(edge) / e;
           const auto meanOf = [&](std::size_t k) {  // Mean of 1 + floor(x) over [k width, (k + 1) width].
             double sum = 0.0;

@@ -139,8 +139,8 @@ WELKIN_API WelkinResult welkin_sector_open(const WelkinLevel* level, const void*
 WELKIN_API void welkin_sector_close(WelkinSector* sector);
 
 /* Makes a sector resident; the level owns it until it is removed. WELKIN_ERROR_ARGUMENT if it is already resident or
- * belongs to another level; WELKIN_ERROR_MEMORY if sector_capacity sectors are resident. Until its probes are relit they
- * have the light of its last residence, at first black. */
+ * belongs to another level; WELKIN_ERROR_MEMORY if sector_capacity sectors are resident. Until its probes are relit
+ * they have the light of its last residence, at first black. */
 WELKIN_API WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector);
 
 /* Ends the residence of the sector (x, z) and gives it back to the caller. *sector is null if it is not resident. */

@@ -130,9 +130,9 @@ WELKIN_API WelkinResult welkin_sample_irradiance(const WelkinSkySample* sample, 
 /* Blends two skies, for weather: lights, tint, ambient coefficients and ground. `weight`, in [0, 1], is the weight of
  * the second sky. Directions are blended and normalised. Skies that were baked as a family share their modes: their
  * blend has modes, and its irradiance is the blend of both. Other blends have none, nor have samples whose suns differ
- * in azimuth: the coefficients give their irradiance. Fields that belong to one file (luminance_norm, intensity, cubemaps) are copied from the first sample. So draw both
- * domes, the second with `weight` as its opacity. Different coefficient counts and other weights are
- * WELKIN_ERROR_ARGUMENT. */
+ * in azimuth: the coefficients give their irradiance. Fields that belong to one file (luminance_norm, intensity,
+ * cubemaps) are copied from the first sample. So draw both domes, the second with `weight` as its opacity. Different
+ * coefficient counts and other weights are WELKIN_ERROR_ARGUMENT. */
 WELKIN_API WelkinResult welkin_sample_blend(const WelkinSkySample* first, const WelkinSkySample* second, float weight,
                                             WelkinSkySample* blended);
 

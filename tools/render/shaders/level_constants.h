@@ -7,21 +7,21 @@
 
 #define WELKIN_PROBE_RADIUS 0.35  // radius of the spheres that show probes, metres
 
-#define WELKIN_LEVEL_CONSTANTS 0   // uniform buffer, LevelConstants
-#define WELKIN_LEVEL_INSTANCES 1   // storage buffer, an Instance each
-#define WELKIN_LEVEL_SHADOW 2      // sampler2DShadow, D32, less or equal, white border
-#define WELKIN_LEVEL_ALBEDO 3      // sampler2D, RGBA16F, fetched: linear albedo
-#define WELKIN_LEVEL_NORMAL 4      // sampler2D, RGBA16F, fetched: unit normal
-#define WELKIN_LEVEL_DEPTH 5       // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
-#define WELKIN_LEVEL_SCENE 6       // sampler2D, RGBA32F, fetched: the picture without the water
-#define WELKIN_LEVEL_REFLECTION 7  // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
-#define WELKIN_LEVEL_LAMPS 8       // storage buffer, a LevelLamp each
-#define WELKIN_LEVEL_BOXES 9       // storage buffer, a LevelBox each: a tree in depth-first order
-#define WELKIN_LEVEL_TRIANGLES 10  // storage buffer, a LevelTriangle each
-#define WELKIN_LEVEL_EMISSION 11   // sampler2D, RGBA32F, fetched: emitted radiance
-#define WELKIN_LEVEL_NOISY 12      // sampler2D, R8, fetched: visibility of the hemisphere before its denoising
-#define WELKIN_LEVEL_VISIBILITY 13 // sampler2D, R8, fetched: visibility of the hemisphere, of ambient light
-#define WELKIN_LEVEL_TRACED 14     // sampler2D, RGBA32F, fetched: irradiance from elsewhere; alpha 0: none
+#define WELKIN_LEVEL_CONSTANTS 0    // uniform buffer, LevelConstants
+#define WELKIN_LEVEL_INSTANCES 1    // storage buffer, an Instance each
+#define WELKIN_LEVEL_SHADOW 2       // sampler2DShadow, D32, less or equal, white border
+#define WELKIN_LEVEL_ALBEDO 3       // sampler2D, RGBA16F, fetched: linear albedo
+#define WELKIN_LEVEL_NORMAL 4       // sampler2D, RGBA16F, fetched: unit normal
+#define WELKIN_LEVEL_DEPTH 5        // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
+#define WELKIN_LEVEL_SCENE 6        // sampler2D, RGBA32F, fetched: the picture without the water
+#define WELKIN_LEVEL_REFLECTION 7   // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
+#define WELKIN_LEVEL_LAMPS 8        // storage buffer, a LevelLamp each
+#define WELKIN_LEVEL_BOXES 9        // storage buffer, a LevelBox each: a tree in depth-first order
+#define WELKIN_LEVEL_TRIANGLES 10   // storage buffer, a LevelTriangle each
+#define WELKIN_LEVEL_EMISSION 11    // sampler2D, RGBA32F, fetched: emitted radiance
+#define WELKIN_LEVEL_NOISY 12       // sampler2D, R8, fetched: visibility of the hemisphere before its denoising
+#define WELKIN_LEVEL_VISIBILITY 13  // sampler2D, R8, fetched: visibility of the hemisphere, of ambient light
+#define WELKIN_LEVEL_TRACED 14      // sampler2D, RGBA32F, fetched: irradiance from elsewhere; alpha 0: none
 #define WELKIN_LEVEL_BINDINGS 15
 
 #ifdef __cplusplus

@@ -32,7 +32,7 @@ struct BakeOptions {
   std::string sectors;  ///< levels only: bakes these sectors alone, "X_Z,X_Z,..."; empty: all. Excludes shards.
   bool force = false;   ///< also bakes files that are up to date
   std::string target;   ///< reader of the ambient light: "modes", "sh2", "sh3", "filament", "three", "unity", "unreal"
-                       ///< or "godot"; budget and certificate are of what it shows. Empty: the target of the sky file.
+                        ///< or "godot"; budget and certificate are of what it shows. Empty: the target of the sky file.
   /// Error budget of the cubemaps, a fraction in the domain of cubemap_error (docs/sky_file.md), in place of the sky
   /// file's settings of them; 0: no cubemaps. Absent: those settings.
   std::optional<double> cubemap_error;
