@@ -9,7 +9,7 @@
 
 // Numbers of floats in an evaluation's arguments, and of its results.
 #define WELKIN_NUMERICS_ARGUMENTS 20
-#define WELKIN_NUMERICS_RESULTS 106
+#define WELKIN_NUMERICS_RESULTS 141
 
 #define WELKIN_NUMERICS_BODY                                                   \
   LuminanceModel clear_sky = WELKIN_MODEL(-1.0, -0.32, 10.0, -3.0, 0.45, 0.0); \
@@ -20,6 +20,7 @@
   WELKIN_FORMULAS_OF_ANGLES                                                    \
   WELKIN_FORMULAS_OF_LUMINANCE                                                 \
   WELKIN_FORMULAS_OF_COLOUR                                                    \
+  WELKIN_FORMULAS_OF_MATERIALS                                                 \
   ShBasis basis = shBasis(a);                                                  \
   for (int j = 0; j < 25; ++j) PUT(shBasis, 1.0, "a", basis.v[j])              \
   for (int j = 0; j < 5; ++j) PUT(cosineLobe, 0.0, "", cosineLobe(j))          \

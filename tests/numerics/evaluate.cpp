@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "body.h"
-#include "shared.h"
+#include "materials.h"
 #include "tests/stress/random.h"
 
 // NOLINTBEGIN(bugprone-macro-parentheses)

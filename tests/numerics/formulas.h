@@ -52,4 +52,31 @@
   PUT(azimuthWeight, 1.0, "a b", azimuthWeight(a, b))                             \
   PUT(starFade, 1.0, "s t", starFade(s, NUMBER(0.01) + t))
 
+#define WELKIN_FORMULAS_OF_MATERIALS                                                                          \
+  PUT(powerOfGloss, 0.0, "s", powerOfGloss(s))                                                                \
+  PUT(glossOfPower, 1.0, "s", glossOfPower(NUMBER(1.0) + s * NUMBER(8191.0)))                                 \
+  PUT(powerOfRoughness, 0.0, "s", powerOfRoughness(s))                                                        \
+  PUT(roughnessOfPower, 0.0, "s", roughnessOfPower(NUMBER(1.0) + s * NUMBER(8191.0)))                         \
+  PUT(toksvigPower, 0.0, "s t", toksvigPower(NUMBER(1.0) + s * NUMBER(8191.0), t))                            \
+  PUT3(halfVector, 1.0, "a b", halfVector(a, b))                                                              \
+  PUT(schlickShare, 1.0, "t", schlickShare(t))                                                                \
+  PUT(gaussianShare, 0.0, "t", gaussianShare(t))                                                              \
+  PUT(laterGaussianShare, 0.0, "t", laterGaussianShare(t))                                                    \
+  PUT3(fresnel, 0.0, "rgb t", fresnel(rgb, t))                                                                \
+  PUT(blinnPhong, NUMBER(1.0) + s * NUMBER(8191.0), "s t", blinnPhong(NUMBER(1.0) + s * NUMBER(8191.0), t))   \
+  PUT(smithRoughness, 0.0, "s", smithRoughness(NUMBER(1.0) + s * NUMBER(8191.0)))                             \
+  PUT(schlickSmith, 0.0, "s t y", schlickSmith(NUMBER(0.0124) + s * NUMBER(0.6), t, up))                      \
+  PUT(meanVisibility, 0.0, "s", meanVisibility(NUMBER(0.0124) + s * NUMBER(0.9876)))                          \
+  PUT(meanFactor, 0.0, "s", meanFactor(s))                                                                    \
+  PUT(fittedFactor, 0.0, "s", fittedFactor(s))                                                                \
+  PUT(linearFactor, 0.0, "s", linearFactor(NUMBER(1.0) + s * NUMBER(8191.0), NUMBER(4.0), NUMBER(-1.0)))      \
+  PUT(shippedFactor, 0.0, "s", shippedFactor(NUMBER(1.0) + s * NUMBER(8191.0)))                               \
+  PUT3(shippedSpecular, NUMBER(100.0), "a b rgb", shippedSpecular(rgb, NUMBER(64.0), a, b, near_b))           \
+  PUT3(schlickSmithSpecular, NUMBER(100.0), "a b rgb", schlickSmithSpecular(rgb, NUMBER(64.0), a, b, near_b)) \
+  PUT3(lambert, 0.0, "rgb", lambert(rgb))                                                                     \
+  PUT(wrappedDiffuse, 1.0, "theta s", wrappedDiffuse(cos(theta), s))                                          \
+  PUT(wrappedDiffusePower, 1.0, "theta s t", wrappedDiffusePower(cos(theta), s, t* NUMBER(8.0)))              \
+  PUT(halfLambert, 1.0, "theta", halfLambert(cos(theta)))                                                     \
+  PUT(sloanWrapped, 1.0, "theta s", sloanWrapped(cos(theta), s))
+
 #endif

@@ -2,7 +2,7 @@
 // Evaluates every shared formula for a list of arguments; evaluate.cpp does the same on the CPU.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "welkin/formulas.glsl"
+#include "welkin/materials.glsl"
 #include "body.h"
 
 #define PUT(name, size, arguments, value) results[next++] = float(value);
