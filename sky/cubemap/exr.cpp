@@ -4,38 +4,14 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
-#include <cstring>
 
-#include "sky/base/error.h"
+#include "sky/image/exr_stream.h"
 
 namespace welkin::cubemap {
-namespace {
-
-/// Collects the output of OpenEXR, which goes back to fill in the offsets of the lines.
-class MemoryStream : public Imf::OStream {
- public:
-  MemoryStream() : Imf::OStream("memory") {}
-  void write(const char c[], int n) override {
-    const auto size = static_cast<std::size_t>(n);
-    if (bytes.size() < position_ + size) bytes.resize(position_ + size);
-    std::memcpy(bytes.data() + position_, c, size);
-    position_ += size;
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-
-  std::vector<std::byte> bytes;
-
- private:
-  std::size_t position_ = 0;
-};
-
-}  // namespace
 
 std::vector<std::byte> encodeExr(const DomeImage& image, std::optional<Layout> layout, double luminance_unit,
                                  const base::Progress& progress) {
@@ -53,7 +29,7 @@ std::vector<std::byte> encodeExr(const DomeImage& image, std::optional<Layout> l
     frame.insert(names[c], Imf::Slice(Imf::HALF, base + c * sizeof(std::uint16_t), texel,
                                       texel * static_cast<std::size_t>(image.extent.width)));
   }
-  MemoryStream stream;
+  image::ExrBytes stream;
   {
     Imf::OutputFile file(stream, header, 0);
     file.setFrameBuffer(frame);

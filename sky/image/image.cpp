@@ -12,13 +12,16 @@
 #include <limits>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/image/coded_image.h"
 #include "sky/image/coded_picture.h"
 #include "sky/image/exr_read.h"
 #include "sky/image/image_header.h"
 #include "sky/image/image_module.h"
+#include "sky/image/orientation.h"
 #include "sky/image/pnm.h"
 #include "sky/image/radiance_hdr.h"
 #include "sky/image/stored_picture.h"
@@ -80,6 +83,45 @@ void requireValues(const std::string& name, const Image& image, const ImageLimit
                                 image.converted ? ", converted to Rec. 709" : "", limits.negative ? "" : " from 0"));
 }
 
+/// Throws Error(content) for a header that must not be passed to the format's library.
+void requireHeader(const std::string& name, std::span<const std::byte> bytes, std::string_view format,
+                   const ImageLimits& limits) {
+  if (const auto why = whyHeaderUnusable(bytes, format, limits.largest_side))
+    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
+}
+
+Image uprightCodes(StoredPicture picture) {
+  turnUpright(orientationOfTag(picture.exif.orientation), picture.image);
+  return std::move(picture.image);
+}
+
+Image codesOf(const std::string& name, std::span<const std::byte> bytes, const ImageLimits& limits) {
+  const std::string_view format = formatOf({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (format == "hdr" || format == "pnm" || (format.empty() && !isTexture(name, bytes)))
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: not a picture of codes that can be read: PNG, OpenEXR, TIFF, JPEG, WebP, BMP, "
+                                  "Targa and some DDS are",
+                                  name));
+  if (!format.empty()) requireHeader(name, bytes, format, limits);
+  if (format == kOpenExr) {
+    Image image = readExr(name, bytes, limits, "");
+    if (image.converted)
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("{}: chromaticities other than Rec. 709; codes have no colour", name));
+    return image;
+  }
+  if (format == "tiff") return uprightCodes(imageModule().read_tiff(name, bytes, limits));
+  if (!format.empty()) return uprightCodes(readCodedPicture(name, format, bytes, limits));
+  const CodedImage coded = decodeImage(name, bytes, limits);
+  Image image;
+  image.width = coded.width;
+  image.height = coded.height;
+  image.rgb.reserve(coded.rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < coded.rgba.size(); ++i)
+    if (i % 4 != 3) image.rgb.push_back(static_cast<float>(coded.rgba[i]) / 255.0F);
+  return image;
+}
+
 /// Throws Error(file) where there is no room for the module: its 260 libraries abort, crash or hang when they run out
 /// of memory while they are loaded. They took 430 MB of addresses on two processors, and make a thread for each.
 void requireRoomForModule() {
@@ -118,8 +160,7 @@ Image readImage(const std::string& name, std::span<const std::byte> bytes, const
     throw base::Error(
         base::ExitStatus::content,
         fmt::format("{}: not an image that can be read: PNG, OpenEXR, TIFF, JPEG, Radiance HDR and PNM are", name));
-  if (const auto why = whyHeaderUnusable(bytes, format, limits.largest_side))
-    throw base::Error(base::ExitStatus::content, fmt::format("{}: damaged or cut: {}", name, *why));
+  requireHeader(name, bytes, format, limits);
   if (!layer.empty() && format != kOpenExr)
     throw base::Error(base::ExitStatus::content,
                       fmt::format("{}: no layer '{}': only OpenEXR has layers", name, layer));
@@ -138,6 +179,13 @@ Image readImage(const std::string& name, std::span<const std::byte> bytes, const
 
 Image readImage(const std::filesystem::path& path, const ImageLimits& limits, const std::string& layer) {
   return readImage(path.string(), base::readFile(path), limits, layer);
+}
+
+Image readCodes(const std::filesystem::path& path, const ImageLimits& limits) {
+  const std::string name = path.string();
+  Image image = codesOf(name, base::readFile(path), limits);
+  requireValues(name, image, limits);
+  return image;
 }
 
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {

@@ -44,6 +44,12 @@ Image readImage(const std::string& name, std::span<const std::byte> bytes, const
 /// Reads a file and decodes it. Throws Error(file) when it cannot be read.
 Image readImage(const std::filesystem::path& path, const ImageLimits& limits = {}, const std::string& layer = "");
 
+/// Reads a picture of numbers that are no light, such as normals, as its file stores them: codes divided by the largest
+/// code, or floats. Upright; fields about colour are ignored. Reads PNG, OpenEXR, TIFF, JPEG, WebP, BMP, Targa and DDS,
+/// the last four with 8 bits. One channel is grey; alpha is ignored. Throws as readImage does, and Error(content) for
+/// an OpenEXR file whose colours would be converted.
+Image readCodes(const std::filesystem::path& path, const ImageLimits& limits = {});
+
 /// Encodes width x height sRGB-encoded RGB texels, rows from the top, as the bytes of a PNG.
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint16_t> rgb);

@@ -18,6 +18,7 @@ void addValidate(CLI::App& app);
 void addEval(CLI::App& app);
 void addSample(CLI::App& app);
 void addExport(CLI::App& app);
+void addGloss(CLI::App& app);
 void addReference(CLI::App& app);
 void addStudy(CLI::App& app);
 void addRender(CLI::App& app);

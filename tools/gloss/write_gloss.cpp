@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gloss/write_gloss.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "sky/base/atomic_file.h"
+#include "sky/base/hash.h"
+#include "sky/base/message.h"
+#include "sky/image/exr_write.h"
+
+namespace welkin::gloss {
+namespace {
+
+template <typename Code>
+std::vector<std::byte> pngOf(const Mip& mip, bool normals) {
+  constexpr double kLargest = std::numeric_limits<Code>::max();
+  const auto codeOf = [&](double share) {
+    return static_cast<Code>(std::lround(std::clamp(share, 0.0, 1.0) * kLargest));
+  };
+  std::vector<Code> codes;
+  codes.reserve(mip.normal.size());
+  for (std::size_t i = 0; i < mip.normal.size(); ++i)
+    codes.push_back(normals ? codeOf((double{mip.normal[i]} + 1.0) / 2.0) : codeOf(double{mip.gloss[i / 3]}));
+  return image::encodePng(mip.width, mip.height, codes);
+}
+
+std::vector<std::byte> encoded(const Mip& mip, bool normals, Format format) {
+  if (format == Format::png) return pngOf<std::uint8_t>(mip, normals);
+  if (format == Format::png16) return pngOf<std::uint16_t>(mip, normals);
+  return image::encodeExr(mip.width, mip.height, normals ? 3 : 1, normals ? mip.normal : mip.gloss);
+}
+
+void checkGreen(const Request& request, Result& result) {
+  if (!result.green.points_down() || request.flip_green) return;
+  result.warnings.push_back({"green-down", 1,
+                             fmt::format("green seems to point down, as DirectX has it (correlation {:.3f}, certainty "
+                                         "{:.4f}); glTF, OpenGL and Welkin have it up. --flip-green turns it",
+                                         result.green.correlation, result.green.certainty)});
+}
+
+double rounded(double value, double digits) {
+  return std::round(value * digits) / digits;
+}
+
+}  // namespace
+
+Result writeGloss(const Request& request, const std::filesystem::path& folder, const base::Progress& progress) {
+  NormalMap normals = readNormalMap(request.normal, request.options);
+  const GlossMap gloss = readGloss(request.gloss, request.roughness);
+  Result result{request.normal.filename().string(),
+                gloss.number ? request.gloss : std::filesystem::path(request.gloss).filename().string(),
+                normals.coding,
+                normals.mean_stored_length,
+                greenDirectionOf(normals, request.wrap),
+                {},
+                {},
+                std::move(normals.warnings),
+                {}};
+  result.warnings.insert(result.warnings.end(), gloss.warnings.begin(), gloss.warnings.end());
+  checkGreen(request, result);
+  if (request.flip_green)
+    for (std::size_t i = 1; i < normals.xyz.size(); i += 3) normals.xyz[i] = -normals.xyz[i];
+  result.mips = mipsOf(normals, gloss, progress);
+  result.average = averageFactorOf(result.mips);
+  const char* const ending = request.format == Format::exr ? "exr" : "png";
+  for (const bool of_normals : {true, false})
+    for (std::size_t k = 0; k < result.mips.size(); ++k) {
+      const std::vector<std::byte> bytes = encoded(result.mips[k], of_normals, request.format);
+      const std::string name =
+          fmt::format("{}_{}_mip{}.{}", request.normal.stem().string(), of_normals ? "normal" : "gloss", k, ending);
+      base::writeFile(folder / name, bytes);
+      result.files.push_back({name, bytes.size(), base::textOf(base::hashOf(bytes))});
+      progress.check();
+    }
+  return result;
+}
+
+std::string reportOf(const Result& result) {
+  nlohmann::ordered_json report;
+  report["normal"] = base::oneLine(result.normal_name);
+  report["gloss"] = base::oneLine(result.gloss_name);
+  report["coding"] = nameOf(result.coding);
+  report["mean_stored_length"] = rounded(result.mean_stored_length, 1e6);
+  report["green"] = {{"correlation", rounded(result.green.correlation, 1e4)},
+                     {"certainty", rounded(result.green.certainty, 1e4)},
+                     {"direction", result.green.points_up()     ? "up"
+                                   : result.green.points_down() ? "down"
+                                                                : "unknown"}};
+  report["average_toksvig"] = {{"gloss", rounded(result.average.gloss, 1e6)},
+                               {"factor", rounded(result.average.factor, 1e6)}};
+  for (const Mip& mip : result.mips)
+    report["mips"].push_back({{"width", mip.width},
+                              {"height", mip.height},
+                              {"mean_gloss", rounded(mip.mean_gloss, 1e6)},
+                              {"mean_toksvig_factor", rounded(mip.mean_factor, 1e6)},
+                              {"least_normal_length", rounded(mip.least_length, 1e6)}});
+  report["warnings"] = nlohmann::json::array();
+  for (const Warning& w : result.warnings)
+    report["warnings"].push_back({{"id", w.id}, {"count", w.count}, {"message", base::oneLine(w.message)}});
+  for (const WrittenFile& file : result.files)
+    report["files"].push_back({{"name", base::oneLine(file.name)}, {"bytes", file.bytes}, {"xxh3_128", file.xxh3_128}});
+  return report.dump(2) + "\n";
+}
+
+}  // namespace welkin::gloss

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// One normal map and its gloss as files of mips, and what was found on the way.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gloss/gloss_source.h"
+#include "gloss/integrability.h"
+#include "gloss/mips.h"
+#include "gloss/normal_map.h"
+
+namespace welkin::gloss {
+
+enum class Format {
+  exr,   ///< floats: normals as they are, components in [-1, 1]; gloss in one channel
+  png,   ///< 8 bits: normals as (n + 1)/2
+  png16  ///< 16 bits
+};
+
+/// The steps on one texture.
+struct Request {
+  std::filesystem::path normal;
+  std::string gloss;       ///< a number or a path, as readGloss() takes it
+  bool roughness = false;  ///< whether that is roughness
+  NormalMapOptions options;
+  Wrap wrap = Wrap::repeat;
+  bool flip_green = false;
+  Format format = Format::exr;
+};
+
+struct WrittenFile {
+  std::string name;  ///< within the folder
+  std::uint64_t bytes = 0;
+  std::string xxh3_128;
+};
+
+struct Result {
+  std::string normal_name, gloss_name;  ///< as given
+  Coding coding = Coding::codes;
+  double mean_stored_length = 1.0;
+  GreenDirection green;
+  std::vector<Mip> mips;
+  AverageFactor average;
+  std::vector<Warning> warnings;
+  std::vector<WrittenFile> files;
+};
+
+/// Reads the textures, makes the mips and writes NAME_normal_mipK and NAME_gloss_mipK for K from 0 into the folder,
+/// which must exist; NAME is the normal map's without its ending. Throws what the steps throw.
+Result writeGloss(const Request& request, const std::filesystem::path& folder, const base::Progress& progress = {});
+
+/// The report of one texture, as text of JSON.
+std::string reportOf(const Result& result);
+
+}  // namespace welkin::gloss
