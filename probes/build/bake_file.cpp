@@ -10,6 +10,7 @@
 #include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/build/merged_report.h"
+#include "probes/level/level_domain.h"
 #include "sky/bake/bake_family.h"
 #include "sky/bake/family.h"
 #include "sky/bake/sky_domain.h"
@@ -33,19 +34,20 @@ std::string escaped(const std::filesystem::path& path) {
   return out;
 }
 
-void requireInDomain(const char* key, const std::optional<double>& budget) {
-  const base::Range& range = base::parameterOf(bake::skyDomain(), "bake", key).range;
+void requireInDomain(const base::Domain& domain, const char* key, const std::optional<double>& budget) {
+  const base::Range& range = base::parameterOf(domain, "bake", key).range;
   if (budget && !range.contains(*budget))
     throw base::Error(base::ExitStatus::usage,
                       fmt::format("{}: {} is not in {} to {}", key, *budget, range.low, range.high));
 }
 
 void requireLevel(const BakeRequest& request) {
-  for (const auto& [name, given] :
-       {std::pair("--shard", request.shard.has_value()), {"--sectors", !request.sectors.empty()}})
+  for (const auto& [name, given] : {std::pair("--shard", request.shard.has_value()),
+                                    {"--sectors", !request.sectors.empty()},
+                                    {"--max-surface-error", request.max_surface_error.has_value()}})
     if (given)
       throw base::Error(base::ExitStatus::usage,
-                        fmt::format("{}: {} is no level file: it has no sectors", name, request.file.string()));
+                        fmt::format("{}: {} is no level file: it has no surfaces", name, request.file.string()));
 }
 
 /// The outputs whose dates say that the bake ran to its end: of a level its index, or a shard's part of it.
@@ -114,10 +116,11 @@ std::vector<bake::SkyFile> skiesOf(const BakeInput& read) {
 }
 
 BakeInput readInput(const BakeRequest& request, const base::Progress& progress) {
-  requireInDomain("max_error", request.max_error);
-  if (request.cubemap_error != 0.0) requireInDomain("cubemap_error", request.cubemap_error);
+  requireInDomain(bake::skyDomain(), "max_error", request.max_error);
+  if (request.cubemap_error != 0.0) requireInDomain(bake::skyDomain(), "cubemap_error", request.cubemap_error);
+  requireInDomain(level::levelDomain(), "max_surface_error", request.max_surface_error);
   Subject subject = readSubject(request.file, request.more);
-  BakeInput read{std::move(subject.sky), std::move(subject.more), std::move(subject.inputs), std::nullopt};
+  BakeInput read{std::move(subject.sky), std::move(subject.more), std::move(subject.inputs), std::nullopt, std::nullopt};
   applyOptions(request, read.sky.bake);
   for (bake::SkyFile& sky : read.more) applyOptions(request, sky.bake);
   if (!read.more.empty()) {
@@ -127,9 +130,12 @@ BakeInput readInput(const BakeRequest& request, const base::Progress& progress) 
   }
   if (!subject.level) requireLevel(request);
   if (!subject.level) return read;
+  if (request.max_surface_error) subject.level->section.max_surface_error = request.max_surface_error;
   try {
     read.level.emplace(std::move(subject.level->surfaces), subject.level->section, read.sky.sky,
                        read.sky.bake.max_error, progress);
+    if (read.level->surfaceBudget()) read.choice = earlierChoice(*read.level, read.sky, request.folder);
+    if (read.choice) read.level->setSpreads(read.choice->spread);
   } catch (const base::Error& e) {  // it does not know the file
     if (e.status() != base::ExitStatus::content) throw;
     throw base::Error(e.status(), fmt::format("{}: {}", request.file.string(), e.what()));
@@ -143,7 +149,7 @@ std::string reportText(const Json& json) {
 
 Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const BakeInput read = readInput(request, progress);
+  BakeInput read = readInput(request, progress);
   LevelOptions wanted{request.folder, request.shard, {}, request.force};
   if (!request.sectors.empty()) wanted.sectors = parseSectors(request.sectors, read.level->sectors());
   base::makeFolder(request.folder);
@@ -156,6 +162,14 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   Json report = {{"warnings", Json::array()}};
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
     report = bakeSkies(request, read, progress, timing);
+  if (read.level && read.level->surfaceBudget()) {
+    if (!read.choice || request.force) {
+      read.choice = chooseSpreads(*read.level, read.sky, wanted.shard || !wanted.sectors.empty(), progress);
+      wanted.ready = std::move(read.choice->file);
+    }
+    read.level->setSpreads(read.choice->spread);
+    report["surface_budget"] = choiceJson(*read.level, *read.choice);
+  }
   if (read.level)
     if (const auto index = bakeSectors(*read.level, wanted, progress, report, timing))
       certifyBake(*read.level, read.sky.sky, request.folder, *index, request.certify, progress, report);
@@ -166,6 +180,7 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   if (!lock.readOnly()) base::writeFile(timingPath(request.folder, request.shard), reportText(timing));
   base::writeFile(request.report.empty() ? reportPath(request.folder, request.shard) : request.report,
                   reportText(report));
+  if (read.choice) requireKept(request.file, *read.level, report);
   return report;
 }
 

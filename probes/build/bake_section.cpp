@@ -150,6 +150,9 @@ BakeSection bakeSectionOf(const base::TomlFile& toml) {
   section.scale.sun_bounce = scale.number("sun_bounce");
   section.scale.sky = scale.number("sky");
   scale.table().finish();
+  Section bake(top, "bake", level::levelDomain());
+  if (bake.table().has("max_surface_error")) section.max_surface_error = bake.number("max_surface_error", std::nullopt);
+  bake.table().finish();
   return section;
 }
 
@@ -166,7 +169,10 @@ std::string settingsText(const BakeSection& section) {
       fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}, "fit": "{}"}})",
                   t.rays ? fmt::format("{}", *t.rays) : "\"auto\"", t.bounces, nameOf(t.sun),
                   lightsText(t.local_lights), t.reach_m, t.fit == Fit::none ? "none" : "surfaces");
-  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}}})", probes, boxesText(p.room), transfer);
+  const std::string budget = section.max_surface_error
+                                 ? fmt::format(R"(, "bake": {{"max_surface_error": {}}})", *section.max_surface_error)
+                                 : "";
+  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}{}}})", probes, boxesText(p.room), transfer, budget);
 }
 
 }  // namespace welkin::build

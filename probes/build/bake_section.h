@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of level.toml for its bake: [probes], [[room]], [transfer] and [scale]. docs/level_file.md describes
-// every key.
+// The sections of level.toml for its bake: [probes], [[room]], [transfer], [bake] and [scale]. docs/level_file.md
+// describes every key.
 #pragma once
 
 #include <optional>
@@ -41,6 +41,8 @@ struct BakeSection {
   placement::PlacementSettings probes;  ///< [probes] and [[room]]
   TransferSection transfer;
   transfer::RelightScale scale;  ///< the runtime may change it
+  /// [bake]: the error on surfaces and in the air that a sector gets enough probes for; none: distances as stated.
+  std::optional<double> max_surface_error;
 };
 
 /// Reads and checks these sections of a level file. An absent key has its default. Throws Error(content).

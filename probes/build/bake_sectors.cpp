@@ -40,7 +40,8 @@ class SectorBaker {
     SectorState state = level_.state(options_.folder, sector);
     if (!state.stale.empty() || options_.force) {
       const base::Progress rays = progress_.stage(nameOf(sector), 0);
-      state.file = level_.bake(sector, rays);
+      state.file = readyFile(sector);
+      if (!state.file) state.file = level_.bake(sector, rays);
       state.bytes = sectors::encodeSector(*state.file);
       base::writeFile(sectorPath(options_.folder, sector), state.bytes);
       rays_ += state.file->rays;
@@ -59,6 +60,12 @@ class SectorBaker {
   }
 
  private:
+  std::optional<sectors::SectorFile> readyFile(SectorId sector) const {
+    const auto is = [&](const sectors::SectorFile& file) { return file.id == sector; };
+    const auto found = std::find_if(options_.ready.begin(), options_.ready.end(), is);
+    return found == options_.ready.end() ? std::nullopt : std::optional(*found);
+  }
+
   const LevelBake& level_;
   const LevelOptions& options_;
   base::Progress progress_;

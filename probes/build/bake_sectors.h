@@ -15,8 +15,9 @@ namespace welkin::build {
 struct LevelOptions {
   std::filesystem::path folder;
   std::optional<Shard> shard;
-  std::vector<geometry::SectorId> sectors;  ///< the only ones; empty: all
-  bool force = false;                       ///< bake what is up to date as well
+  std::vector<geometry::SectorId> sectors;      ///< the only ones; empty: all
+  bool force = false;                           ///< bake what is up to date as well
+  std::vector<sectors::SectorFile> ready = {};  ///< files that a search has baked, of all sectors; empty: none
 };
 
 /// Bakes the shard's sectors, or all, or the named ones; then writes the shard's part of the index, or the index, which

@@ -22,20 +22,6 @@ constexpr const char* kKey = "surfaces";
 /// Points of a fast certificate. Its paths are half of the probes' own, within these limits.
 constexpr std::size_t kFewestPoints = 24, kMostPoints = 256, kPointsOfFull = 1024;
 
-certify::CertifySettings settingsFor(const LevelBake& level, const sectors::LevelIndex& index, bake::Certify how) {
-  certify::CertifySettings settings;
-  settings.bounces = level.bounces();
-  settings.all_hours = how == bake::Certify::full;
-  constexpr std::size_t kHours = 4;
-  std::size_t probes = 0;
-  for (const sectors::SectorEntry& s : index.sector) probes += s.probes;
-  const std::size_t paths = probes * level.raysOfProbe() / 2;
-  settings.surface_points =
-      settings.all_hours ? kPointsOfFull : std::clamp(paths / (kHours * settings.paths), kFewestPoints, kMostPoints);
-  settings.air_points = settings.surface_points / 2;
-  return settings;
-}
-
 /// What the certificate is of: the files, and how they were measured.
 std::string subjectOf(const LevelBake& level, const sectors::LevelIndex& index, bake::Certify how) {
   base::Hasher hasher;
@@ -79,22 +65,26 @@ Json certificateJson(const certify::LevelCertificate& c) {
 
 /// The certificate of an earlier bake, if it is of the same subject.
 std::optional<Json> earlier(const std::filesystem::path& folder, const std::string& subject) {
-  const std::filesystem::path path = reportPath(folder, std::nullopt);
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return std::nullopt;
-  try {
-    const auto bytes = base::readFile(path);
-    const auto report = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (!report || !report->is_object() || !report->contains(kKey)) return std::nullopt;
-    const Json& found = (*report)[kKey];
-    if (!found.is_object() || !found.contains("of") || found["of"] != subject) return std::nullopt;
-    return found;
-  } catch (const base::Error&) {
-    return std::nullopt;  // it is about to be written anew
-  }
+  const auto report = earlierReport(folder);
+  if (!report || !report->contains(kKey)) return std::nullopt;
+  const Json& found = (*report)[kKey];
+  if (!found.is_object() || !found.contains("of") || found["of"] != subject) return std::nullopt;
+  return found;
 }
 
 }  // namespace
+
+certify::CertifySettings certifySettings(const LevelBake& level, std::size_t probes, bake::Certify how) {
+  certify::CertifySettings settings;
+  settings.bounces = level.bounces();
+  settings.all_hours = how == bake::Certify::full;
+  constexpr std::size_t kHours = 4;
+  const std::size_t paths = probes * level.raysOfProbe() / 2;
+  settings.surface_points =
+      settings.all_hours ? kPointsOfFull : std::clamp(paths / (kHours * settings.paths), kFewestPoints, kMostPoints);
+  settings.air_points = settings.surface_points / 2;
+  return settings;
+}
 
 void certifyBake(const LevelBake& level, const model::Sky& sky, const std::filesystem::path& folder,
                  const sectors::LevelIndex& index, bake::Certify how, const base::Progress& progress, Json& report) {
@@ -109,7 +99,9 @@ void certifyBake(const LevelBake& level, const model::Sky& sky, const std::files
     const std::filesystem::path path = sectorPath(folder, s.id);
     files.push_back(sectors::decodeSector(base::readFile(path), path.string()));
   }
-  const certify::CertifySettings settings = settingsFor(level, index, how);
+  std::size_t probes = 0;
+  for (const sectors::SectorEntry& s : index.sector) probes += s.probes;
+  const certify::CertifySettings settings = certifySettings(level, probes, how);
   const geometry::Tracer tracer(level.surfaces());
   Json found = {{"of", subject}};
   found.update(certificateJson(certify::certifyLevel(tracer, sky, files, settings, progress.stage("surfaces", 0))));

@@ -6,9 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "probes/build/level_bake.h"
+#include "probes/certify/level_certificate.h"
 #include "sky/bake/certify.h"
 
 namespace welkin::build {
+
+/// How a level with so many probes is measured.
+certify::CertifySettings certifySettings(const LevelBake& level, std::size_t probes, bake::Certify how);
 
 /// Measures the whole level in a folder and adds the result to the report as "surfaces". `none` adds nothing. Where the
 /// folder's report.json has the certificate of the same files already, that is taken. Throws Error.

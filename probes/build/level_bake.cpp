@@ -83,21 +83,30 @@ LevelBake::LevelBake(geometry::Surfaces surfaces, const BakeSection& section, co
   requireFewRooms(section_.probes.room, sectors_);
 }
 
-SectorSettings LevelBake::settingsOf(geometry::SectorId sector) const {
-  return {sectionOf(sector, section_, columnOfBake(sector)), max_error_, ground_albedo_, sun_, moon_};
+double LevelBake::spreadOf(geometry::SectorId sector) const {
+  const auto found = std::lower_bound(sectors_.begin(), sectors_.end(), sector);
+  return spread_.empty() ? 1.0 : spread_[static_cast<std::size_t>(found - sectors_.begin())];
+}
+
+SectorSettings LevelBake::settingsOf(geometry::SectorId sector, double spread) const {
+  BakeSection section = sectionOf(sector, section_, columnOfBake(sector));
+  section.probes = placement::spreadBy(spread, section.probes);
+  section.max_surface_error.reset();  // the spread is what it makes of a sector
+  return {std::move(section), max_error_, ground_albedo_, sun_, moon_};
 }
 
 geometry::Column LevelBake::columnOfBake(geometry::SectorId sector) const {
   return build::columnOfBake(sector, section_.transfer, surfaces_);
 }
 
-sectors::BakedFrom LevelBake::bakedFrom(geometry::SectorId sector) const {
-  return build::bakedFrom(geometry::hashAbout(surfaces_, content_, sector, columnOfBake(sector)), settingsOf(sector));
+sectors::BakedFrom LevelBake::bakedFrom(geometry::SectorId sector, double spread) const {
+  return build::bakedFrom(geometry::hashAbout(surfaces_, content_, sector, columnOfBake(sector)),
+                          settingsOf(sector, spread));
 }
 
 SectorState LevelBake::state(const std::filesystem::path& folder, geometry::SectorId sector) const {
   SectorState state{sector, {}, {}, {}, {}};
-  state.from = bakedFrom(sector);
+  state.from = bakedFrom(sector, spreadOf(sector));
   const std::filesystem::path path = sectorPath(folder, sector);
   std::error_code none;
   if (folder.empty() || !std::filesystem::exists(path, none)) {
@@ -116,16 +125,18 @@ SectorState LevelBake::state(const std::filesystem::path& folder, geometry::Sect
   return state;
 }
 
-sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progress& progress) const {
+sectors::SectorFile LevelBake::bake(geometry::SectorId sector, const base::Progress& progress,
+                                    std::optional<double> spread) const {
+  const double factor = spread.value_or(spreadOf(sector));
   geometry::NearSurfaces near = geometry::surfacesAbout(surfaces_, sector, columnOfBake(sector));
-  return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settingsOf(sector), bakedFrom(sector),
-                    progress);
+  return bakeSector(sector, geometry::withTexels(std::move(near), surfaces_), settingsOf(sector, factor),
+                    bakedFrom(sector, factor), progress);
 }
 
 SectorPlan LevelBake::plan(geometry::SectorId sector, const base::Progress& progress) const {
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
   const geometry::Surfaces near = geometry::withTexels(geometry::surfacesAbout(surfaces_, sector, column), surfaces_);
-  return planSector(sector, near, surfaces_, settingsOf(sector), progress);
+  return planSector(sector, near, surfaces_, settingsOf(sector, spreadOf(sector)), progress);
 }
 
 std::optional<double> LevelBake::budget() const {
@@ -136,8 +147,9 @@ geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const base::P
   const geometry::Column column = geometry::columnOf(sector, section_.transfer.reach_m);
   const geometry::Surfaces near = geometry::withTexels(geometry::surfacesAbout(surfaces_, sector, column), surfaces_);
   placement::PlacementReport report;
-  geometry::PlacedSector placed = placement::placeSector(geometry::Tracer(near), {0, 0},
-                                                         sectionOf(sector, section_, column).probes, report, progress);
+  geometry::PlacedSector placed = placement::placeSector(
+      geometry::Tracer(near), {0, 0}, placement::spreadBy(spreadOf(sector), sectionOf(sector, section_, column).probes),
+      report, progress);
   const Number3 corner = geometry::cornerOf(sector);
   placed.id = sector;
   for (geometry::Probe& probe : placed.probe) probe.position += corner;

@@ -28,7 +28,7 @@ struct SectorState {
   std::vector<std::byte> bytes;             ///< of the file, when it is up to date
 };
 
-/// Immutable after construction.
+/// Immutable after construction, but for the spreads.
 class LevelBake {
  public:
   /// `surfaces` has emission and lights in scene units. `max_error` is the budget of rays = "auto". Throws
@@ -42,14 +42,21 @@ class LevelBake {
   /// The state of a sector's file under `folder`.
   SectorState state(const std::filesystem::path& folder, geometry::SectorId sector) const;
 
-  /// Throws as bakeSector.
-  sectors::SectorFile bake(geometry::SectorId sector, const base::Progress& progress) const;
+  /// Throws as bakeSector. A `spread` stands for the sector's own.
+  sectors::SectorFile bake(geometry::SectorId sector, const base::Progress& progress,
+                           std::optional<double> spread = std::nullopt) const;
+
+  /// Factors of the distances between probes, by sector; 1 until they are set. Before any sector is baked.
+  void setSpreads(std::vector<double> spread) { spread_ = std::move(spread); }
 
   /// Throws as planSector.
   SectorPlan plan(geometry::SectorId sector, const base::Progress& progress = {}) const;
 
   /// The error that rays = "auto" has to keep; none where the number of rays is fixed.
   std::optional<double> budget() const;
+
+  /// The error on surfaces and in the air that the level has to keep.
+  std::optional<double> surfaceBudget() const { return section_.max_surface_error; }
 
   /// The sector as placement leaves it, and the level itself: for pictures.
   geometry::PlacedSector place(geometry::SectorId sector, const base::Progress& progress = {}) const;
@@ -69,8 +76,9 @@ class LevelBake {
 
  private:
   geometry::Column columnOfBake(geometry::SectorId sector) const;
-  sectors::BakedFrom bakedFrom(geometry::SectorId sector) const;
-  SectorSettings settingsOf(geometry::SectorId sector) const;
+  sectors::BakedFrom bakedFrom(geometry::SectorId sector, double spread) const;
+  SectorSettings settingsOf(geometry::SectorId sector, double spread) const;
+  double spreadOf(geometry::SectorId sector) const;
 
   geometry::Surfaces surfaces_;
   BakeSection section_;
@@ -81,6 +89,7 @@ class LevelBake {
   transfer::LightTrack sun_, moon_;
   std::vector<base::Hash128> content_;  // by triangle
   std::vector<geometry::SectorId> sectors_;
+  std::vector<double> spread_;  // by sector; empty: 1
 };
 
 /// The entry of a sector's file.

@@ -81,6 +81,20 @@ bool isOf(const Json& sectors, const sectors::LevelIndex& index) {
 
 }  // namespace
 
+std::optional<Json> earlierReport(const fs::path& folder) {
+  const fs::path path = reportPath(folder, std::nullopt);
+  std::error_code error;
+  if (!fs::exists(path, error)) return std::nullopt;
+  try {
+    const auto bytes = base::readFile(path, kLargestReport);
+    auto report = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (!report || !report->is_object()) return std::nullopt;
+    return report;
+  } catch (const base::Error&) {
+    return std::nullopt;  // it is about to be written anew
+  }
+}
+
 fs::path reportPath(const fs::path& folder, const std::optional<Shard>& shard) {
   return pathOf(folder, "report", shard);
 }

@@ -13,7 +13,6 @@
 namespace welkin::certify {
 namespace {
 
-constexpr std::uint64_t kSeed = 0xce47;  ///< not the fit's
 constexpr double kNormal95 = 1.959963984540054;
 
 struct Point {
@@ -91,8 +90,8 @@ void addPoints(const geometry::Tracer& tracer, const std::vector<sectors::Sector
   };
   std::vector<fit::FitPoints> points(sectors.size());
   tbb::parallel_for(std::size_t{0}, sectors.size(), [&](std::size_t i) {
-    points[i] =
-        fit::pointsOf(tracer, sectors[i].id, each(settings.surface_points), each(settings.air_points), kSeed + i);
+    points[i] = fit::pointsOf(tracer, sectors[i].id, each(settings.surface_points), each(settings.air_points),
+                              settings.seed + i);
   });
   for (const fit::FitPoints& of : points) {
     for (const fit::FitPoint& p : of.surface)
@@ -174,11 +173,13 @@ LevelCertificate certifyLevel(const geometry::Tracer& tracer, const model::Sky& 
   addPoints(tracer, sectors, settings, surface, air);
   result.surface_points = surface.size();
   result.air_points = air.size();
+  for (const Point& p : surface) result.surface_m2 += p.weight;
+  for (const Point& p : air) result.air_m2 += p.weight;
   const auto errorsAt = [&](const Hour& hour, const std::vector<Point>& points, std::size_t count, std::size_t paths) {
     std::vector<PointError> errors(std::min(count, points.size()));
     tbb::parallel_for(std::size_t{0}, errors.size(), [&](std::size_t p) {
       errors[p] = errorAt(tracer, hour, points[p * points.size() / errors.size()].at, paths, settings.bounces,
-                          geometry::Random(kSeed, p, std::llround(hour.time_h * 3600.0)).next());
+                          geometry::Random(settings.seed, p, std::llround(hour.time_h * 3600.0)).next());
       progress.step(paths);
     });
     return errors;

@@ -3,6 +3,7 @@
 // walkable ground. Beside the path tracer, at random points that no fit has seen, through the runtime's look-up.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "probes/geometry/tracer.h"
@@ -19,6 +20,7 @@ struct CertifySettings {
   std::size_t paths = 256;  ///< of a point at an hour, at least 64
   int bounces = 2;
   bool all_hours = false;  ///< the 24 full hours; else the middle of each third of the day, and the worst of the 24
+  std::uint64_t seed = 0xce47;  ///< of points and paths; not the fit's
 };
 
 /// Root mean square of an error of luminance, relative to the open sky's horizontal irradiance at the hour. The path
@@ -51,6 +53,7 @@ struct LevelCertificate {
   std::vector<WorstPoint>
       worst;  ///< the worst per cent of the surface's points, at most kMostWorst, each at its worst hour
   std::size_t surface_points = 0, air_points = 0;
+  double surface_m2 = 0.0, air_m2 = 0.0;  ///< areas that the points stand for
 };
 
 inline constexpr std::size_t kMostWorst = 16;

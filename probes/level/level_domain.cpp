@@ -159,6 +159,15 @@ base::Domain rows() {
        "place",
        "refused",
        {"surfaces", "none"}},
+      {"bake",
+       "max_surface_error",
+       "",
+       Kind::number,
+       "",
+       {0.001, 1.0},
+       "none: distances as in [probes]",
+       "largest rms error on surfaces, and in the air above walkable ground, as a share of the open sky's horizontal "
+       "irradiance; every sector gets the probes that this takes"},
       {"scale", "sun_bounce", "", Kind::number, "", kMultiplier, 1.0, "factor of the bounced light of sun and moon"},
       {"scale", "sky", "", Kind::number, "", kMultiplier, 1.0, "factor of the sky's light, direct and bounced"},
   };

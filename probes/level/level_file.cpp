@@ -97,7 +97,7 @@ LevelFile levelFileOf(const base::TomlFile& toml) {
                        : outside == "allow" ? OutsideFiles::allow
                                             : OutsideFiles::refuse;
   level.finish();
-  for (const char* of_the_bake : {"probes", "transfer", "scale"}) top.table(of_the_bake);
+  for (const char* of_the_bake : {"probes", "transfer", "bake", "scale"}) top.table(of_the_bake);
   top.has("room");
   const toml::node* geometry = top.node("geometry");
   if (geometry == nullptr || !geometry->is_array_of_tables())

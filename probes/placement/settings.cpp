@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sky/base/error.h"
@@ -42,6 +43,16 @@ void checkSettings(const PlacementSettings& s) {
                         fmt::format("[probes] add: [{}, {}, {}] must be within 1000 km of the origin", p.x, p.y, p.z));
   checkBoxes("[probes] remove", s.remove);
   checkBoxes("[[room]]", s.room);
+}
+
+PlacementSettings spreadBy(double factor, const PlacementSettings& settings) {
+  constexpr double kLeast_m = 0.25;
+  PlacementSettings spread = settings;
+  spread.minimum_separation_m *= factor;
+  spread.coverage_m = std::max(spread.coverage_m * factor, kLeast_m);
+  for (double* distance_m : {&spread.spacing_m, &spread.vegetation_spacing_m})
+    *distance_m = std::max(*distance_m * std::min(factor, 1.0), kLeast_m);
+  return spread;
 }
 
 std::size_t roomOf(const PlacementSettings& settings, const Number3& position) {

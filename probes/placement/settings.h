@@ -35,6 +35,10 @@ struct PlacementSettings {
 /// Throws Error(content) with key, value and range for a setting out of its range.
 void checkSettings(const PlacementSettings& settings);
 
+/// The settings with the distances between probes times `factor` > 0. The lattices become no wider, so that no
+/// ground is missed, and none closer than settings allow.
+PlacementSettings spreadBy(double factor, const PlacementSettings& settings);
+
 /// The room of a position, counted from 1 in the order of the settings; 0 outside of all.
 std::size_t roomOf(const PlacementSettings& settings, const Number3& position);
 

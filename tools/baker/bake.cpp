@@ -29,6 +29,7 @@ build::BakeRequest requestOf(const BakeOptions& options) {
   request.folder = options.folder;
   if (options.max_error != 0.0) request.max_error = options.max_error;
   request.cubemap_error = options.cubemap_error;
+  request.max_surface_error = options.max_surface_error;
   request.target = options.target;
   request.certify = options.certificate == BakeCertificate::none   ? bake::Certify::none
                     : options.certificate == BakeCertificate::full ? bake::Certify::full

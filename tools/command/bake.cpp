@@ -25,6 +25,7 @@ struct Options {
   ThreadsOption threads;
   CertifyOption certify;
   BudgetOption budget;
+  SurfaceBudgetOption surface_budget;
   CubemapsOption cubemaps;
   TargetOption target;
   bool force = false;
@@ -40,6 +41,7 @@ void bake(const Options& options) {
   request.report = options.report;
   request.depfile = options.depfile;
   request.max_error = options.budget.value();
+  request.max_surface_error = options.surface_budget.value();
   request.cubemap_error = options.cubemaps.value();
   request.target = options.target.name;
   request.certify = options.certify.value();
@@ -81,6 +83,7 @@ void addBake(CLI::App& app) {
   command->add_option("--sectors", options->sectors, "Only these sectors: X_Z,X_Z,...")->excludes(shard);
   command->add_flag("--force", options->force, "Bake what is up to date, too");
   options->budget.addTo(*command);
+  options->surface_budget.addTo(*command);
   options->cubemaps.addTo(*command);
   options->target.addTo(*command);
   options->certify.addTo(*command);

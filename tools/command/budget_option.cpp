@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "probes/level/level_domain.h"
 #include "sky/bake/sky_domain.h"
 #include "sky/bake/sky_plan.h"
 
@@ -52,6 +53,15 @@ void TargetOption::addTo(CLI::App& command) {
                   "The reader of the ambient light; budget and certificate are of what it shows. modes: the game's own "
                   "shaders; sh2, sh3: 2 or 3 bands of SH; the engines take 3")
       ->check(CLI::IsMember(names));
+}
+
+void SurfaceBudgetOption::addTo(CLI::App& command) {
+  const base::Range& range = base::parameterOf(level::levelDomain(), "bake", "max_surface_error").range;
+  command
+      .add_option("--max-surface-error", max_error,
+                  "The largest rms error of a level's light on surfaces and in the air, a fraction of the open sky's; "
+                  "every sector gets the probes that this takes")
+      ->check(CLI::Range(range.low, range.high) & CLI::Validator(notNan, ""));
 }
 
 void BudgetOption::addTo(CLI::App& command) {

@@ -27,6 +27,14 @@ struct TargetOption {
   void addTo(CLI::App& command);
 };
 
+/// --max-surface-error: the budget of a level's error on surfaces and in the air.
+struct SurfaceBudgetOption {
+  double max_error = 0.0;  ///< 0: not given
+
+  void addTo(CLI::App& command);
+  std::optional<double> value() const { return max_error > 0.0 ? std::optional(max_error) : std::nullopt; }
+};
+
 /// --max-error and --quality. At most one of them may be given.
 struct BudgetOption {
   double max_error = 0.0;  ///< 0: not given

@@ -76,6 +76,7 @@ struct Options {
   CertifyOption certify;
   bool json = false;
   BudgetOption budget;
+  SurfaceBudgetOption surface_budget;
   CubemapsOption cubemaps;
   TargetOption target;
 };
@@ -117,6 +118,7 @@ void plan(const Options& options) {
   request.more.assign(options.files.begin() + 1, options.files.end());
   request.folder = options.folder;
   request.max_error = options.budget.value();
+  request.max_surface_error = options.surface_budget.value();
   request.cubemap_error = options.cubemaps.value();
   request.target = options.target.name;
   request.certify = options.certify.value();
@@ -151,6 +153,7 @@ void addPlan(CLI::App& app) {
   command->add_flag("--json", options->json, "Print JSON");
   options->progress.addTo(*command);
   options->budget.addTo(*command);
+  options->surface_budget.addTo(*command);
   options->cubemaps.addTo(*command);
   options->target.addTo(*command);
   options->certify.addTo(*command);

@@ -36,6 +36,9 @@ struct BakeOptions {
   /// Error budget of the cubemaps, a fraction in the domain of cubemap_error (docs/sky_file.md), in place of the sky
   /// file's settings of them; 0: no cubemaps. Absent: those settings.
   std::optional<double> cubemap_error;
+  /// Error budget of a level on surfaces and in the air, in the domain of max_surface_error (docs/level_file.md), in
+  /// place of the level file's. Absent: the level file's.
+  std::optional<double> max_surface_error;
 };
 
 /// The state of a bake. `stage` is a name for people, such as "plan", "certificate" or "sectors".
