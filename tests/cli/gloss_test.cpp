@@ -84,6 +84,39 @@ TEST_CASE("Gloss, PngOfEightAndSixteenBits") {
   }
 }
 
+TEST_CASE("Gloss, DdsFilesSayWhatRedCostsY") {
+  const Folder folder;
+  const std::string brick = folder.write("brick.png", ridges(16, 16));
+  std::vector<std::string> rows;  // gloss that no line of colours in a block follows
+  for (int y = 0; y < 16; ++y) {
+    std::string row;
+    for (int x = 0; x < 16; ++x) row += static_cast<char>((x * 97 + y * 57) % 256);
+    rows.push_back(row);
+  }
+  const std::string gloss = folder.write("noise.png", pngOf(16, 16, 8, 0, {}, rows));
+  const Run three = runTool({"gloss", brick, "--gloss", gloss, "-o", folder / "bc3", "--format", "bc3"});
+  INFO(three.err);
+  REQUIRE(three.status == 0);
+  REQUIRE(filesUnder(folder / "bc3") == std::vector<std::string>{"brick_normal.dds", "report.json"});
+  REQUIRE(three.out.find("red holds the gloss map") != std::string::npos);
+  const auto blocks = nlohmann::json::parse(readBytes(folder / "bc3/report.json"))["blocks"];
+  REQUIRE(blocks["red"] == "map");
+  REQUIRE(double{blocks["with_map"]["gloss_rms"]} < double{blocks["with_average"]["gloss_rms"]});
+  REQUIRE(double{blocks["with_map"]["y_rms"]} > double{blocks["with_average"]["y_rms"]});
+  const Texels texels = readTexels(folder / "bc3/brick_normal.dds");
+  REQUIRE(texels.width == 16);
+  REQUIRE(double{texels.value[3]} == Approx(0.75).margin(3e-3));  // x in alpha
+  const Run chosen =
+      runTool({"gloss", brick, "--gloss", gloss, "-o", folder / "bc3", "--format", "bc3", "--max-error", "0.001"});
+  REQUIRE(chosen.status == 0);
+  REQUIRE(chosen.out.find("red holds the average") != std::string::npos);
+  REQUIRE(runTool({"gloss", brick, "--gloss", gloss, "-o", folder / "bc5", "--format", "bc5"}).status == 0);
+  REQUIRE(filesUnder(folder / "bc5") == std::vector<std::string>{"brick_gloss.dds", "brick_normal.dds", "report.json"});
+  REQUIRE(
+      runTool({"gloss", brick, "--gloss", "1", "-o", folder / "bc5", "--format", "bc5", "--max-error", "1"}).status ==
+      1);
+}
+
 TEST_CASE("Gloss, SameBytesForAnyNumberOfThreads") {
   const Folder folder;
   const std::string brick = folder.write("brick.png", ridges(61, 35));

@@ -23,11 +23,34 @@ struct Options {
   std::string normal, gloss, roughness, output, format = "exr", wrap = "repeat";
   gloss::NormalMapOptions map;
   bool flip_green = false;
+  double max_error = 0.0;
   ThreadsOption threads;
 };
 
 void say(const std::string& message) {
   std::fputs(fmt::format("welkin: {}\n", message).c_str(), stderr);  // fmt::print throws when stderr is full
+}
+
+gloss::Format formatOf(const std::string& name) {
+  using gloss::Format;
+  return name == "exr"     ? Format::exr
+         : name == "png"   ? Format::png
+         : name == "png16" ? Format::png16
+         : name == "bc3"   ? Format::bc3
+                           : Format::bc5;
+}
+
+void printBlocks(const gloss::BlockReport& report) {
+  if (!report.bc3) {
+    fmt::print("errors: normals {:.3f} degrees, y {:.4f}, gloss {:.4f} rms\n", report.apart.angle_rms,
+               report.apart.y_rms, report.apart.gloss_rms);
+    return;
+  }
+  fmt::print("errors with the gloss map in red: normals {:.3f} degrees, y {:.4f}, gloss {:.4f} rms\n",
+             report.with_map.angle_rms, report.with_map.y_rms, report.with_map.gloss_rms);
+  fmt::print("errors with one number in red: normals {:.3f} degrees, y {:.4f}, gloss {:.4f} rms\n",
+             report.with_average.angle_rms, report.with_average.y_rms, report.with_average.gloss_rms);
+  fmt::print("red holds {}\n", report.holds_map ? "the gloss map" : "the average Toksvig factor's gloss");
 }
 
 gloss::Request requestOf(const Options& options) {
@@ -40,9 +63,10 @@ gloss::Request requestOf(const Options& options) {
   request.options = options.map;
   request.wrap = options.wrap == "repeat" ? gloss::Wrap::repeat : gloss::Wrap::clamp;
   request.flip_green = options.flip_green;
-  request.format = options.format == "exr"   ? gloss::Format::exr
-                   : options.format == "png" ? gloss::Format::png
-                                             : gloss::Format::png16;
+  request.format = formatOf(options.format);
+  if (options.max_error > 0.0 && request.format != gloss::Format::bc3)
+    throw base::Error(base::ExitStatus::usage, "--max-error: only bc3 has gloss and normals in one block");
+  if (options.max_error > 0.0) request.max_error_deg = options.max_error;
   return request;
 }
 
@@ -60,6 +84,7 @@ void runGloss(const Options& options) {
     say(fmt::format("warning: {}: {}", base::oneLine(options.normal), base::oneLine(warning.message)));
   for (const gloss::WrittenFile& file : result.files)
     fmt::print("{} {} bytes\n", base::oneLine((folder / file.name).string()), file.bytes);
+  if (result.blocks) printBlocks(*result.blocks);
   fmt::print("average Toksvig factor {:.4f}, gloss {:.4f}\n", result.average.factor, result.average.gloss);
 }
 
@@ -74,9 +99,18 @@ void addGloss(CLI::App& app) {
   command->add_option("--gloss", options->gloss, "Gloss in [0, 1], or a map of it: specular power 2^(13 gloss)");
   command->add_option("--roughness", options->roughness, "glTF's roughness in [0, 1], or a map of it");
   command->add_option("-o,--output", options->output, "Folder to write to")->required();
-  command->add_option("--format", options->format, "exr (floats), png (8 bits) or png16")
-      ->check(CLI::IsMember({"exr", "png", "png16"}))
+  command
+      ->add_option(
+          "--format", options->format,
+          "exr (floats), png (8 bits), png16, bc3 (one DDS: x in alpha, y in green, gloss in red) or bc5 (DDS of "
+          "normals, and bc4 of gloss)")
+      ->check(CLI::IsMember({"exr", "png", "png16", "bc3", "bc5"}))
       ->capture_default_str();
+  command
+      ->add_option("--max-error", options->max_error,
+                   "bc3: largest rms error of normals, degrees, with a gloss map in red; past it the average Toksvig "
+                   "factor is there. Default: always the map")
+      ->check(CLI::PositiveNumber);
   command->add_option("--wrap", options->wrap, "How the map's edges meet: repeat or clamp; for the check of green")
       ->check(CLI::IsMember({"repeat", "clamp"}))
       ->capture_default_str();

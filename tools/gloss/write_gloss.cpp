@@ -36,6 +36,25 @@ std::vector<std::byte> encoded(const Mip& mip, bool normals, Format format) {
   return image::encodeExr(mip.width, mip.height, normals ? 3 : 1, normals ? mip.normal : mip.gloss);
 }
 
+std::vector<NamedBytes> mipFiles(const std::string& name, const std::vector<Mip>& mips, Format format) {
+  std::vector<NamedBytes> files;
+  for (const bool of_normals : {true, false})
+    for (std::size_t k = 0; k < mips.size(); ++k)
+      files.push_back({fmt::format("{}_{}_mip{}.{}", name, of_normals ? "normal" : "gloss", k,
+                                   format == Format::exr ? "exr" : "png"),
+                       encoded(mips[k], of_normals, format)});
+  return files;
+}
+
+std::vector<NamedBytes> filesOf(const Request& request, Result& result) {
+  const std::string name = request.normal.stem().string();
+  if (request.format != Format::bc3 && request.format != Format::bc5)
+    return mipFiles(name, result.mips, request.format);
+  BlockReport& report = result.blocks.emplace();
+  if (request.format == Format::bc5) return bc5Files(name, result.mips, report);
+  return bc3Files(name, result.mips, request.max_error_deg, report);
+}
+
 void checkGreen(const Request& request, Result& result) {
   if (!result.green.points_down() || request.flip_green) return;
   result.warnings.push_back({"green-down", 1,
@@ -46,6 +65,21 @@ void checkGreen(const Request& request, Result& result) {
 
 double rounded(double value, double digits) {
   return std::round(value * digits) / digits;
+}
+
+nlohmann::ordered_json errorJson(const BlockError& error) {
+  return {{"y_rms", rounded(error.y_rms, 1e6)},
+          {"normal_rms_deg", rounded(error.angle_rms, 1e4)},
+          {"normal_most_deg", rounded(error.angle_most, 1e4)},
+          {"gloss_rms", rounded(error.gloss_rms, 1e6)}};
+}
+
+nlohmann::ordered_json blocksJson(const BlockReport& report) {
+  if (!report.bc3) return {{"format", "bc5"}, {"error", errorJson(report.apart)}};
+  return {{"format", "bc3"},
+          {"red", report.holds_map ? "map" : "average"},
+          {"with_map", errorJson(report.with_map)},
+          {"with_average", errorJson(report.with_average)}};
 }
 
 }  // namespace
@@ -60,6 +94,7 @@ Result writeGloss(const Request& request, const std::filesystem::path& folder, c
                 greenDirectionOf(normals, request.wrap),
                 {},
                 {},
+                {},
                 std::move(normals.warnings),
                 {}};
   result.warnings.insert(result.warnings.end(), gloss.warnings.begin(), gloss.warnings.end());
@@ -68,16 +103,11 @@ Result writeGloss(const Request& request, const std::filesystem::path& folder, c
     for (std::size_t i = 1; i < normals.xyz.size(); i += 3) normals.xyz[i] = -normals.xyz[i];
   result.mips = mipsOf(normals, gloss, progress);
   result.average = averageFactorOf(result.mips);
-  const char* const ending = request.format == Format::exr ? "exr" : "png";
-  for (const bool of_normals : {true, false})
-    for (std::size_t k = 0; k < result.mips.size(); ++k) {
-      const std::vector<std::byte> bytes = encoded(result.mips[k], of_normals, request.format);
-      const std::string name =
-          fmt::format("{}_{}_mip{}.{}", request.normal.stem().string(), of_normals ? "normal" : "gloss", k, ending);
-      base::writeFile(folder / name, bytes);
-      result.files.push_back({name, bytes.size(), base::textOf(base::hashOf(bytes))});
-      progress.check();
-    }
+  for (const NamedBytes& file : filesOf(request, result)) {
+    base::writeFile(folder / file.name, file.bytes);
+    result.files.push_back({file.name, file.bytes.size(), base::textOf(base::hashOf(file.bytes))});
+    progress.check();
+  }
   return result;
 }
 
@@ -94,6 +124,7 @@ std::string reportOf(const Result& result) {
                                                                 : "unknown"}};
   report["average_toksvig"] = {{"gloss", rounded(result.average.gloss, 1e6)},
                                {"factor", rounded(result.average.factor, 1e6)}};
+  if (result.blocks) report["blocks"] = blocksJson(*result.blocks);
   for (const Mip& mip : result.mips)
     report["mips"].push_back({{"width", mip.width},
                               {"height", mip.height},

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,16 @@
 #include "gloss/integrability.h"
 #include "gloss/mips.h"
 #include "gloss/normal_map.h"
+#include "gloss/write_blocks.h"
 
 namespace welkin::gloss {
 
 enum class Format {
-  exr,   ///< floats: normals as they are, components in [-1, 1]; gloss in one channel
-  png,   ///< 8 bits: normals as (n + 1)/2
-  png16  ///< 16 bits
+  exr,    ///< floats: normals as they are, components in [-1, 1]; gloss in one channel
+  png,    ///< 8 bits: normals as (n + 1)/2
+  png16,  ///< 16 bits
+  bc3,    ///< one DDS file: x in alpha, y in green, gloss in red
+  bc5     ///< DDS files of BC5 for normals and BC4 for gloss
 };
 
 /// The steps on one texture.
@@ -29,6 +33,7 @@ struct Request {
   Wrap wrap = Wrap::repeat;
   bool flip_green = false;
   Format format = Format::exr;
+  std::optional<double> max_error_deg;  ///< bc3: largest error of normals under a gloss map (bc3Files)
 };
 
 struct WrittenFile {
@@ -44,6 +49,7 @@ struct Result {
   GreenDirection green;
   std::vector<Mip> mips;
   AverageFactor average;
+  std::optional<BlockReport> blocks;
   std::vector<Warning> warnings;
   std::vector<WrittenFile> files;
 };

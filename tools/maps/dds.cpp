@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "maps/little_endian.h"
+#include "sky/base/little_endian.h"
 
 namespace welkin::maps {
 namespace {
@@ -22,7 +22,7 @@ std::vector<std::byte> encodeDds(const EncodedCube& cube) {
   const auto mips = static_cast<std::uint32_t>(cube.levels.size());
   const bool blocks = facts.block_texels > 1;
   const std::uint32_t pitch = blocks ? static_cast<std::uint32_t>(cube.levels[0].size() / 6) : facts.block_bytes * size;
-  LittleEndian file;
+  base::LittleEndian file;
   file.appendText("DDS ");
   file.append32({124, kHasSizesAndFormat | (blocks ? kHasLinearSize : kHasPitch) | (mips > 1 ? kHasMips : 0U), size,
                  size, pitch, 0, mips});

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "maps/little_endian.h"
+#include "sky/base/little_endian.h"
 
 namespace welkin::maps {
 namespace {
@@ -38,7 +38,7 @@ std::vector<Sample> samplesOf(Format format) {
 }
 
 /// The data format descriptor: its size, then one basic block.
-void appendDescriptor(LittleEndian& file, Format format) {
+void appendDescriptor(base::LittleEndian& file, Format format) {
   const FormatFacts& facts = factsOf(format);
   const std::vector<Sample> samples = samplesOf(format);
   const auto block = static_cast<std::uint32_t>(24 + 16 * samples.size());
@@ -49,7 +49,7 @@ void appendDescriptor(LittleEndian& file, Format format) {
   for (const Sample& s : samples) file.append32({s.offset | (s.bits - 1) << 16 | s.channel << 24, 0, s.low, s.high});
 }
 
-void appendKeyAndValue(LittleEndian& file, const std::string& key, const std::string& value) {
+void appendKeyAndValue(base::LittleEndian& file, const std::string& key, const std::string& value) {
   file.append32({static_cast<std::uint32_t>(key.size() + value.size() + 2)});
   file.appendText(key + '\0' + value + '\0');
   file.align(4);
@@ -61,7 +61,7 @@ std::vector<std::byte> encodeKtx2(const EncodedCube& cube) {
   constexpr std::size_t kHeader = 80, kIndexEntry = 24;
   const FormatFacts& facts = factsOf(cube.format);
   const std::size_t descriptor_start = kHeader + kIndexEntry * cube.levels.size();
-  LittleEndian descriptor, metadata;
+  base::LittleEndian descriptor, metadata;
   appendDescriptor(descriptor, cube.format);
   appendKeyAndValue(metadata, "KTXorientation", "rd");  // rows go down in every face
   appendKeyAndValue(metadata, "KTXwriter", "Welkin");
@@ -76,7 +76,7 @@ std::vector<std::byte> encodeKtx2(const EncodedCube& cube) {
     end = start[level] + cube.levels[level].size();
   }
 
-  LittleEndian file;
+  base::LittleEndian file;
   file.appendText("\xABKTX 20\xBB\r\n\x1A\n");
   const auto size = static_cast<std::uint32_t>(cube.size);
   file.append32({facts.vulkan, facts.scalar_bytes, size, size, 0, 0, 6, static_cast<std::uint32_t>(start.size()), 0});

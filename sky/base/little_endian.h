@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace welkin::maps {
+namespace welkin::base {
 
 class LittleEndian {
  public:
@@ -30,4 +30,4 @@ class LittleEndian {
   }
 };
 
-}  // namespace welkin::maps
+}  // namespace welkin::base
