@@ -17,22 +17,12 @@
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/base/folder_lock.h"
+#include "sky/base/make_rule.h"
 
 namespace welkin::build {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A path in a make rule.
-std::string escaped(const std::filesystem::path& path) {
-  std::string out;
-  for (const char c : path.string()) {
-    if (c == ' ' || c == '#') out += '\\';
-    if (c == '$') out += '$';
-    out += c;
-  }
-  return out;
-}
 
 void requireInDomain(const base::Domain& domain, const char* key, const std::optional<double>& budget) {
   const base::Range& range = base::parameterOf(domain, "bake", key).range;
@@ -52,12 +42,12 @@ void requireLevel(const BakeRequest& request) {
 
 /// The outputs whose dates say that the bake ran to its end: of a level its index, or a shard's part of it.
 std::string ruleTargets(const BakeRequest& request, const BakeInput& read) {
-  if (request.shard) return escaped(partPath(request.folder, *request.shard));
-  if (read.level) return escaped(indexPath(request.folder));
+  if (request.shard) return base::inMakeRule(partPath(request.folder, *request.shard));
+  if (read.level) return base::inMakeRule(indexPath(request.folder));
   std::string targets;
   for (const bake::SkyFile& sky : skiesOf(read)) {
     if (!targets.empty()) targets += ' ';
-    targets += escaped(request.folder / (sky.name + ".welkin"));
+    targets += base::inMakeRule(request.folder / (sky.name + ".welkin"));
   }
   return targets;
 }
@@ -102,7 +92,7 @@ void writeRule(const BakeRequest& request, const BakeInput& read) {
       if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
   std::string rule = ruleTargets(request, read);
   rule += ':';
-  for (const auto& input : inputs) rule.append(1, ' ').append(escaped(input));
+  for (const auto& input : inputs) rule.append(1, ' ').append(base::inMakeRule(input));
   rule += '\n';
   base::writeFile(request.depfile, rule);
 }

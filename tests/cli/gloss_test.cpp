@@ -146,6 +146,68 @@ TEST_CASE("Gloss, MapsOfGlossAndRoughness") {
   REQUIRE(swapped.said("the name says roughness, and it is read as gloss; pass it with --roughness instead?"));
 }
 
+TEST_CASE("Gloss, AFolderIsMadeOnce") {
+  const Folder folder;
+  const std::string noise = pngOf(1, 1, 8, 0, {}, {std::string("\x80")});
+  folder.write("in/brick_normal.png", ridges(8, 8));
+  folder.write("in/brick_gloss.png", noise);
+  folder.write("in/Wall_N.PNG", ridges(4, 4));
+  folder.write("in/wall_roughness.png", noise);
+  folder.write("in/notes.txt", "hello");
+  const auto make = [&](std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"gloss", folder / "in", "-o", folder / "out", "--depfile", folder / "d"});
+    const Run run = runTool(more);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return run;
+  };
+  REQUIRE_FALSE(make().said("up to date"));
+  REQUIRE(readBytes(folder / "d") == folder / "out/report.json: " + folder / "in/Wall_N.PNG " +
+                                         folder / "in/wall_roughness.png " + folder / "in/brick_normal.png " +
+                                         folder / "in/brick_gloss.png\n");
+  const std::string report = readBytes(folder / "out/report.json");
+  const auto json = nlohmann::json::parse(report);
+  REQUIRE(json["textures"].size() == 2);
+  REQUIRE(json["textures"][1]["gloss"] == "brick_gloss.png");
+  REQUIRE(json["failed"].empty());
+  const Run second = make();
+  REQUIRE(second.said("brick_normal.png: up to date"));
+  REQUIRE(second.said("Wall_N.PNG: up to date"));
+  REQUIRE(readBytes(folder / "out/report.json") == report);
+  // A changed input, a damaged output, other options and --force are each made anew.
+  folder.write("in/brick_gloss.png", pngOf(1, 1, 8, 0, {}, {std::string("\x90")}));
+  flipBit(folder / "out/Wall_N_gloss_mip0.exr", 100);
+  const Run third = make();
+  REQUIRE_FALSE(third.said("up to date"));
+  REQUIRE(make().said("brick_normal.png: up to date"));
+  REQUIRE_FALSE(make({"--force"}).said("up to date"));
+  REQUIRE_FALSE(make({"--flip-green"}).said("up to date"));
+}
+
+TEST_CASE("Gloss, ATextureThatFailsDoesNotKeepOthersFromTheirFiles") {
+  const Folder folder;
+  folder.write("in/a_normal.png", "hello");
+  folder.write("in/b_normal.png", ridges(4, 4));
+  const Run run = runTool({"gloss", folder / "in", "--gloss", "0.5", "-o", folder / "out"});
+  REQUIRE(run.status == 3);
+  REQUIRE(run.said("a_normal.png: not a picture of codes"));
+  REQUIRE(run.said("1 of 2 textures failed"));
+  REQUIRE(readTexels(folder / "out/b_normal_gloss_mip0.exr").value[0] == 0.5F);
+  const auto report = nlohmann::json::parse(readBytes(folder / "out/report.json"));
+  REQUIRE(report["textures"].size() == 1);
+  REQUIRE(report["failed"][0]["normal"] == "a_normal.png");
+  const Run none = runTool({"gloss", folder / "in", "-o", folder / "out"});
+  REQUIRE(none.status == 3);
+  REQUIRE(none.said("no a_gloss or a_roughness beside it"));
+  folder.write("empty/x.png", ridges(4, 4));
+  const Run empty = runTool({"gloss", folder / "empty", "--gloss", "0.5", "-o", folder / "out"});
+  REQUIRE(empty.status == 3);
+  REQUIRE(empty.said("no normal maps"));
+  folder.write("in/b_normal.bmp", "x");
+  REQUIRE(runTool({"gloss", folder / "in", "--gloss", "0.5", "-o", folder / "out"})
+              .said("the same name but for its ending"));
+}
+
 TEST_CASE("Gloss, BadInputIsOneLineThatNamesIt") {
   const Folder folder;
   const std::string flat = folder.write("flat.png", ridges(2, 2, true));

@@ -37,12 +37,17 @@ void warnOfName(const std::filesystem::path& path, bool roughness, GlossMap& map
 
 }  // namespace
 
+bool isNumber(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
 GlossMap readGloss(const std::string& text, bool roughness) {
   const char* const option = roughness ? "--roughness" : "--gloss";
   GlossMap map;
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0') {
+  if (isNumber(text)) {
+    const double number = std::strtod(text.c_str(), nullptr);
     if (!(number >= 0.0 && number <= 1.0))
       throw base::Error(base::ExitStatus::usage, fmt::format("{}: {} is not in [0, 1]", option, text));
     map.number = roughness ? det::glossOfPower(det::powerOfRoughness(number)) : number;

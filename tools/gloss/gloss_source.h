@@ -19,6 +19,9 @@ struct GlossMap {
   std::vector<Warning> warnings;
 };
 
+/// Whether a text is a number to readGloss(), in its range or not.
+bool isNumber(const std::string& text);
+
 /// Reads "0.7" as a number and anything else as a path. A map's values are gloss g, m = 2^(13 g), or with `roughness`
 /// glTF's roughness. Of a coloured roughness map green counts, as in glTF, and of a coloured gloss map red. Throws
 /// Error(usage) for a number out of [0, 1] and Error(content) for such a texel. Warns where the file's name says the

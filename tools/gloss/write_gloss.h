@@ -58,7 +58,4 @@ struct Result {
 /// which must exist; NAME is the normal map's without its ending. Throws what the steps throw.
 Result writeGloss(const Request& request, const std::filesystem::path& folder, const base::Progress& progress = {});
 
-/// The report of one texture, as text of JSON.
-std::string reportOf(const Result& result);
-
 }  // namespace welkin::gloss
