@@ -6,6 +6,7 @@
 #include "probes/build/level_files.h"
 #include "probes/build/merged_report.h"
 #include "probes/certify/level_certificate.h"
+#include "probes/geometry/sector_name.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/base/json_text.h"
@@ -84,6 +85,20 @@ certify::CertifySettings certifySettings(const LevelBake& level, std::size_t pro
       settings.all_hours ? kPointsOfFull : std::clamp(paths / (kHours * settings.paths), kFewestPoints, kMostPoints);
   settings.air_points = settings.surface_points / 2;
   return settings;
+}
+
+std::optional<Json> certificateIn(const std::filesystem::path& folder, const sectors::LevelIndex& index) {
+  const auto report = earlierReport(folder);
+  static const Json kForm = {{kKey, {{"surface", Json::object()}, {"air", Json::object()}}},
+                             {"sectors", Json::array({{{"sector", ""}, {"xxh3_128", ""}}})}};
+  if (!report || !base::hasForm(*report, kForm) || (*report)["sectors"].size() != index.sector.size())
+    return std::nullopt;
+  for (std::size_t i = 0; i < index.sector.size(); ++i) {
+    const Json& sector = (*report)["sectors"][i];
+    const sectors::SectorEntry& entry = index.sector[i];
+    if (sector["sector"] != nameOf(entry.id) || sector["xxh3_128"] != textOf(entry.checksum)) return std::nullopt;
+  }
+  return (*report)[kKey];
 }
 
 void certifyBake(const LevelBake& level, const model::Sky& sky, const std::filesystem::path& folder,

@@ -20,4 +20,8 @@ void certifyBake(const LevelBake& level, const model::Sky& sky, const std::files
                  const sectors::LevelIndex& index, bake::Certify how, const base::Progress& progress,
                  nlohmann::ordered_json& report);
 
+/// The certificate in a folder's report.json, as report["surfaces"]; nothing where there is none of the index's files.
+std::optional<nlohmann::ordered_json> certificateIn(const std::filesystem::path& folder,
+                                                    const sectors::LevelIndex& index);
+
 }  // namespace welkin::build

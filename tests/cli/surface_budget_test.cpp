@@ -131,3 +131,20 @@ TEST_CASE("SurfaceBudget, BadOnesAreRefused") {
   CHECK(file.status == 3);
   CHECK(file.said("bake.max_surface_error"));
 }
+
+TEST_CASE("SurfaceBudget, InspectShowsTheCertificateOfTheSameFilesAlone") {
+  const SmallLevel level;
+  REQUIRE(bakeWithin(level, "out", kLoose).status == 0);
+  const json report = reportOf(level, "out");
+  for (const char* what : {"out", "out/level.welkin"}) {
+    const Run shown = runTool({"inspect", level / what, "--json"});
+    REQUIRE(shown.status == 0);
+    CHECK(json::parse(shown.out)["level"]["surfaces"] == report["surfaces"]);
+    CHECK(runTool({"inspect", level / what}).out.find("surfaces within ") != std::string::npos);
+  }
+  // The report of another bake.
+  REQUIRE(level.bake("other") == 4);
+  std::filesystem::copy_file(level / "out/report.json", level / "other/report.json",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK(runTool({"inspect", level / "other", "--json"}).out.find("\"surfaces\"") == std::string::npos);
+}

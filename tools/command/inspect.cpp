@@ -7,11 +7,13 @@
 #include <welkin/welkin.hpp>
 
 #include "command/arguments.h"
+#include "command/certificate_text.h"
 #include "command/commands.h"
 #include "command/sector_json.h"
 #include "command/sky_json.h"
 #include "command/welkin_file.h"
 #include "format/cubemap_format.h"
+#include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/geometry/sector_name.h"
 #include "sky/base/atomic_file.h"
@@ -45,15 +47,25 @@ void inspectSector(const std::string& path, bool as_json) {
              local.sampling.probe, local.sampling.rays);
 }
 
-void inspectLevel(const std::string& path, bool as_json) {
+/// The index, with the error that its folder's report states of the same files.
+Json levelJson(const std::filesystem::path& path) {
   const sectors::LevelIndex index = build::readIndex(path);
+  Json json = indexJson(index);
+  if (const auto surfaces = build::certificateIn(path.parent_path(), index)) json["level"]["surfaces"] = *surfaces;
+  return json;
+}
+
+void inspectLevel(const std::string& path, bool as_json) {
   if (as_json) {
-    fmt::print("{}\n", indexJson(index).dump(2));
+    fmt::print("{}\n", levelJson(path).dump(2));
     return;
   }
+  const sectors::LevelIndex index = build::readIndex(path);
   fmt::print("{}: level, {} sectors\n", path, index.sector.size());
   for (const sectors::SectorEntry& s : index.sector)
     fmt::print("{:>9} {:4} probes {:8} bytes\n", nameOf(s.id), s.probes, s.bytes);
+  if (const auto surfaces = build::certificateIn(std::filesystem::path(path).parent_path(), index))
+    fmt::print("{}\n", surfacesText(*surfaces));
 }
 
 void inspect(const std::string& path, bool as_json) {
@@ -64,7 +76,7 @@ void inspect(const std::string& path, bool as_json) {
   const Sky sky = openSky(file);
   if (as_json) {
     Json json = skyJson(sky);
-    if (build::isLevelFolder(path)) json["level"] = indexJson(build::readIndex(build::indexPath(path)))["level"];
+    if (build::isLevelFolder(path)) json["level"] = levelJson(build::indexPath(path))["level"];
     fmt::print("{}\n", json.dump(2));
     return;
   }
