@@ -129,15 +129,31 @@ InWorld pushedPlace(const InWorld& position, const InWorld& normal, double push_
   return along(push_m);
 }
 
-/// The probes for a place as pushedPlace gives it. The place's own cell counts with the probe of the place's leaf. Of
-/// the other seven cells, those count that the leaf calls open, each with the probe of its leaf nearest to the place.
-/// Cells without a probe do not count. The weights of what counts are to be divided by their sum.
-template <typename GridOf>
-EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
-  EightProbes result;
+/// What one of the eight cells about a place does for it.
+enum class CellPart {
+  lights,        ///< its probe counts
+  no_weight,     ///< the place is in the middle of other cells
+  behind_wall,   ///< a wall parts it from the place's side of its own cell
+  no_sector,     ///< the level has nothing there
+  without_probe  ///< no probe is near enough to see it
+};
+
+/// One of the eight cells about a place. Columns count from the world's origin, rows from the bottom of the grid of the
+/// place's own sector.
+struct CellAbout {
+  int x = 0, row = 0, z = 0;
+  CellPart part = CellPart::no_weight;
+  WeightedProbe found{0, 0, kNoCellProbe, 0.0};  ///< trilinear weight; the probe if it lights
+};
+
+/// Calls `visit(const CellAbout&)` for the eight cells about a place as pushedPlace gives it. The place's own cell
+/// counts with the probe of the place's leaf. Of the other seven cells, those count that the leaf calls open, each with
+/// the probe of its leaf nearest to the place. Without a sector at the place nothing is visited.
+template <typename GridOf, typename Visit>
+void visitCellsAbout(const InWorld& p, const GridOf& gridOf, const Visit& visit) {
   const CellPlace home = cellAt(p, gridOf);
   const GridView* sector = gridOf(home.sector_x, home.sector_z);
-  if (sector == nullptr) return result;
+  if (sector == nullptr) return;
   const double height_m = sector->cell_height_m;
   const InWorld at{p[0] / kCellWidth_m, (p[1] - sector->low_y) / height_m, p[2] / kCellWidth_m};
   const int row = floorToCell(at[1]);
@@ -155,10 +171,19 @@ EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
       weight *= step == 1 ? from - std::floor(from) : 1.0 - (from - std::floor(from));
     }
     const int dx = cell[0] - home.x, dy = cell[1] - row, dz = cell[2] - home.z;
-    if (!(weight > 0.0) || (own.open & openBit(dx, dy, dz)) == 0) continue;
+    CellAbout about{cell[0], cell[1], cell[2], CellPart::no_weight, {0, 0, kNoCellProbe, weight}};
+    if (!(weight > 0.0) || (own.open & openBit(dx, dy, dz)) == 0) {
+      if (weight > 0.0) about.part = CellPart::behind_wall;
+      visit(about);
+      continue;
+    }
     const double low_y = sector->low_y + cell[1] * height_m;
     const CellPlace other = cellOf(cell[0], low_y + 0.5 * height_m, cell[2], gridOf);
-    if (other.grid == nullptr) continue;
+    if (other.grid == nullptr) {
+      about.part = CellPart::no_sector;
+      visit(about);
+      continue;
+    }
     std::uint8_t probe = own.probe;
     if (dx != 0 || dy != 0 || dz != 0) {
       const InWorld nearest{std::clamp(p[0], kCellWidth_m * cell[0], kCellWidth_m * (cell[0] + 1)),
@@ -170,8 +195,20 @@ EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
       beside[2] += kSide_m * static_cast<float>(home.sector_z - other.sector_z);
       probe = leafOfCell(other.grid->cuts, other.index(), other.grid->grid[other.index()], beside).probe;
     }
-    if (probe != kNoCellProbe) result.probe[result.count++] = {other.sector_x, other.sector_z, probe, weight};
+    about.part = probe == kNoCellProbe ? CellPart::without_probe : CellPart::lights;
+    about.found = {other.sector_x, other.sector_z, probe, weight};
+    visit(about);
   }
+}
+
+/// The probes for a place as pushedPlace gives it: those of the cells that light it. The weights of what counts are to
+/// be divided by their sum.
+template <typename GridOf>
+EightProbes probesAbout(const InWorld& p, const GridOf& gridOf) {
+  EightProbes result;
+  visitCellsAbout(p, gridOf, [&](const CellAbout& cell) {
+    if (cell.part == CellPart::lights) result.probe[result.count++] = cell.found;
+  });
   return result;
 }
 

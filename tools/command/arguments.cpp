@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include "sky/base/error.h"
@@ -79,16 +78,6 @@ std::vector<std::string> joinSignedValues(int argc, char** argv) {
       joined.push_back(argument);
   }
   return joined;
-}
-
-std::string skyFileOf(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) return path;
-  const auto file = std::filesystem::path(path) / "sky.welkin";
-  if (!std::filesystem::exists(file, error))
-    throw base::Error(base::ExitStatus::file,
-                      fmt::format("{}: holds no sky.welkin; welkin bake SKY.toml -o {} makes it", path, path));
-  return file.string();
 }
 
 nlohmann::ordered_json vectorJson(const float v[3]) {

@@ -30,9 +30,6 @@ double parseTime(const std::string& text);
 /// Arguments with "=" between a number option and a value that starts with a sign, so that "--normal -.5,1,0" parses.
 std::vector<std::string> joinSignedValues(int argc, char** argv);
 
-/// The path itself, or PATH/sky.welkin if it is a folder. Throws Error(file) if a folder has no sky.welkin.
-std::string skyFileOf(const std::string& path);
-
 using bake::require;
 
 nlohmann::ordered_json vectorJson(const float v[3]);

@@ -22,5 +22,6 @@ void addGloss(CLI::App& app);
 void addReference(CLI::App& app);
 void addStudy(CLI::App& app);
 void addRender(CLI::App& app);
+void addView(CLI::App& app);
 
 }  // namespace welkin::command

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/shared_options.h"
-#include "command/welkin_file.h"
 #include "maps/write_maps.h"
 #include "sky/bake/sky_outputs.h"
 #include "sky/base/atomic_file.h"
@@ -99,8 +99,8 @@ void runExport(const Options& options) {
   for (const std::string& time : options.times) parseTime(time);
   maps::Request request = requestOf(options);
   const auto limit = options.threads.limit();
-  const std::string file = skyFileOf(options.path);
-  const Sky sky = openSky(file);
+  const std::string file = baked::skyFileOf(options.path);
+  const Sky sky = baked::openSky(file);
   const std::vector<double> times = timesOf(options, sky);
   request.size = sizeOf(options, request, file, sky);
   const std::filesystem::path beside = std::filesystem::path(file).parent_path() / "export";

@@ -6,12 +6,12 @@
 #include <memory>
 #include <welkin/welkin.hpp>
 
+#include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/certificate_text.h"
 #include "command/commands.h"
 #include "command/sector_json.h"
 #include "command/sky_json.h"
-#include "command/welkin_file.h"
 #include "format/cubemap_format.h"
 #include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
@@ -69,11 +69,11 @@ void inspectLevel(const std::string& path, bool as_json) {
 }
 
 void inspect(const std::string& path, bool as_json) {
-  const std::string file = skyFileOf(path);
-  const format::Kind kind = kindOfFile(file);
+  const std::string file = baked::skyFileOf(path);
+  const format::Kind kind = baked::kindOfFile(file);
   if (kind == format::Kind::sector) return inspectSector(file, as_json);
   if (kind == format::Kind::level) return inspectLevel(file, as_json);
-  const Sky sky = openSky(file);
+  const Sky sky = baked::openSky(file);
   if (as_json) {
     Json json = skyJson(sky);
     if (build::isLevelFolder(path)) json["level"] = levelJson(build::indexPath(path))["level"];

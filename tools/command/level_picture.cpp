@@ -70,7 +70,7 @@ class Pictures {
 };
 
 Size sizeOf(const RenderOptions& options, bool sheet) {
-  return parseSize(options, sheet ? Size{480, 270} : Size{960, 540});
+  return parseSize(options.size, sheet ? Size{480, 270} : Size{960, 540});
 }
 
 const char* nameOf(LevelLight light) {

@@ -9,13 +9,13 @@
 #include <optional>
 #include <string>
 
+#include "baked/level_folder.h"
+#include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/commands.h"
-#include "command/level_folder.h"
 #include "command/level_picture.h"
 #include "command/render_options.h"
 #include "command/render_picture.h"
-#include "command/welkin_file.h"
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/base/error.h"
@@ -41,7 +41,7 @@ level::Scene sceneOf(const base::TomlFile& level, const std::vector<reference::L
 }
 
 /// Sets the dynamic lights of a baked level. Its surfaces stand between them and its virtual lights.
-void setLights(LevelFolder& baked, const level::Scene& scene, const std::vector<reference::LocalLight>& lights) {
+void setLights(baked::LevelFolder& baked, const level::Scene& scene, const std::vector<reference::LocalLight>& lights) {
   if (lights.empty()) return;
   const geometry::Surfaces surfaces = loader::surfacesOf(scene, 1.0);
   const geometry::Tracer tracer(surfaces, lights.front().position);
@@ -55,7 +55,7 @@ void setLights(LevelFolder& baked, const level::Scene& scene, const std::vector<
 
 void runRender(const RenderOptions& options) {
   checkOptions(options);
-  const Sky sky = openSky(skyFileOf(options.sky));
+  const Sky sky = baked::openSky(baked::skyFileOf(options.sky));
   if (parseSource(options) == WELKIN_VULKAN_CUBEMAP && sky.info().cubemap_count == 0)
     throw base::Error(base::ExitStatus::content,
                       "the sky has no cubemaps; draw it with the analytic sky, or bake with cubemap_size");
@@ -63,7 +63,7 @@ void runRender(const RenderOptions& options) {
   const std::vector<reference::LocalLight> lights = options.lights.lights();
   const base::TomlFile file = level ? base::readToml(options.level) : base::TomlFile{};
   const level::Scene scene = level ? sceneOf(file, lights, double{sky.info().luminance_unit}) : level::Scene{};
-  std::optional<LevelFolder> baked;
+  std::optional<baked::LevelFolder> baked;
   if (level && parseLevelLight(options) == LevelLight::probes) {
     baked.emplace(options.sky, lights.size());
     setLights(*baked, scene, lights);

@@ -83,15 +83,15 @@ bool parseOcclusion(const RenderOptions& options) {
   return choose<bool>("--occlusion", options.occlusion, {{"screen", true}, {"none", false}});
 }
 
-Size parseSize(const RenderOptions& options, Size fallback) {
-  if (options.size.empty()) return fallback;
+Size parseSize(const std::string& text, Size fallback) {
+  if (text.empty()) return fallback;
   Size size{};
   int used = 0;
-  const bool parsed = std::sscanf(options.size.c_str(), "%5ux%5u%n", &size.width, &size.height, &used) == 2 &&
-                      static_cast<std::size_t>(used) == options.size.size();
+  const bool parsed = std::sscanf(text.c_str(), "%5ux%5u%n", &size.width, &size.height, &used) == 2 &&
+                      static_cast<std::size_t>(used) == text.size();
   if (!parsed || size.width < 1 || size.height < 1)
     throw base::Error(base::ExitStatus::usage,
-                      "--size: '" + options.size + "' is not WIDTHxHEIGHT, for example 640x360");
+                      "--size: '" + text + "' is not WIDTHxHEIGHT, for example 640x360");
   return size;
 }
 
@@ -132,7 +132,7 @@ void checkOptions(const RenderOptions& options) {
   const Component component = parseComponent(options);
   parseOcclusion(options);
   parseExposure(options.exposure);
-  parseSize(options, {});
+  parseSize(options.size, {});
   parseCamera(options);
   if (level && options.level.empty()) refuse("--view level needs --level LEVEL.toml");
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");

@@ -67,7 +67,7 @@ Component parseComponent(const RenderOptions& options);
 Shown parseShown(const RenderOptions& options);
 /// Whether occlusion in screen space darkens the level's ambient light.
 bool parseOcclusion(const RenderOptions& options);
-Size parseSize(const RenderOptions& options, Size fallback);
+Size parseSize(const std::string& text, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);
 /// The camera's position, metres; nothing if none is given.

@@ -34,8 +34,8 @@ std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOp
   render::Camera from_the_side =
       camera;  // the light comes from behind and the left, so that the spheres show their round
   if (!options.yaw_deg) from_the_side.yaw_rad += 120.0 * f64::kDegree;
-  const Size wide = parseSize(options, sheet ? Size{320, 180} : Size{768, 432});
-  const Size dome = sheet ? Size{wide.width, wide.width} : parseSize(options, {512, 512});
+  const Size wide = parseSize(options.size, sheet ? Size{320, 180} : Size{768, 432});
+  const Size dome = sheet ? Size{wide.width, wide.width} : parseSize(options.size, {512, 512});
   std::vector<render::FloatImage> images;
   if (view == View::dome || view == View::sheet) images.push_back(views.dome(dome.width, dome.height, true));
   if (view == View::horizon || view == View::sheet)

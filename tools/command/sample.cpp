@@ -6,12 +6,12 @@
 #include <memory>
 #include <welkin/welkin.hpp>
 
+#include "baked/level_folder.h"
+#include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/commands.h"
-#include "command/level_folder.h"
 #include "command/lights_option.h"
 #include "command/surface_points.h"
-#include "command/welkin_file.h"
 #include "probes/build/level_files.h"
 #include "sky/base/error.h"
 
@@ -29,7 +29,7 @@ nlohmann::ordered_json rgbJson(const Float3& v) {
   return vectorJson(v.data());
 }
 
-nlohmann::ordered_json jsonOf(const std::optional<PointLight>& light) {
+nlohmann::ordered_json jsonOf(const std::optional<baked::PointLight>& light) {
   if (!light) return nullptr;
   return {
       {"irradiance", rgbJson(light->irradiance)},
@@ -42,7 +42,7 @@ void sampleLevel(const Options& options) {
   const double time_h = parseTime(options.time);
   const std::vector<SurfacePoint> points = options.points.points();
   const std::vector<reference::LocalLight> lamps = options.lights.lights();
-  LevelFolder level(options.path, lamps.size());
+  baked::LevelFolder level(options.path, lamps.size());
   warnOfUnseen(level.setLights(lamps), lamps.size());
   const auto lights = level.at(points, time_h);
   if (options.json && options.points.isOne()) {
@@ -80,8 +80,8 @@ void sample(const Options& options) {
     throw base::Error(base::ExitStatus::usage, "--light: needs --position and --normal, or --points");
   const auto n = parseDirection("--normal", options.points.normal.empty() ? "0,1,0" : options.points.normal);
   const double time_h = parseTime(options.time);
-  const std::string file = skyFileOf(options.path);
-  const Sky sky = openSky(file);
+  const std::string file = baked::skyFileOf(options.path);
+  const Sky sky = baked::openSky(file);
   WelkinSkySample s{};
   if (!sky.sample(time_h, s)) throw base::Error(base::ExitStatus::internal, "sample failed");
   const float normal[3] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shared.h"
+#include "baked/level_folder.h"
 
 namespace CLI {
 class App;
@@ -13,10 +13,7 @@ class App;
 
 namespace welkin::command {
 
-struct SurfacePoint {
-  f64::Number3 position;  ///< metres
-  f64::Number3 normal;    ///< unit
-};
+using baked::SurfacePoint;
 
 /// --position, --normal and --points.
 struct PointsOption {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/certificate_text.h"
 #include "command/commands.h"
-#include "command/welkin_file.h"
 #include "probes/build/bake_file.h"
 #include "probes/build/folder_check.h"
 #include "probes/build/level_files.h"
@@ -37,13 +37,13 @@ void validateFile(const std::string& path) {
     if (read.level) build::addWarnings(*read.level, warnings);
     return printWarnings(warnings);
   }
-  const format::Kind kind = kindOfFile(path);
+  const format::Kind kind = baked::kindOfFile(path);
   if (kind == format::Kind::sector)
     sectors::decodeSector(base::readFile(path), path);
   else if (kind == format::Kind::level)
     build::readIndex(path);
   else
-    openSky(path);
+    baked::openSky(path);
 }
 
 /// Throws Error(content) if the folder has sectors. Called for a folder without an index, whose level is incomplete.
@@ -63,7 +63,7 @@ std::vector<std::string> skiesAt(const std::string& path) {
   if (std::filesystem::is_directory(path, error))
     for (const std::string& name : bake::recordedSkies(path))
       skies.push_back((std::filesystem::path(path) / (name + ".welkin")).string());
-  if (skies.empty()) skies.push_back(skyFileOf(path));
+  if (skies.empty()) skies.push_back(baked::skyFileOf(path));
   return skies;
 }
 

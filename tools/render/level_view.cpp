@@ -97,6 +97,15 @@ LevelView::~LevelView() {
   vkDestroyDescriptorPool(device_.device(), pool_, nullptr);
 }
 
+void LevelView::setOptions(const LevelOptions& options) {
+  const bool probes = options_.probes;
+  const uint32_t shadow_size = options_.shadow_size;
+  options_ = options;
+  options_.probes = probes;
+  options_.shadow_size = shadow_size;
+  if (volume_) volume_->setParts(options.parts);
+}
+
 void LevelView::bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const {
   const VkDescriptorSet sets[3] = {sky_.set(), target.set, volume_ ? volume_->set() : VkDescriptorSet{VK_NULL_HANDLE}};
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);

@@ -34,6 +34,12 @@ class LevelView {
   /// Sets the hour of the following pictures. Throws Error(usage) when it is not finite.
   void setTime(double time_h) { sky_.setTime(time_h, options_.tint); }
   const WelkinSkySample& sample() const { return sky_.sample(); }
+  /// Sets the light of the following pictures.
+  void setSample(const WelkinSkySample& sample) { sky_.setSample(sample); }
+
+  /// Changes how the following pictures are drawn, except for `direct` of emissive surfaces, `probes` and
+  /// `shadow_size`. A change of the tint counts from the next setTime().
+  void setOptions(const LevelOptions& options);
 
   /// Sets the probes of the following pictures and replaces earlier ones. They are spheres of radius
   /// WELKIN_PROBE_RADIUS and albedo 1, each lit by its own probe alone. They neither cast nor receive shadows.

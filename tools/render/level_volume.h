@@ -21,6 +21,8 @@ class LevelVolume {
   /// `device` and `level`, with its sectors resident, must outlive the object.
   LevelVolume(VulkanDevice& device, WelkinLevel& level, const ProbeParts& parts);
 
+  void setParts(const ProbeParts& parts) { parts_ = parts; }
+
   /// Relights all probes and centres the volume on a position. Throws Error.
   void update(const WelkinSkySample& sample, const f64::Number3& position);
 

@@ -50,6 +50,11 @@ void RuntimeSky::setTime(double time_h, bool tint) {
   require(welkin_vulkan_update(runtime_.get(), 0, &sample_), "welkin_vulkan_update");
 }
 
+void RuntimeSky::setSample(const WelkinSkySample& sample) {
+  sample_ = sample;
+  require(welkin_vulkan_update(runtime_.get(), 0, &sample_), "welkin_vulkan_update");
+}
+
 void RuntimeSky::recordDome(VkCommandBuffer commands, const WelkinVulkanView& view) const {
   require(welkin_vulkan_draw_dome(runtime_.get(), commands, 0, &view), "welkin_vulkan_draw_dome");
 }

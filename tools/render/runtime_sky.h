@@ -28,6 +28,9 @@ class RuntimeSky {
   /// drawn from the formulas. Cubemaps keep it, because it was baked into them.
   void setTime(double time_h, bool tint = true);
 
+  /// Sets a sample of this sky, or a changed one.
+  void setSample(const WelkinSkySample& sample);
+
   const WelkinSkySample& sample() const { return sample_; }
   const WelkinVulkanSky* get() const { return runtime_.get(); }
   VkDescriptorSetLayout layout() const { return welkin_vulkan_descriptor_set_layout(runtime_.get()); }

@@ -91,11 +91,11 @@ void require(VkResult result, const char* call) {
                       std::string("Vulkan: ") + call + " failed: VkResult " + std::to_string(result));
 }
 
-VulkanDevice::VulkanDevice(bool validate) {
+VulkanDevice::VulkanDevice(bool validate, std::span<const char* const> for_window) {
   try {
-    createInstance(validate);
+    createInstance(validate, for_window);
     chooseDevice();
-    createDevice();
+    createDevice(!for_window.empty());
   } catch (...) {
     destroy();
     throw;
@@ -115,7 +115,7 @@ void VulkanDevice::destroy() {
   if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
-void VulkanDevice::createInstance(bool validate) {
+void VulkanDevice::createInstance(bool validate, std::span<const char* const> extensions) {
   if (volkInitialize() != VK_SUCCESS)
     throw base::Error(base::ExitStatus::file,
                       "Vulkan: no loader found (libvulkan.so.1); install a Vulkan loader and driver");
@@ -144,16 +144,17 @@ void VulkanDevice::createInstance(bool validate) {
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
   application.pApplicationName = "welkin";
   application.apiVersion = VK_API_VERSION_1_3;
-  const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  std::vector<const char*> enabled_extensions(extensions.begin(), extensions.end());
+  if (validate) enabled_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
+  info.enabledExtensionCount = static_cast<uint32_t>(enabled_extensions.size());
+  info.ppEnabledExtensionNames = enabled_extensions.data();
   if (validate) {
     info.pNext = &messenger;
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &kValidationLayer;
-    info.enabledExtensionCount = 1;
-    info.ppEnabledExtensionNames = &extension;
   }
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
@@ -190,7 +191,7 @@ void VulkanDevice::chooseDevice() {
                       "Vulkan: no device can be used" + (reasons.empty() ? ": there is none" : reasons));
 }
 
-void VulkanDevice::createDevice() {
+void VulkanDevice::createDevice(bool presents) {
   uint32_t families = 0;
   queue_family_ = graphicsFamily(physical_, families);
   const float priority = 1.0F;
@@ -211,6 +212,9 @@ void VulkanDevice::createDevice() {
   info.pEnabledFeatures = &blending;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
+  const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+  info.enabledExtensionCount = presents ? 1 : 0;
+  info.ppEnabledExtensionNames = &swapchain;
   require(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
   VkCommandPoolCreateInfo pool{};

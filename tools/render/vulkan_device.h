@@ -6,7 +6,9 @@
 
 #include <atomic>
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace welkin::render {
 
@@ -20,7 +22,8 @@ class VulkanDevice {
   /// `validate` enables Khronos' validation layer with core and synchronisation checks. Its messages go to stderr and
   /// are counted. Throws Error(file) when there is no loader, driver, layer or device; the message says why each was
   /// refused.
-  explicit VulkanDevice(bool validate);
+  /// `for_window` are the instance extensions that a window's surface needs; with them the device can present.
+  explicit VulkanDevice(bool validate, std::span<const char* const> for_window = {});
   ~VulkanDevice();
   VulkanDevice(const VulkanDevice&) = delete;
   VulkanDevice& operator=(const VulkanDevice&) = delete;
@@ -28,6 +31,8 @@ class VulkanDevice {
   VkInstance instance() const { return instance_; }
   VkPhysicalDevice physical() const { return physical_; }
   VkDevice device() const { return device_; }
+  VkQueue queue() const { return queue_; }
+  uint32_t queueFamily() const { return queue_family_; }
   const VkPhysicalDeviceProperties& properties() const { return properties_; }
 
   /// Number of validation messages so far of severity warning or error. 0 without validation.
@@ -40,9 +45,9 @@ class VulkanDevice {
   void execute(const std::function<void(VkCommandBuffer)>& record);
 
  private:
-  void createInstance(bool validate);
+  void createInstance(bool validate, std::span<const char* const> extensions);
   void chooseDevice();
-  void createDevice();
+  void createDevice(bool presents);
   void destroy();
 
   std::atomic<unsigned> message_count_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/level_folder.h"
+#include "baked/level_folder.h"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,17 @@
 #include <array>
 #include <cstring>
 
-#include "command/arguments.h"
-#include "command/welkin_file.h"
+#include "baked/welkin_file.h"
 #include "probes/build/level_files.h"
 #include "probes/geometry/sector_name.h"
+#include "sky/bake/runtime_error.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 
-namespace welkin::command {
+namespace welkin::baked {
 namespace {
+
+using bake::require;
 
 /// Irradiance at each point with some of the light's parts alone.
 void lightOf(Level& level, const WelkinSkySample& sample, const std::array<float, 3>& parts,
@@ -119,4 +121,4 @@ std::vector<std::optional<PointLight>> LevelFolder::at(const std::vector<Surface
   return lights;
 }
 
-}  // namespace welkin::command
+}  // namespace welkin::baked

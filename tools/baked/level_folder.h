@@ -9,10 +9,14 @@
 #include <vector>
 #include <welkin/level.hpp>
 
-#include "command/surface_points.h"
 #include "probes/reference/light_path.h"
 
-namespace welkin::command {
+namespace welkin::baked {
+
+struct SurfacePoint {
+  f64::Number3 position;  ///< metres
+  f64::Number3 normal;    ///< unit
+};
 
 /// Irradiance of a surface by its sources, RGB, pi included.
 struct PointLight {
@@ -50,4 +54,4 @@ class LevelFolder {
   Level level_;  ///< last: it reads the files
 };
 
-}  // namespace welkin::command
+}  // namespace welkin::baked

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/actions.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "probes/geometry/sector_name.h"
+#include "sky/base/error.h"
+#include "view/session.h"
+#include "view/state_json.h"
+#include "view/words.h"
+
+namespace welkin::view {
+namespace {
+
+constexpr double kFarthest_m = 1e6;
+constexpr double kMostFactor = 16.0;
+
+void time(Session& s, Words& w) {
+  State state = s.state();
+  const double time_h = w.number("the hour", 0.0, 24.0);
+  state.time_h = time_h < 24.0 ? time_h : 0.0;
+  w.end();
+  s.set(state, false);
+}
+
+void camera(Session& s, Words& w) {
+  State state = s.state();
+  for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}}) {
+    const double value = w.number(name, -kFarthest_m, kFarthest_m);
+    (axis == 0 ? state.eye.position.x : axis == 1 ? state.eye.position.y : state.eye.position.z) = value;
+  }
+  state.eye.yaw_deg = w.number("yaw", -3600.0, 3600.0);
+  state.eye.pitch_deg = w.number("pitch", -89.0, 89.0);
+  if (!w.done()) state.eye.fov_deg = w.number("field of view", 1.0, 150.0);
+  w.end();
+  s.set(state, false);
+}
+
+void overview(Session& s, Words& w) {
+  w.end();
+  State state = s.state();
+  state.eye = s.overview();
+  s.set(state, false);
+}
+
+void probes(Session& s, Words& w) {
+  State state = s.state();
+  state.probes =
+      static_cast<ProbeShade>(w.choice("the shade", {"off", "irradiance", "visibility", "sky", "sun-bounce", "local"}));
+  w.end();
+  s.set(state, false);
+}
+
+Light lightWord(Words& w, const char* what) {
+  return static_cast<Light>(w.choice(what, {"baked", "flat", "sky", "reference"}));
+}
+
+void light(Session& s, Words& w) {
+  State state = s.state();
+  state.light = lightWord(w, "the light");
+  w.end();
+  s.set(state, false);
+}
+
+void compare(Session& s, Words& w) {
+  State state = s.state();
+  if (w.take("off")) {
+    state.compare.reset();
+  } else {
+    Comparison c;
+    c.first = lightWord(w, "the first light");
+    c.second = lightWord(w, "the second light");
+    if (!w.done()) c.beside = static_cast<Beside>(w.choice("the arrangement", {"wipe", "side", "difference"}));
+    if (c.beside == Beside::wipe && !w.done()) c.at = w.number("the line", 0.0, 1.0);
+    state.compare = c;
+  }
+  w.end();
+  s.set(state, false);
+}
+
+void exposure(Session& s, Words& w) {
+  State state = s.state();
+  if (w.take("auto"))
+    state.exposure_ev.reset();
+  else
+    state.exposure_ev = w.number("the exposure in stops, or auto,", -40.0, 40.0);
+  w.end();
+  s.set(state, false);
+}
+
+void setValue(Session& s, Words& w) {
+  State state = s.state();
+  Changes& c = state.changes;
+  switch (w.choice("the name", {"sky", "sun-bounce", "local", "saturation", "tint", "occlusion", "direct"})) {
+    case 0:
+      c.sky = w.number("sky", 0.0, kMostFactor);
+      break;
+    case 1:
+      c.sun_bounce = w.number("sun-bounce", 0.0, kMostFactor);
+      break;
+    case 2:
+      c.local = w.number("local", 0.0, kMostFactor);
+      break;
+    case 3:
+      c.saturation = w.number("saturation", 0.0, 1.0);
+      break;
+    case 4:
+      c.tint = w.isOn("tint");
+      break;
+    case 5:
+      c.occlusion = w.isOn("occlusion");
+      break;
+    default:
+      c.direct = w.isOn("direct");
+      break;
+  }
+  w.end();
+  if (c != s.state().changes) s.set(state, true);
+}
+
+void reset(Session& s, Words& w) {
+  w.end();
+  State state = s.state();
+  state.changes = {};
+  if (state.changes != s.state().changes) s.set(state, true);
+}
+
+void undo(Session& s, Words& w) {
+  w.end();
+  s.undo();
+}
+
+void redo(Session& s, Words& w) {
+  w.end();
+  s.redo();
+}
+
+void click(Session& s, Words& w) {
+  const double x = w.number("x", 0.0, s.width());
+  const double y = w.number("y", 0.0, s.height());
+  w.end();
+  s.click(x, y);
+}
+
+void point(Session& s, Words& w) {
+  State state = s.state();
+  if (w.take("off")) {
+    state.point.reset();
+  } else {
+    double v[6];
+    for (std::size_t i = 0; i < 6; ++i)
+      v[i] = w.number(i < 3 ? "the position" : "the normal", -kFarthest_m, kFarthest_m);
+    const f64::Number3 normal(v[3], v[4], v[5]);
+    const double length = std::sqrt(dot(normal, normal));
+    if (!(length > 0.0))
+      throw base::Error(base::ExitStatus::content, "point: the normal is 0 0 0, must have a direction");
+    state.point = baked::SurfacePoint{f64::Number3(v[0], v[1], v[2]), normal / length};
+    state.probe.reset();
+  }
+  w.end();
+  s.set(state, false);
+}
+
+void truth(Session& s, Words& w) {
+  State state = s.state();
+  state.truth_paths = w.count("the paths", 1, std::size_t{1} << 24);
+  w.end();
+  s.set(state, false);
+}
+
+void paths(Session& s, Words& w) {
+  State state = s.state();
+  state.pixel_paths = w.count("the paths of a pixel", 1, 4096);
+  w.end();
+  s.set(state, false);
+}
+
+void bounds(Session& s, Words& w) {
+  State state = s.state();
+  state.bounds = w.isOn("bounds");
+  w.end();
+  s.set(state, false);
+}
+
+/// Looks at a place from 12 m away, from above the side where the camera is.
+void flyTo(Session& s, const f64::Number3& place) {
+  State state = s.state();
+  f64::Number3 from = state.eye.position - place;
+  const double across = std::hypot(from.x, from.z);
+  from = across > 0.0 ? f64::Number3(from.x / across, 0.6, from.z / across) : f64::Number3(0.0, 0.6, 1.0);
+  state.eye.position = place + from * 10.0;
+  state.eye.yaw_deg = std::atan2(-from.x, from.z) / f64::kDegree;
+  state.eye.pitch_deg = -std::atan2(0.6, 1.0) / f64::kDegree;
+  s.set(state, false);
+}
+
+void fly(Session& s, Words& w) {
+  const std::size_t kind = w.choice("the goal", {"warning", "sector", "point"});
+  if (kind == 0) {
+    const auto& warnings = s.level().warnings();
+    if (warnings.empty()) throw base::Error(base::ExitStatus::content, "fly: the level has no warning");
+    const std::size_t i = w.count("the warning", 0, warnings.size() - 1);
+    w.end();
+    if (warnings[i].place) flyTo(s, *warnings[i].place);
+  } else if (kind == 1) {
+    const std::string& name = w.text("the sector");
+    w.end();
+    const auto id = geometry::sectorOf(name);
+    const sectors::SectorFile* sector = id ? s.level().sector(*id) : nullptr;
+    if (sector == nullptr)
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("fly: the sector is \"{}\", must be one of the level, such as {}", name,
+                                    nameOf(s.level().sectors().front().id)));
+    flyTo(s, geometry::cornerOf(*id) + f64::Number3(32.0, sector->low_y, 32.0));
+  } else {
+    w.end();
+    if (s.state().point) flyTo(s, s.state().point->position);
+  }
+}
+
+void screenshot(Session& s, Words& w) {
+  const std::string path = w.text("the file");
+  w.end();
+  s.host().screenshot(path);
+}
+
+void state(Session& s, Words& w) {
+  const std::string path = w.text("the file");
+  w.end();
+  writeState(s, path);
+}
+
+void wait(Session& s, Words& w) {
+  w.end();
+  s.picture();
+  s.answer();
+  s.probe();
+}
+
+constexpr Action kActions[] = {
+    {"time", "HOURS", "the time of day", time},
+    {"camera", "X Y Z YAW PITCH [FOV]", "where the camera stands, metres, and looks, degrees", camera},
+    {"overview", "", "a camera that sees the whole level", overview},
+    {"fly", "warning N | sector X_Z | point", "takes the camera there", fly},
+    {"click", "X Y", "picks what is at a pixel: a surface, or a probe's sphere", click},
+    {"point", "X Y Z NX NY NZ | off", "picks a point of a surface", point},
+    {"truth", "PATHS", "paths of the path tracer at the picked point", truth},
+    {"paths", "N", "paths of the path tracer, a pixel", paths},
+    {"probes", "off | irradiance | visibility | sky | sun-bounce | local", "what the spheres of probes show", probes},
+    {"light", "baked | flat | sky | reference", "the ambient light of the picture", light},
+    {"compare", "LIGHT LIGHT [wipe [AT] | side | difference] | off", "two lights in one picture", compare},
+    {"exposure", "STOPS | auto", "radiance is multiplied by 2^STOPS", exposure},
+    {"set", "sky|sun-bounce|local|saturation NUMBER, tint|occlusion|direct on|off", "changes the light at once",
+     setValue},
+    {"reset", "", "takes all changes of the light back", reset},
+    {"undo", "", "takes the last change back", undo},
+    {"redo", "", "makes it again", redo},
+    {"bounds", "on | off", "the sectors' bounds", bounds},
+    {"screenshot", "FILE", "writes the picture and the panels as a PNG", screenshot},
+    {"state", "FILE", "writes what the panels say as JSON", state},
+    {"wait", "", "until everything is computed", wait},
+};
+
+}  // namespace
+
+std::span<const Action> actions() {
+  return kActions;
+}
+
+void performAction(Session& session, const std::vector<std::string>& words) {
+  std::string names;
+  for (const Action& action : kActions) {
+    if (words[0] == action.name) {
+      Words rest(words);
+      action.perform(session, rest);
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(action.name);
+  }
+  throw base::Error(base::ExitStatus::content, fmt::format("\"{}\" is not a command; those are {}", words[0], names));
+}
+
+}  // namespace welkin::view

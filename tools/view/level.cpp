@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/level.h"
+
+#include <fmt/format.h>
+
+#include "probes/build/level_files.h"
+#include "probes/build/sector_warnings.h"
+#include "probes/geometry/sector_name.h"
+#include "probes/loader/read_scene.h"
+#include "probes/loader/surfaces_of.h"
+#include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
+
+namespace welkin::view {
+namespace {
+
+namespace fs = std::filesystem;
+using sectors::SectorFile;
+
+f64::Number3 middleOf(const level::Bounds& bounds) {
+  return bounds.empty() ? f64::Number3(0.0) : (bounds.low + bounds.high) * 0.5;
+}
+
+level::Scene drawnScene(const fs::path& level) {
+  level::Scene scene = loader::readScene(level::levelFileOf(base::readToml(level.string())));
+  loader::useMeanColours(scene);  // the passes draw no textures
+  return scene;
+}
+
+/// The first place that a sector's warnings are about, or the middle of the sector.
+f64::Number3 placeToLookAt(const SectorFile& sector) {
+  if (!sector.placement.named.empty()) return placement::placeInWorld(sector.id, sector.placement.named.front());
+  return geometry::cornerOf(sector.id) +
+         f64::Number3(0.5 * geometry::kSector_m, sector.low_y, 0.5 * geometry::kSector_m);
+}
+
+}  // namespace
+
+LevelFiles levelFiles(const fs::path& folder, const fs::path& level) {
+  if (!build::isLevelFolder(folder))
+    throw base::Error(base::ExitStatus::file,
+                      fmt::format("{}: not the folder of a baked level: it has no level.welkin; welkin bake LEVEL.toml "
+                                  "-o {} makes it",
+                                  folder.string(), folder.string()));
+  if (!level.empty()) return {folder, level};
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  const fs::path up = whole.has_filename() ? whole.parent_path() : whole.parent_path().parent_path();
+  for (const fs::path& place : {whole, up})
+    if (fs::is_regular_file(place / "level.toml", error)) return {folder, place / "level.toml"};
+  throw base::Error(
+      base::ExitStatus::file,
+      fmt::format("no level.toml in {} or in {}; --level names the file that was baked", whole.string(), up.string()));
+}
+
+Level::Level(const LevelFiles& files)
+    : files_(files),
+      baked_(files.folder),
+      subject_(build::readLevel(files.level)),
+      scene_(drawnScene(files.level)),
+      tracer_(std::make_unique<geometry::Tracer>(subject_.level->surfaces, middleOf(scene_.bounds))) {
+  for (const std::string& warning : subject_.level->surfaces.warning) warnings_.push_back({"geometry", warning, {}});
+  const sectors::LevelIndex index = build::readIndex(build::indexPath(files.folder));
+  const bool has_budget = !subject_.level->section.transfer.rays;
+  for (const sectors::SectorEntry& entry : index.sector) {
+    const fs::path path = files.folder / "sectors" / geometry::fileNameOf(entry.id);
+    sectors_.push_back(sectors::decodeSector(base::readFile(path), path.string()));
+    costs_.push_back({entry.id, entry.probes, static_cast<std::size_t>(entry.bytes)});
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    build::addWarnings(sectors_.back(), has_budget ? subject_.sky.bake.max_error : std::nullopt, list);
+    for (const auto& one : list) warnings_.push_back({one["id"], one["message"], placeToLookAt(sectors_.back())});
+    if (sectors_.back().unlit > 0)
+      warnings_.push_back({"unlit",
+                           fmt::format("sector {}: {} probes get no light of sky, sun, moon or emission",
+                                       nameOf(entry.id), sectors_.back().unlit),
+                           placeToLookAt(sectors_.back())});
+  }
+}
+
+const SectorFile* Level::sector(geometry::SectorId id) const {
+  const auto found =
+      std::lower_bound(sectors_.begin(), sectors_.end(), id,
+                       [](const SectorFile& file, geometry::SectorId wanted) { return file.id < wanted; });
+  return found == sectors_.end() || found->id != id ? nullptr : &*found;
+}
+
+f64::Number3 Level::placeOf(const ProbeName& name) const {
+  const SectorFile& file = *sector(name.sector);
+  return transfer::decodedProbes(file.probes, file.id).position.at(name.number);
+}
+
+}  // namespace welkin::view

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels over the picture. They show the session, and change it by commands alone (actions.h).
+#pragma once
+
+#include <string>
+
+#include "view/session.h"
+
+struct ImDrawData;
+struct ImGuiContext;
+
+namespace welkin::view {
+
+class Panels {
+ public:
+  /// Makes an ImGui context and makes it the current one.
+  explicit Panels(Session& session);
+  ~Panels();
+  Panels(const Panels&) = delete;
+  Panels& operator=(const Panels&) = delete;
+
+  /// Lays the panels out for a picture of the session's size. The result is valid until the next call.
+  const ImDrawData& build();
+  /// The same, until the layout has come to rest.
+  const ImDrawData& settled();
+
+  /// Performs a command; a complaint is shown until the next command.
+  void perform(const std::string& line);
+
+ private:
+  void time();
+  void see();
+  void change();
+  void compare();
+  void point();
+  void probe();
+  void warnings();
+  void cost();
+  void help();
+
+  Session& session_;
+  ImGuiContext* context_;
+  std::string complaint_;
+  int curve_ = 0;
+};
+
+}  // namespace welkin::view

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/session.h"
+
+#include <cmath>
+#include <limits>
+
+#include "view/actions.h"
+#include "view/words.h"
+
+namespace welkin::view {
+
+using f64::Number3;
+
+Session::Session(render::VulkanDevice& device, Level& level, uint32_t width, uint32_t height)
+    : device_(device),
+      level_(level),
+      width_(width),
+      height_(height),
+      day_(dayOf(level.sky())),
+      painter_(device_, level_, day_) {
+  state_.eye = overview();
+}
+
+void Session::perform(const std::vector<std::string>& words) {
+  if (!words.empty()) performAction(*this, words);
+}
+
+void Session::perform(const std::string& line) {
+  perform(wordsOf(line));
+}
+
+void Session::set(const State& state, bool edit) {
+  constexpr std::size_t kMostUndone = 1000;
+  if (edit) {
+    past_.push_back(state_);
+    if (past_.size() > kMostUndone) past_.erase(past_.begin());
+    future_.clear();
+  }
+  const bool light_changed = state.time_h != state_.time_h || state.changes != state_.changes;
+  if (light_changed || state.probe != state_.probe) probe_.reset();
+  const auto same_point = [](const std::optional<baked::SurfacePoint>& a, const std::optional<baked::SurfacePoint>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->position == b->position && a->normal == b->normal));
+  };
+  if (state.time_h != state_.time_h || state.truth_paths != state_.truth_paths ||
+      !same_point(state.point, state_.point))
+    answer_.reset();
+  picture_.reset();
+  error_.reset();
+  state_ = state;
+  ++version_;
+}
+
+void Session::undo() {
+  if (past_.empty()) return;
+  future_.push_back(state_);
+  const State before = past_.back();
+  past_.pop_back();
+  set(before, false);
+}
+
+void Session::redo() {
+  if (future_.empty()) return;
+  past_.push_back(state_);
+  const State after = future_.back();
+  future_.pop_back();
+  set(after, false);
+}
+
+void Session::resize(uint32_t width, uint32_t height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  picture_.reset();
+  error_.reset();
+  ++version_;
+}
+
+const WelkinSkySample& Session::sample() {
+  sample_ = sampleOf(level_.sky(), state_.time_h, state_.changes);
+  return sample_;
+}
+
+const Answer* Session::answer() {
+  if (state_.point && !answer_)
+    answer_ = std::make_unique<Answer>(answerAt(level_, *state_.point, state_.time_h, state_.truth_paths));
+  return answer_.get();
+}
+
+const ProbeNumbers* Session::probe() {
+  if (state_.probe && !probe_)
+    probe_ = std::make_unique<ProbeNumbers>(numbersOf(level_, *state_.probe, state_.time_h, state_.changes));
+  return probe_.get();
+}
+
+const render::IrradianceError* Session::error() {
+  if (state_.compare && !error_) picture();
+  return error_ ? &*error_ : nullptr;
+}
+
+render::Picture Session::picture(bool quick) {
+  if (quick) {
+    std::optional<render::IrradianceError> error;
+    State state = state_;
+    const auto without_tracer = [](Light& light) {
+      if (light == Light::reference) light = Light::baked;
+    };
+    without_tracer(state.light);
+    if (state.compare) {
+      without_tracer(state.compare->first);
+      without_tracer(state.compare->second);
+    }
+    return painter_.paint(state, std::max(width_ / 2, 1U), std::max(height_ / 2, 1U), true, error);
+  }
+  if (!picture_) picture_ = painter_.paint(state_, width_, height_, false, error_);
+  return *picture_;
+}
+
+Eye Session::overview() const {
+  const Eye eye;
+  const render::PlacedCamera placed = render::overview(level_.scene(), eye.fov_deg * f64::kDegree);
+  return {placed.position, placed.camera.yaw_rad / f64::kDegree, placed.camera.pitch_rad / f64::kDegree, eye.fov_deg};
+}
+
+Number3 Session::rayAt(double x, double y) const {
+  const auto rays = render::inverseViewProjection(cameraOf(state_.eye), static_cast<double>(width_) / height_);
+  const auto column = [&](std::size_t c) {
+    return Number3(double{rays[4 * c]}, double{rays[4 * c + 1]}, double{rays[4 * c + 2]});
+  };
+  const Number3 ray = column(0) * (2.0 * x / width_ - 1.0) + column(1) * (2.0 * y / height_ - 1.0) + column(3);
+  return ray / std::sqrt(dot(ray, ray));
+}
+
+void Session::click(double x, double y) {
+  constexpr double kFar_m = 1e5;
+  const Number3 ray = rayAt(x, y);
+  const auto hit = level_.tracer().closest(state_.eye.position, ray, kFar_m);
+  State state = state_;
+  state.probe.reset();
+  state.point.reset();
+  if (state.probes != ProbeShade::off)
+    state.probe = probeOnRay(level_, state.eye.position, ray, hit ? hit->distance : kFar_m);
+  if (!state.probe && hit) state.point = baked::SurfacePoint{hit->position, hit->normal};
+  set(state, false);
+}
+
+}  // namespace welkin::view

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// A session of the viewer: the level, the state, and the results that belong to it. Scripts and panels change it by
+// the same commands (actions.h).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/difference.h"
+#include "view/answer.h"
+#include "view/day.h"
+#include "view/painter.h"
+#include "view/probes.h"
+
+namespace welkin::view {
+
+/// What a command asks of the program around the session.
+class Host {
+ public:
+  virtual ~Host() = default;
+  /// Writes the picture with its panels as a PNG.
+  virtual void screenshot(const std::string& path) = 0;
+};
+
+class Session {
+ public:
+  /// `device` and `level` must outlive the object. Pictures have this size, pixels.
+  Session(render::VulkanDevice& device, Level& level, uint32_t width, uint32_t height);
+
+  /// Performs one command. Throws Error(content) for words that are not allowed; then nothing has changed.
+  void perform(const std::vector<std::string>& words);
+  /// The same for a line of words; an empty line does nothing.
+  void perform(const std::string& line);
+
+  const State& state() const { return state_; }
+  /// Changes the state; `edit` says whether undo leads back to what was before.
+  void set(const State& state, bool edit);
+  void undo();
+  void redo();
+  /// Changes whenever the state does.
+  std::size_t version() const { return version_; }
+  std::size_t undoCount() const { return past_.size(); }
+  std::size_t redoCount() const { return future_.size(); }
+
+  Level& level() { return level_; }
+  const Level& level() const { return level_; }
+  const Day& day() const { return day_; }
+  const WelkinSkySample& sample();
+  uint32_t width() const { return width_; }
+  uint32_t height() const { return height_; }
+  void resize(uint32_t width, uint32_t height);
+
+  /// The answer for the state's point, the numbers of its probe; null without one. Computed once a change.
+  const Answer* answer();
+  const ProbeNumbers* probe();
+  /// The error of the first of the two compared lights against the second; null without a comparison.
+  const render::IrradianceError* error();
+
+  /// The level's picture without panels. With `quick` at half the size, and without the path tracer.
+  render::Picture picture(bool quick = false);
+
+  /// A camera that sees the whole level.
+  Eye overview() const;
+  /// The direction through a pixel.
+  f64::Number3 rayAt(double x, double y) const;
+  /// Picks the probe whose sphere is at the pixel, or the surface there; nothing where the sky is.
+  void click(double x, double y);
+
+  void setHost(Host* host) { host_ = host; }
+  Host& host() const { return *host_; }
+
+ private:
+  render::VulkanDevice& device_;
+  Level& level_;
+  uint32_t width_, height_;
+  State state_;
+  std::size_t version_ = 0;
+  std::vector<State> past_, future_;
+  Day day_;
+  WelkinSkySample sample_{};
+  Painter painter_;
+  Host* host_ = nullptr;
+  std::optional<render::Picture> picture_;  ///< of the state, whole
+  std::optional<render::IrradianceError> error_;
+  std::unique_ptr<Answer> answer_;
+  std::unique_ptr<ProbeNumbers> probe_;
+};
+
+}  // namespace welkin::view
