@@ -15,7 +15,7 @@ draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"
 test=""
 if [ "${1-}" = --tests ]; then
   test="catch2 clang libbenchmark-dev libclang-rt-14-dev libfilament-dev libfilament-tools libnova-dev libegl1 libgl1-mesa-dri libgles2 mono-mcs vulkan-validationlayers openexr parallel
-libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
+libxtst-dev xvfb libdbus-1-3 libhwloc15 libjson-c5 libreadline8 libyaml-0-2"
   command -v npm >/dev/null || test="$test nodejs npm"  # other packages of Node.js bring an npm of their own
 fi
 

@@ -76,9 +76,12 @@ class GlfwWindow : public Window {
       glfwWaitEventsTimeout(wait_s);
     else
       glfwPollEvents();
-    for (bool ends = false; !ends && !events_.empty(); events_.pop_front()) {
-      events_.front().apply(input_);
-      ends = events_.front().is_press;
+    for (bool any = false, ends = false; !ends && !events_.empty(); any = true) {
+      const Event event = events_.front();
+      if (event.is_press && any) break;  // the moves before it come first, so that no drag is lost
+      event.apply(input_);
+      events_.pop_front();
+      ends = event.is_press;
     }
     input_.more = !events_.empty();
     int width = 0, height = 0;
