@@ -93,7 +93,7 @@ class Windowed : public Host {
       if (changes) changed = now;
       const bool moving = std::chrono::duration<double>(now - changed).count() < kStillAfter_s;
       pending = pending || changes || !full;
-      if (pending && !input.more) {  // all that has happened comes first
+      if (pending && (!input.more || picture_.rgb.empty())) {  // all that has happened comes first
         pending = false;
         full = !moving;
         const Clock::time_point begin = Clock::now();
