@@ -23,147 +23,130 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kBudgetKey = "surface_budget";
 
 /// Version of the search; it grows when the same level gets other spreads.
-constexpr std::uint32_t kSearchVersion = 1;
+constexpr std::uint32_t kSearchVersion = 2;
 
 /// Points of one sector, for its part of the level's error. The seed is neither the fit's nor the certificate's.
 constexpr std::uint64_t kSeed = 0xb06e7;
 constexpr std::size_t kSurfacePoints = 96, kAirPoints = 48, kPaths = 128;
 
-/// Mean squares of a sector's error by its own probes, and the areas that they are of.
-struct OwnError {
-  double surface = 0.0, air = 0.0;
-  double surface_m2 = 0.0, air_m2 = 0.0;
-};
+/// Prices of error in bytes that a search tries, by bisection of their exponent.
+constexpr int kPrices = 8;
+constexpr double kLowestExponent = -6.0, kHighestExponent = 6.0;
 
-double errorArea(const OwnError& e) {
-  return e.surface * e.surface_m2 + e.air * e.air_m2;
-}
-
-/// Closer probes must take at least this share of the level's squared error for as much of its probes.
-constexpr double kLeastGain = 0.1;
-
-/// A sector of the search.
+/// A sector that was baked with one spread.
 struct Trial {
-  std::size_t next = 0;  ///< of kSpreads, to be tried
-  double spread = kSpreads[0];
-  std::optional<sectors::SectorFile> file;
-  OwnError error;
-
-  bool canTry() const { return next < kSpreads.size() && !(file && file->probes.probes() >= geometry::kMostProbes); }
+  sectors::SectorFile file;
+  double bytes = 0.0;
+  double error_m2 = 0.0;  ///< mean square error by its own probes, times area: of its surfaces and of the air
 };
 
 class Search {
  public:
   Search(const LevelBake& level, const model::Sky& sky, const base::Progress& progress)
-      : level_(level), sky_(sky), tracer_(level.surfaces()), progress_(progress), trial_(level.sectors().size()) {
-    for (std::size_t i = 0; i < trial_.size(); ++i) tryNext(i);
-  }
+      : level_(level), sky_(sky), tracer_(level.surfaces()), progress_(progress), trial_(level.sectors().size()) {}
 
   SurfaceChoice within(double max_error) {
-    SurfaceChoice choice;
-    // A sector's own error is of few points and without its neighbours' probes, so it only tells when to look again.
-    double scale = 0.0;
-    for (;;) {
-      const double own = ownError();
-      const auto next = mostErrorAProbe();
-      if (next && scale * own > max_error) {
-        tryNext(*next);
-        continue;
+    Tried best;
+    for (std::size_t k = 0; k < kSpreads.size(); ++k) {
+      bakeAll(k);
+      const Tried tried = certified(std::vector<std::size_t>(trial_.size(), k));
+      if (best.spread.empty() || tried.error < best.error) best = tried;
+      if (tried.error <= max_error) {
+        best = cheapest(tried, max_error);
+        break;
       }
-      choice.error = certified();
-      choice.kept = choice.error <= max_error;
-      if (choice.kept || !next) break;
-      scale = choice.error / own;
+      if (isFull(k)) break;
     }
-    for (Trial& t : trial_) {
-      choice.spread.push_back(t.spread);
-      choice.file.push_back(std::move(*t.file));
+    SurfaceChoice choice;
+    choice.error = best.error;
+    choice.kept = best.error <= max_error;
+    for (std::size_t i = 0; i < trial_.size(); ++i) {
+      choice.spread.push_back(kSpreads[best.spread[i]]);
+      choice.file.push_back(std::move(trial_[i][best.spread[i]].file));
     }
     return choice;
   }
 
  private:
-  /// Bakes a sector with its next spread, and keeps the result where it pays.
-  void tryNext(std::size_t i) {
-    Trial& t = trial_[i];
-    const double spread = kSpreads[t.next++];
-    sectors::SectorFile file = level_.bake(level_.sectors()[i], progress_, spread);
-    const OwnError error = errorOf(file);
-    if (t.file && !pays(t, file, error)) return;
-    t.spread = spread;
-    t.file = std::move(file);
-    t.error = error;
-  }
+  /// A spread for each sector, and the level's error with these.
+  struct Tried {
+    std::vector<std::size_t> spread;  ///< of kSpreads
+    double error = 0.0;
+    double bytes = 0.0;
+  };
 
-  /// Whether the level's error falls by enough for the probes that a sector would get.
-  bool pays(const Trial& now, const sectors::SectorFile& file, const OwnError& error) const {
-    double all = 0.0, probes = 0.0;
-    for (const Trial& t : trial_) {
-      all += errorArea(t.error);
-      probes += t.file ? static_cast<double>(t.file->probes.probes()) : 0.0;
-    }
-    const double less = (errorArea(now.error) - errorArea(error)) / all;
-    const double more =
-        (static_cast<double>(file.probes.probes()) - static_cast<double>(now.file->probes.probes())) / probes;
-    return less > 0.0 && less >= kLeastGain * more;
-  }
-
-  OwnError errorOf(const sectors::SectorFile& file) const {
-    certify::CertifySettings settings;
-    settings.surface_points = kSurfacePoints;
-    settings.air_points = kAirPoints;
-    settings.paths = kPaths;
-    settings.bounces = level_.bounces();
-    settings.seed = kSeed;
-    const auto found = certify::certifyLevel(tracer_, sky_, {file}, settings, progress_);
-    const auto square = [](const certify::ErrorsOf& e) { return e.total.rms * e.total.rms; };
-    return {square(found.surface), square(found.air), found.surface_m2, found.air_m2};
-  }
-
-  /// The larger error of surfaces and air, from the sectors' own.
-  double ownError() const {
-    double surface = 0.0, air = 0.0, surface_m2 = 0.0, air_m2 = 0.0;
-    for (const Trial& t : trial_) {
-      surface += t.error.surface * t.error.surface_m2;
-      air += t.error.air * t.error.air_m2;
-      surface_m2 += t.error.surface_m2;
-      air_m2 += t.error.air_m2;
-    }
-    return std::sqrt(std::max(surface_m2 > 0.0 ? surface / surface_m2 : 0.0, air_m2 > 0.0 ? air / air_m2 : 0.0));
-  }
-
-  /// The sector that may have closer probes and has the most error for each that it has; nothing if none may.
-  std::optional<std::size_t> mostErrorAProbe() const {
-    std::optional<std::size_t> found;
-    double most = 0.0;
+  void bakeAll(std::size_t k) {
     for (std::size_t i = 0; i < trial_.size(); ++i) {
-      const Trial& t = trial_[i];
-      const double a_probe =
-          errorArea(t.error) / static_cast<double>(std::max<std::size_t>(t.file->probes.probes(), 1));
-      if (!t.canTry() || a_probe <= most) continue;
-      most = a_probe;
-      found = i;
+      Trial trial{level_.bake(level_.sectors()[i], progress_, kSpreads[k]), 0.0, 0.0};
+      trial.bytes = static_cast<double>(sectors::encodeSector(trial.file).size());
+      trial.error_m2 = errorOf(trial.file);
+      trial_[i].push_back(std::move(trial));
     }
-    return found;
   }
 
-  double certified() const {
+  /// Whether no sector can hold more probes.
+  bool isFull(std::size_t k) const {
+    return std::all_of(trial_.begin(), trial_.end(),
+                       [&](const std::vector<Trial>& t) { return t[k].file.probes.probes() >= geometry::kMostProbes; });
+  }
+
+  double errorOf(const sectors::SectorFile& file) const {
+    const certify::CertifySettings settings{kSurfacePoints, kAirPoints, kPaths, level_.bounces(), false, kSeed};
+    const auto found = certify::certifyLevel(tracer_, sky_, {file}, settings, progress_);
+    return std::pow(found.surface.total.rms, 2) * found.surface_m2 + std::pow(found.air.total.rms, 2) * found.air_m2;
+  }
+
+  Tried certified(std::vector<std::size_t> spread) const {
+    Tried tried{std::move(spread), 0.0, 0.0};
     std::vector<sectors::SectorFile> files;
     std::size_t probes = 0;
-    for (const Trial& t : trial_) {
-      files.push_back(*t.file);
-      probes += t.file->probes.probes();
+    for (std::size_t i = 0; i < trial_.size(); ++i) {
+      const Trial& t = trial_[i][tried.spread[i]];
+      files.push_back(t.file);
+      probes += t.file.probes.probes();
+      tried.bytes += t.bytes;
     }
     const auto found =
         certify::certifyLevel(tracer_, sky_, files, certifySettings(level_, probes, bake::Certify::fast), progress_);
-    return std::max(found.surface.total.rms, found.air.total.rms);
+    tried.error = std::max(found.surface.total.rms, found.air.total.rms);
+    return tried;
+  }
+
+  /// The spreads of fewest bytes, where error has a price: a Lagrange multiplier (Everett 1963). Bytes and errors count
+  /// as shares of the level's.
+  std::vector<std::size_t> spreadsAt(double price, const Tried& all) const {
+    double error_m2 = 0.0;
+    for (std::size_t i = 0; i < trial_.size(); ++i) error_m2 += trial_[i][all.spread[i]].error_m2;
+    std::vector<std::size_t> spread;
+    for (const std::vector<Trial>& tries : trial_) {
+      const auto cost = [&](const Trial& t) {
+        return t.bytes / all.bytes + (error_m2 > 0.0 ? price * t.error_m2 / error_m2 : 0.0);
+      };
+      const auto least = std::min_element(tries.begin(), tries.end(),
+                                          [&](const Trial& a, const Trial& b) { return cost(a) < cost(b); });
+      spread.push_back(static_cast<std::size_t>(least - tries.begin()));
+    }
+    return spread;
+  }
+
+  /// Of `kept`, which is within the budget, and of spreads that differ by sector, the one of fewest bytes within it.
+  Tried cheapest(const Tried& kept, double max_error) const {
+    Tried best = kept;
+    double low = kLowestExponent, high = kHighestExponent;
+    for (int i = 0; i < kPrices; ++i) {
+      const double middle = 0.5 * (low + high);
+      const Tried tried = certified(spreadsAt(std::exp2(middle), kept));
+      if (tried.error <= max_error && tried.bytes < best.bytes) best = tried;
+      (tried.error <= max_error ? high : low) = middle;
+    }
+    return best;
   }
 
   const LevelBake& level_;
   const model::Sky& sky_;
   geometry::Tracer tracer_;
   base::Progress progress_;
-  std::vector<Trial> trial_;  // by sector
+  std::vector<std::vector<Trial>> trial_;  // by sector, then spread
 };
 
 /// What a choice depends on.

@@ -24,10 +24,9 @@ struct SurfaceChoice {
   std::vector<sectors::SectorFile> file = {};  ///< as the search baked them, likewise; empty if there was none
 };
 
-/// Starts with the widest spread everywhere. Then the sector with the most error for each of its probes gets the next
-/// one, which it keeps where that pays, until the level's certificate keeps its budget or all have been tried. Errors
-/// are squares by area.
-/// A sector is baked for every spread that it tries. The level has a budget. Throws Error(usage) where only a part of
+/// Bakes the level with one spread after the other, widest first, until its certificate keeps the budget. Then sectors
+/// of little error take wider ones again, as far as the certificate allows. So no single spread of all sectors that
+/// keeps the budget has fewer bytes. The level has a budget. Throws Error(usage) where only a part of
 /// it is to be baked, and what LevelBake::bake throws.
 SurfaceChoice chooseSpreads(const LevelBake& level, const bake::SkyFile& sky, bool part_alone,
                             const base::Progress& progress);
