@@ -8,7 +8,7 @@ set -eu
 build="g++ cmake ninja-build pkg-config glslang-tools spirv-cross spirv-tools spirv-headers flatbuffers-compiler"
 # linked by the libraries and the tool
 link="libfmt-dev libsleef-dev libtbb-dev libopenexr-dev libimath-dev libopenimageio-dev libwebp-dev libjpeg-dev libpng-dev libtiff-dev libtomlplusplus-dev libxxhash-dev
-libeigen3-dev libflatbuffers-dev libhwy-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev libstb-dev
+libeigen3-dev libflatbuffers-dev libhwy-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libembree-dev libvulkan-dev libvulkan-volk-dev libcairo2-dev libstb-dev libopencv-contrib-dev
 libimgui-dev libglfw3-dev"
 # for pictures: a Vulkan device for machines without one, a font for labels, a plotter for the charts of a study
 draw="mesa-vulkan-drivers fonts-dejavu-core gnuplot-nox"

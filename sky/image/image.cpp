@@ -168,8 +168,8 @@ Image readImage(const std::string& name, std::span<const std::byte> bytes, const
     if (format == kOpenExr) return readExr(name, bytes, limits, layer);
     if (format == "hdr") return readRadiance(name, bytes, limits);
     if (format == "pnm") return readPnm(name, bytes, limits);
-    if (format == "tiff") return decoded(name, imageModule().read_tiff(name, bytes, limits));
-    return decoded(name, readCodedPicture(name, format, bytes, limits));
+    if (format == "tiff") return decoded(name, imageModule().read_tiff(name, bytes, limits), limits.linear_codes);
+    return decoded(name, readCodedPicture(name, format, bytes, limits), limits.linear_codes);
   };
   Image image = read();
   if (image.converted && !limits.negative) settleRounding(image);

@@ -29,6 +29,8 @@ struct ImageLimits {
   int largest_side = 16384;
   std::size_t most_texels = std::size_t{1} << 24;
   bool negative = false;  ///< whether finite values below 0 are allowed
+  bool linear_codes =
+      false;  ///< integer codes are light itself, in Rec. 709, whatever the file says of curve and colours
 };
 
 /// Decodes the bytes of a picture. Integer images are sRGB-encoded (IEC 61966-2-1) unless the file says linear or names

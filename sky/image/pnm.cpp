@@ -80,7 +80,7 @@ void readFloats(PnmReader& reader, int channels, Image& image) {
   if (factor != 1.0) image.notes.push_back(fmt::format("values were multiplied by the scale {:.6g}", factor));
 }
 
-void readCodes(PnmReader& reader, bool text, int channels, Image& image) {
+void readCodes(PnmReader& reader, bool text, int channels, bool linear, Image& image) {
   const auto largest = reader.number<std::int64_t>("the largest value");
   if (largest < 1 || largest > 65535)
     throw reader.refusal(fmt::format("the largest value is {}; 1 to 65535 are allowed", largest));
@@ -96,7 +96,8 @@ void readCodes(PnmReader& reader, bool text, int channels, Image& image) {
                : std::int64_t{bigEndian(bytes.data() + (i * n + c) * static_cast<std::size_t>(size), size)};
       if (code < 0 || code > largest)
         throw reader.refusal(fmt::format("a texel is {}; 0 to {} are allowed", code, largest));
-      value[c] = static_cast<float>(det::srgbDecode(static_cast<double>(code) / static_cast<double>(largest)));
+      const double part = static_cast<double>(code) / static_cast<double>(largest);
+      value[c] = static_cast<float>(linear ? part : det::srgbDecode(part));
     }
     if (n == 1) value[1] = value[2] = value[0];
     image.rgb.insert(image.rgb.end(), value, value + 3);
@@ -118,7 +119,7 @@ Image readPnm(const std::string& name, std::span<const std::byte> bytes, const I
   if (magic == "PF" || magic == "Pf")
     readFloats(reader, channels, image);
   else
-    readCodes(reader, magic == "P2" || magic == "P3", channels, image);
+    readCodes(reader, magic == "P2" || magic == "P3", channels, limits.linear_codes, image);
   return image;
 }
 

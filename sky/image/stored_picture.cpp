@@ -28,7 +28,12 @@ void applyExifColours(StoredPicture& picture) {
 
 }  // namespace
 
-Image decoded(const std::string& name, StoredPicture picture) {
+Image decoded(const std::string& name, StoredPicture picture, bool linear_codes) {
+  if (linear_codes) {
+    picture.icc.clear();
+    picture.colours.reset();
+    picture.gamma = 1.0;
+  }
   applyExifColours(picture);
   Image image = std::move(picture.image);
   if (!picture.icc.empty()) {

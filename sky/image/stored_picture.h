@@ -22,6 +22,7 @@ struct StoredPicture {
 };
 
 /// Linear Rec. 709, upright. Throws Error(content), naming the file, for a profile or colours that cannot be honoured.
-Image decoded(const std::string& name, StoredPicture picture);
+/// `linear_codes` is as in ImageLimits.
+Image decoded(const std::string& name, StoredPicture picture, bool linear_codes = false);
 
 }  // namespace welkin::image

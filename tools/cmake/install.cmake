@@ -24,7 +24,7 @@ endif()
 if(TARGET welkin)
   set_target_properties(welkin PROPERTIES EXPORT_NAME bake
     INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # stays right when the installation moves
-  install(TARGETS welkin_image welkin_window LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
+  install(TARGETS welkin_image welkin_chart welkin_window LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
   install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
   file(RELATIVE_PATH lib_to_modules /prefix/${CMAKE_INSTALL_LIBDIR} /prefix/${modules_folder})

@@ -23,5 +23,6 @@ void addReference(CLI::App& app);
 void addStudy(CLI::App& app);
 void addRender(CLI::App& app);
 void addView(CLI::App& app);
+void addCalibrate(CLI::App& app);
 
 }  // namespace welkin::command

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nonlinear least squares for a few unknowns.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace welkin::calibrate {
+
+/// Improves `unknowns` until the sum of squares of `residuals` falls by less than 1e-10 of itself a step, or for at
+/// most 60 steps (K. Levenberg 1944, D. W. Marquardt 1963; derivatives by one-sided differences). The sum never rises.
+Eigen::VectorXd leastSquaresFrom(Eigen::VectorXd unknowns,
+                                 const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals);
+
+}  // namespace welkin::calibrate
