@@ -170,3 +170,15 @@ TEST_CASE("Photo, RealChartsAreFoundAndOthersRefused") {
     CHECK(summaryOf(errors.left_out).mean < summaryOf(photo.calibration.before).mean);
   }
 }
+
+TEST_CASE("Photo, FullCodesCountWhereAProfileTakesThemPastWhite") {
+  image::Image image;
+  image.width = 2;
+  image.height = 1;
+  const double full = clippingLevel(image, false);
+  image.rgb = {0.5F, 0.5F, 0.5F, 1.2249F, -0.042F, -0.0196F};  // the second is full red of Display P3
+  CHECK(clippingLevel(image, false) == full);
+  CHECK(full < 1.0);
+  image.rgb[3] = 7.0F;  // a picture of light, whose numbers have no end
+  CHECK(clippingLevel(image, false) == std::numeric_limits<double>::infinity());
+}

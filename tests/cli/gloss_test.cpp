@@ -84,6 +84,16 @@ TEST_CASE("Gloss, PngOfEightAndSixteenBits") {
   }
 }
 
+TEST_CASE("Gloss, NeverWritesOverItsInput") {
+  const Folder folder;
+  const std::string brick = folder.write("brick.png", ridges(4, 4));
+  const std::string map = folder.write("brick_gloss_mip0.png", ridges(4, 4));
+  const Run run = runTool({"gloss", brick, "--gloss", map, "-o", folder.path().string(), "--format", "png"});
+  CHECK(run.status == 1);
+  CHECK(run.said("brick_gloss_mip0.png is an input and would be overwritten"));
+  CHECK(readBytes(map) == ridges(4, 4));
+}
+
 TEST_CASE("Gloss, DdsFilesSayWhatRedCostsY") {
   const Folder folder;
   const std::string brick = folder.write("brick.png", ridges(16, 16));

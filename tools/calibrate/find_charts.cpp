@@ -71,23 +71,28 @@ Reduced reduced(const image::Image& image, int factor, double gain) {
 
 }  // namespace
 
-std::vector<Candidate> findCandidates(const image::Image& image) {
+std::vector<Candidate> findCandidates(const image::Image& image,
+                                      const std::function<bool(const std::vector<Candidate>&)>& enough) {
   constexpr int kUsualSide = 2048;  // a chart of a tenth of the picture still has patches of 30 pixels
   constexpr int kLeastSide = 64;    // the detector's patterns need some pixels a patch
   const double bright = double{brightOf(image)};
   if (!(bright > 0.0) || std::min(image.width, image.height) < kLeastSide) return {};
   const int usual = (std::max(image.width, image.height) + kUsualSide - 1) / kUsualSide;
   const double stretch = 0.9 / bright;
-  for (const int factor : {usual, 2 * usual, std::max(1, usual / 2)})
+  std::vector<int> factors = {usual, 2 * usual};
+  if (usual > 1) factors.push_back(usual / 2);
+  std::vector<Candidate> first;
+  for (const int factor : factors)
     for (const double gain : {1.0, stretch}) {
       const Reduced small = reduced(image, factor, gain);
       if (std::min(small.width, small.height) < kLeastSide) continue;
       std::vector<Candidate> found = chartModule().detect(small.width, small.height, small.bgr.data());
       for (Candidate& candidate : found)
         for (Point& p : candidate.corners) p *= double{static_cast<double>(factor)};
-      if (!found.empty()) return found;
+      if (!found.empty() && (!enough || enough(found))) return found;
+      if (first.empty()) first = std::move(found);
     }
-  return {};
+  return first;
 }
 
 }  // namespace welkin::calibrate

@@ -38,7 +38,7 @@ struct Pattern {
     for (Eigen::Index k = 0; k < rows.rows(); ++k) {
       const std::size_t i = used[static_cast<std::size_t>(k)];
       for (int c = 0; c < 3; ++c) {
-        rows(k, c) = lightness(patches[i].mean[c] / brightest[c]);
+        rows(k, c) = brightest[c] > 0.0 ? lightness(patches[i].mean[c] / brightest[c]) : 0.0;
         wanted(k, c) = lightness(reference[i][c]);
       }
       rows(k, 3) = 1.0;
@@ -97,7 +97,10 @@ std::string whyNotUsable(const Patches& patches) {
     clipped += p.isClipped() ? 1 : 0;
     uneven += p.isUneven() ? 1 : 0;
   }
-  if (clipped + uneven == 0) return "its patches do not differ in colour";
+  for (const int c : {0, 1, 2})
+    if (std::all_of(patches.begin(), patches.end(), [&](const Patch& p) { return !(p.mean[c] > 0.0); }))
+      return fmt::format("its channel {} has no light", "rgb"[c]);
+  if (kPatches - clipped - uneven >= kLeastPatches) return "its patches do not differ in colour";
   return fmt::format("{} of its {} patches are overexposed and {} hold an edge, of a shadow or of what covers them",
                      clipped, kPatches, uneven);
 }

@@ -81,8 +81,10 @@ Patches measurePatches(const image::Image& image, const ChartPlace& place, doubl
 }
 
 double clippingLevel(const image::Image& image, bool linear_codes) {
-  const bool past_white = std::any_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v > 1.0F; });
-  if (past_white) return std::numeric_limits<double>::infinity();
+  // Full codes of ProPhoto RGB are 2.03 in Rec. 709, and no usual profile goes further. More is light, not codes.
+  constexpr float kPastCodes = 2.1F;
+  const bool is_light = std::any_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v > kPastCodes; });
+  if (is_light) return std::numeric_limits<double>::infinity();
   constexpr double kNearlyFull = 253.5 / 255.0;
   return linear_codes ? kNearlyFull : det::srgbDecode(kNearlyFull);
 }

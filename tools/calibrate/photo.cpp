@@ -18,6 +18,12 @@ namespace {
   throw base::Error(base::ExitStatus::content, fmt::format("{}: {}", photo, why));
 }
 
+std::vector<Corners> cornersOf(const std::vector<Candidate>& candidates) {
+  std::vector<Corners> areas;
+  for (const Candidate& candidate : candidates) areas.push_back(candidate.corners);
+  return areas;
+}
+
 /// The charts among areas that may be some. Throws with the reason of the likeliest one's refusal.
 std::vector<FoundChart> chartsOf(const std::string& photo, const image::Image& image, const PhotoOptions& options,
                                  const std::vector<Corners>& areas, double full) {
@@ -41,12 +47,21 @@ CalibratedPhoto calibrated(const std::string& photo, std::span<const std::byte> 
   limits.negative = true;  // a profile may hold colours past Rec. 709
   result.image = image::readImage(photo, bytes, limits);
   result.linear_codes = linear_codes;
-  if (areas.empty())
-    for (const Candidate& candidate : findCandidates(result.image)) areas.push_back(candidate.corners);
-  result.charts = chartsOf(photo, result.image, options, areas, clippingLevel(result.image, linear_codes));
+  const double full = clippingLevel(result.image, linear_codes);
+  if (areas.empty()) {
+    const auto holdChart = [&](const std::vector<Candidate>& found) {
+      const std::vector<Judgement> verdicts = judgeAll(result.image, cornersOf(found), options.reference, full, true);
+      return !verdicts.empty() && verdicts[0].place;
+    };
+    areas = cornersOf(findCandidates(result.image, holdChart));
+  }
+  result.charts = chartsOf(photo, result.image, options, areas, full);
   result.calibration = calibratePatches(photo, result.charts[0].patches, options.reference, options.model);
   return result;
 }
+
+/// Codes are read as linear only if that leaves an error clearly below that of sRGB, as most pictures are.
+constexpr double kClearlyBetter = 0.8;
 
 double leftOut(const CalibratedPhoto& photo) {
   return summaryOf(photo.calibration.errors().left_out).mean;
@@ -80,9 +95,10 @@ CalibratedPhoto calibratePhoto(const std::filesystem::path& path, const PhotoOpt
   if (options.encoding == Encoding::choose) {
     std::optional<base::Error> refusal;
     for (const bool linear_codes : {false, true}) {
+      if (!best && !options.corners) areas.clear();  // where codes are read as other light, other places may stand out
       try {
         CalibratedPhoto other = tried(linear_codes);
-        if (!best || leftOut(other) < leftOut(*best)) best = std::move(other);
+        if (!best || leftOut(other) < kClearlyBetter * leftOut(*best)) best = std::move(other);
       } catch (const base::Error& e) {
         if (e.status() != base::ExitStatus::content) throw;
         if (!refusal) refusal = e;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sky/base/message.h"
+
 namespace welkin::calibrate {
 namespace {
 
@@ -75,7 +77,8 @@ Json reportJson(const CalibratedPhoto& photo, const ReferenceChart& reference) {
     json["models"].push_back(std::move(model));
   }
   for (std::size_t i = 0; i < kPatches; ++i) json["patches"].push_back(patchJson(photo, reference, i));
-  json["warnings"] = photo.warnings;
+  json["warnings"] = Json::array();
+  for (const std::string& warning : photo.warnings) json["warnings"].push_back(base::oneLine(warning));
   return json;
 }
 

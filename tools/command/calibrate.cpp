@@ -80,19 +80,32 @@ void print(const calibrate::CalibratedPhoto& photo) {
   printLine("left out", c.errors().left_out);
 }
 
+/// The output, which may not be one of the inputs.
+std::filesystem::path albedoPath(const Options& options) {
+  const std::string stem = std::filesystem::path(options.photo).stem().string();
+  std::filesystem::path path = std::filesystem::path(options.folder) / fmt::format("{}.{}", stem, options.format);
+  std::error_code none;
+  for (const std::string& input : {options.photo, options.reference})
+    if (!input.empty() && std::filesystem::equivalent(path, input, none))
+      throw base::Error(base::ExitStatus::usage,
+                        fmt::format("-o: {} is an input and would be overwritten; name another folder", path.string()));
+  return path;
+}
+
 void run(const Options& options) {
   const calibrate::PhotoOptions photo_options = photoOptions(options);
+  const std::filesystem::path albedo = albedoPath(options);
   const auto limit = options.threads.limit();
   const calibrate::CalibratedPhoto photo = calibrate::calibratePhoto(options.photo, photo_options);
   for (const std::string& warning : photo.warnings)
     std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.photo), base::oneLine(warning)).c_str(),
                stderr);
-  const std::filesystem::path folder = options.folder;
-  base::makeFolder(folder);
-  const std::string stem = std::filesystem::path(options.photo).stem().string();
-  calibrate::writeAlbedo(folder / fmt::format("{}.{}", stem, options.format),
-                         calibrate::albedoOf(photo.image, photo.calibration.model));
-  base::writeFile(folder / "report.json", calibrate::reportJson(photo, photo_options.reference).dump(2) + "\n");
+  base::makeFolder(albedo.parent_path());
+  calibrate::writeAlbedo(albedo, calibrate::albedoOf(photo.image, photo.calibration.model));
+  nlohmann::ordered_json report = {{"photo", base::oneLine(std::filesystem::path(options.photo).filename().string())},
+                                   {"albedo", base::oneLine(albedo.filename().string())}};
+  report.update(calibrate::reportJson(photo, photo_options.reference));
+  base::writeFile(albedo.parent_path() / "report.json", report.dump(2) + "\n");
   if (options.json)
     fmt::print("{}\n", calibrate::summaryJson(photo).dump(2));
   else

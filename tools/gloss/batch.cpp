@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cctype>
@@ -152,7 +153,8 @@ BatchResult makeAll(const std::vector<Request>& requests, const std::filesystem:
   result.made.resize(requests.size());
   tbb::parallel_for(std::size_t{0}, requests.size(), [&](std::size_t i) {
     try {
-      result.made[i] = former.make(requests[i], folder, stage);
+      // Isolated, so that a thread that waits for a texture does not begin another, whose memory would add up.
+      tbb::this_task_arena::isolate([&] { result.made[i] = former.make(requests[i], folder, stage); });
     } catch (const std::exception& e) {
       error[i] = base::errorOf(e);
       if (error[i]->status() == base::ExitStatus::interrupted) throw;

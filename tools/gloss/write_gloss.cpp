@@ -8,7 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "gloss/batch.h"
 #include "sky/base/atomic_file.h"
+#include "sky/base/error.h"
 #include "sky/base/hash.h"
 #include "sky/image/exr_write.h"
 
@@ -61,6 +63,16 @@ void checkGreen(const Request& request, Result& result) {
                                          result.green.correlation, result.green.certainty)});
 }
 
+/// Throws Error(usage) where an output would take the place of an input.
+void requireNoInput(const Request& request, const std::filesystem::path& output) {
+  std::error_code none;
+  for (const std::filesystem::path& input : inputsOf(request))
+    if (std::filesystem::equivalent(output, input, none))
+      throw base::Error(
+          base::ExitStatus::usage,
+          fmt::format("-o: {} is an input and would be overwritten; name another folder", output.string()));
+}
+
 }  // namespace
 
 Result writeGloss(const Request& request, const std::filesystem::path& folder, const base::Progress& progress) {
@@ -82,7 +94,9 @@ Result writeGloss(const Request& request, const std::filesystem::path& folder, c
     for (std::size_t i = 1; i < normals.xyz.size(); i += 3) normals.xyz[i] = -normals.xyz[i];
   result.mips = mipsOf(normals, gloss, progress);
   result.average = averageFactorOf(result.mips);
-  for (const NamedBytes& file : filesOf(request, result)) {
+  const std::vector<NamedBytes> files = filesOf(request, result);
+  for (const NamedBytes& file : files) requireNoInput(request, folder / file.name);
+  for (const NamedBytes& file : files) {
     base::writeFile(folder / file.name, file.bytes);
     result.files.push_back({file.name, file.bytes.size(), base::textOf(base::hashOf(file.bytes))});
     progress.check();
