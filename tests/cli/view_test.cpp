@@ -17,7 +17,7 @@ const Setting kLavapipe = {{{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}}, "", "", 0, 2
 
 bool noLavapipe() {
   if (std::filesystem::exists(WELKIN_TEST_ICD)) return false;
-  WARN("no " WELKIN_TEST_ICD);
+  WARN("skipped: no " WELKIN_TEST_ICD);
   return true;
 }
 
@@ -127,6 +127,49 @@ TEST_CASE("View, ChangesCompareAndUndo") {
   CHECK(changed["changes"]["tint"] == true);
   CHECK(changed["changes"]["saturation"] == 1.0);
   CHECK((changed["undo"] == 1 && changed["redo"] == 1));
+  // Undo is of the light alone.
+  const json undone =
+      stateOf(level, "set sky 0.5\ntime 15\npoint 168.5 0 30.5 0 1 0\ntruth 64\ncamera 1 2 3 40 5\nundo\n");
+  CHECK(undone["changes"]["sky"] == 1.0);
+  CHECK(undone["time_h"] == 15.0);
+  CHECK(undone["camera"]["position"] == json({1.0, 2.0, 3.0}));
+  CHECK(!undone["pick"].is_null());
+}
+
+TEST_CASE("View, AClickSideBySidePicksWhatIsThere") {
+  if (noLavapipe()) return;
+  const SmallLevel level;
+  level.bake("out");
+  const std::string at = "time 9\ntruth 64\ncamera 160 4 52 20 -20\n";
+  const json whole = stateOf(level, at + "click 90 60\n");
+  REQUIRE(!whole["pick"].is_null());
+  for (const char* click : {"click 50 60\n", "click 130 60\n"})
+    CHECK(stateOf(level, at + "compare baked flat side\n" + click)["pick"] == whole["pick"]);
+}
+
+TEST_CASE("View, TheScaleOfTheLevelIsPartOfTheTruth") {
+  if (noLavapipe()) return;
+  const SmallLevel level;
+  level.writeLevel("rays = 64", "[scale]\nsky = 4\nsun_bounce = 4");
+  level.bake("out");
+  const json pick = stateOf(level, "time 12\npoint 100 0 30 0 1 0\n")["pick"];
+  CHECK(double{pick["expected"][1]} == Approx(4.0 * double{pick["truth"]["irradiance"][1]}));
+  INFO(pick["words"]);
+  CHECK(pick["verdict"] == "right");
+}
+
+TEST_CASE("View, APictureSmallerThanItsPanels") {
+  if (noLavapipe()) return;
+  const SmallLevel level;
+  level.bake("out");
+  for (const char* size : {"64x36", "1x1"}) {
+    const Run run = runTool(
+        {"view", level / "out", "--headless", "--validate", "--size", size, "--screenshot", level / "small.png"},
+        kLavapipe);
+    INFO(size << "\n" << run.err);
+    CHECK(run.status == 0);
+    CHECK(std::filesystem::exists(level / "small.png"));
+  }
 }
 
 TEST_CASE("View, ScriptErrorsNameFileLineAndWord") {
@@ -140,6 +183,8 @@ TEST_CASE("View, ScriptErrorsNameFileLineAndWord") {
       {"compare baked truth", "the second light is \"truth\", must be one of baked, flat, sky, reference"},
       {"click 161 3", "x is \"161\", must be a number in 0 to 160"},
       {"fly sector 9_9", "the sector is \"9_9\", must be one of the level, such as -1_0"},
+      {"fly point", "fly: no point is picked; point or click picks one"},
+      {"truth 0", "the number of paths is \"0\", must be a whole number in 1 to"},
       {"point 0 0 0 0 0 0", "the normal is 0 0 0"},
       {"reset all", "\"all\" is one word too many"}};
   for (const auto& [line, said] : cases) {
@@ -150,9 +195,12 @@ TEST_CASE("View, ScriptErrorsNameFileLineAndWord") {
     CHECK(run.said(said));
     CHECK(!std::filesystem::exists(level / "never.json"));
   }
-  const Run none = runTool({"view", level / "out2", "--headless"}, kLavapipe);
+  const Run none = runTool({"view", level / "out2", "--headless", "--state", level / "never.json"}, kLavapipe);
   CHECK(none.status == 2);
   CHECK(none.said("not the folder of a baked level"));
+  const Run idle = runTool({"view", level / "out", "--headless"}, kLavapipe);
+  CHECK(idle.status == 1);
+  CHECK(idle.said("--headless has nothing to do: give --script, --screenshot or --state"));
 }
 
 TEST_CASE("View, ASessionOfRandomActions") {

@@ -3,6 +3,7 @@
 
 #include <X11/Xlib.h>
 #include <X11/extensions/XTest.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,8 +31,11 @@ void settle(void* connection) {
 XDisplay::XDisplay() {
   int ends[2];
   if (pipe(ends) != 0) return;
+  const pid_t test = getpid();
   server_ = fork();
   if (server_ == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that is killed leaves no server behind
+    if (getppid() != test) _exit(127);
     close(ends[0]);
     const std::string fd = std::to_string(ends[1]);
     execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1280x800x24", "-nolisten", "tcp",

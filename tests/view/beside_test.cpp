@@ -44,6 +44,8 @@ TEST_CASE("Beside, SideBySideShowsTheSameMiddles") {
     for (uint32_t x = 0; x + 1 < half; ++x) {
       CHECK(at(both, x).first == 1);
       if (x > 0) CHECK(at(both, half + x) == std::pair(2, at(both, x).second));
+      CHECK(view::sideColumn(x, width) == at(both, x).second);
+      if (x > 0) CHECK(view::sideColumn(half + x, width) == at(both, half + x).second);
     }
   }
 }

@@ -53,8 +53,8 @@ TEST_CASE("Words, RefusalsNameWordAndWhatIsAllowed") {
     CHECK(refusalOf({"time", word}, hour) ==
           std::string("time: the hour is \"") + word + "\", must be a number in 0 to 24");
   CHECK(refusalOf({"time"}, hour) == "time: the hour is missing: a number in 0 to 24");
-  CHECK(refusalOf({"paths", "2.5"}, [](Words& w) { w.count("the paths", 1, 9); }) ==
-        "paths: the paths is \"2.5\", must be a whole number in 1 to 9");
+  CHECK(refusalOf({"paths", "2.5"}, [](Words& w) { w.count("the number of paths", 1, 9); }) ==
+        "paths: the number of paths is \"2.5\", must be a whole number in 1 to 9");
   CHECK(refusalOf({"bounds", "yes"}, [](Words& w) { w.isOn("bounds"); }) ==
         "bounds: bounds is \"yes\", must be one of off, on");
   CHECK(refusalOf({"reset", "all"}, [](Words& w) { w.end(); }) == "reset: \"all\" is one word too many");

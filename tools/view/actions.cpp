@@ -22,7 +22,7 @@ void time(Session& s, Words& w) {
   const double time_h = w.number("the hour", 0.0, 24.0);
   state.time_h = time_h < 24.0 ? time_h : 0.0;
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void camera(Session& s, Words& w) {
@@ -35,14 +35,14 @@ void camera(Session& s, Words& w) {
   state.eye.pitch_deg = w.number("pitch", -89.0, 89.0);
   if (!w.done()) state.eye.fov_deg = w.number("field of view", 1.0, 150.0);
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void overview(Session& s, Words& w) {
   w.end();
   State state = s.state();
   state.eye = s.overview();
-  s.set(state, false);
+  s.set(state);
 }
 
 void probes(Session& s, Words& w) {
@@ -50,7 +50,7 @@ void probes(Session& s, Words& w) {
   state.probes =
       static_cast<ProbeShade>(w.choice("the shade", {"off", "irradiance", "visibility", "sky", "sun-bounce", "local"}));
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 Light lightWord(Words& w, const char* what) {
@@ -61,7 +61,7 @@ void light(Session& s, Words& w) {
   State state = s.state();
   state.light = lightWord(w, "the light");
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void compare(Session& s, Words& w) {
@@ -77,7 +77,7 @@ void compare(Session& s, Words& w) {
     state.compare = c;
   }
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void exposure(Session& s, Words& w) {
@@ -87,7 +87,7 @@ void exposure(Session& s, Words& w) {
   else
     state.exposure_ev = w.number("the exposure in stops, or auto,", -40.0, 40.0);
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void setValue(Session& s, Words& w) {
@@ -117,14 +117,14 @@ void setValue(Session& s, Words& w) {
       break;
   }
   w.end();
-  if (c != s.state().changes) s.set(state, true);
+  if (c != s.state().changes) s.set(state);
 }
 
 void reset(Session& s, Words& w) {
   w.end();
   State state = s.state();
   state.changes = {};
-  if (state.changes != s.state().changes) s.set(state, true);
+  if (state.changes != s.state().changes) s.set(state);
 }
 
 void undo(Session& s, Words& w) {
@@ -160,28 +160,28 @@ void point(Session& s, Words& w) {
     state.probe.reset();
   }
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void truth(Session& s, Words& w) {
   State state = s.state();
-  state.truth_paths = w.count("the paths", 1, std::size_t{1} << 24);
+  state.truth_paths = w.count("the number of paths", 1, std::size_t{1} << 24);
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void paths(Session& s, Words& w) {
   State state = s.state();
-  state.pixel_paths = w.count("the paths of a pixel", 1, 4096);
+  state.pixel_paths = w.count("the number of paths of a pixel", 1, 4096);
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 void bounds(Session& s, Words& w) {
   State state = s.state();
   state.bounds = w.isOn("bounds");
   w.end();
-  s.set(state, false);
+  s.set(state);
 }
 
 /// Looks at a place from 12 m away, from above the side where the camera is.
@@ -193,7 +193,7 @@ void flyTo(Session& s, const f64::Number3& place) {
   state.eye.position = place + from * 10.0;
   state.eye.yaw_deg = std::atan2(-from.x, from.z) / f64::kDegree;
   state.eye.pitch_deg = -std::atan2(0.6, 1.0) / f64::kDegree;
-  s.set(state, false);
+  s.set(state);
 }
 
 void fly(Session& s, Words& w) {
@@ -205,6 +205,7 @@ void fly(Session& s, Words& w) {
     w.end();
     if (warnings[i].place) flyTo(s, *warnings[i].place);
   } else if (kind == 1) {
+    if (s.level().sectors().empty()) throw base::Error(base::ExitStatus::content, "fly: the level has no sector");
     const std::string& name = w.text("the sector");
     w.end();
     const auto id = geometry::sectorOf(name);
@@ -216,7 +217,9 @@ void fly(Session& s, Words& w) {
     flyTo(s, geometry::cornerOf(*id) + f64::Number3(32.0, sector->low_y, 32.0));
   } else {
     w.end();
-    if (s.state().point) flyTo(s, s.state().point->position);
+    if (!s.state().point)
+      throw base::Error(base::ExitStatus::content, "fly: no point is picked; point or click picks one");
+    flyTo(s, s.state().point->position);
   }
 }
 

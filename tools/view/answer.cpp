@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/day.h"
+#include "view/painter.h"
+
 namespace welkin::view {
 namespace {
 
@@ -14,6 +17,7 @@ using f64::Number3;
 constexpr double kGoodEnough = 0.15;  // error that few would see beside textures
 constexpr double kSigmas = 3.0;       // of the truth's noise
 constexpr double kLeak = 1.0;         // twice as bright as the truth
+constexpr double kFloor = 1e-3;       // of open ground: darker than any display shows beside it
 constexpr double kFarProbe_m = 6.0;   // farther than the middle of any cell about the point
 constexpr double kContact_m = 0.5;
 
@@ -40,29 +44,45 @@ std::string reasonOf(const Answer& a) {
   return "the probes' two bands and 4 m cells are coarse here; a probe nearby helps";
 }
 
-void judge(Answer& a) {
-  const double truth = f64::luminanceOf(a.truth.total.value);
+}  // namespace
+
+void judge(Answer& a, const transfer::RelightScale& scale, double open_ground) {
+  const bool unscaled = scale.sky == 1.0 && scale.sun_bounce == 1.0;
+  const reference::ReferenceIrradiance& t = a.truth;
+  const auto scaled = [&](Number3 reference::Estimate::*part) {
+    if (unscaled) return t.total.*part;
+    return t.sky.*part * scale.sky + t.sun_bounce.*part * scale.sun_bounce + t.local.*part;
+  };
+  a.expected = scaled(&reference::Estimate::value);
+  a.error = a.noise = 0.0;
   if (!a.light) {
     a.verdict = Verdict::unlit;
     a.words = "no probe serves this point: it gets no ambient light";
     return;
   }
   const Number3 got(double{a.light->irradiance[0]}, double{a.light->irradiance[1]}, double{a.light->irradiance[2]});
-  if (truth > 0.0) {
-    a.error = f64::luminanceOf(got) / truth - 1.0;
-    a.noise = f64::luminanceOf(a.truth.total.standard_error) / truth;
+  const double truth = f64::luminanceOf(a.expected), floor = kFloor * open_ground;
+  // Of parts the errors add up at worst: one path feeds all of them.
+  const double noise = f64::luminanceOf(scaled(&reference::Estimate::standard_error));
+  const double difference = f64::luminanceOf(got) - truth, least = std::max(truth, floor);
+  const bool dark = truth <= floor;
+  if (least > 0.0) {
+    a.error = difference / least;
+    a.noise = noise / least;
   }
-  if (std::abs(a.error) <= std::max(kGoodEnough, kSigmas * a.noise)) {
+  if (std::abs(difference) <= std::max({kGoodEnough * truth, kSigmas * noise, floor})) {
     a.verdict = Verdict::right;
-    a.words = fmt::format("right: within {:.0f} % of the truth, whose noise is {:.1f} %", 100.0 * std::abs(a.error),
-                          100.0 * a.noise);
+    a.words = dark && std::abs(difference) <= floor
+                  ? "right: dark, as the truth is"
+                  : fmt::format("right: within {:.0f} % of the truth, whose noise is {:.1f} %",
+                                100.0 * std::abs(a.error), 100.0 * a.noise);
     return;
   }
-  a.verdict = a.error < 0.0 ? Verdict::too_dark : a.error > kLeak ? Verdict::leak : Verdict::too_bright;
-  a.words = sideOf(a.error) + ": " + reasonOf(a);
+  a.verdict = difference < 0.0                     ? Verdict::too_dark
+              : dark || difference > kLeak * truth ? Verdict::leak
+                                                   : Verdict::too_bright;
+  a.words = (dark ? "bright where the truth is dark" : sideOf(a.error)) + ": " + reasonOf(a);
 }
-
-}  // namespace
 
 Answer answerAt(Level& level, const baked::SurfacePoint& point, double time_h, std::size_t paths,
                 const base::Progress& progress) {
@@ -85,7 +105,7 @@ Answer answerAt(Level& level, const baked::SurfacePoint& point, double time_h, s
   const reference::ReferenceSettings settings{paths, subject.level->section.transfer.bounces, 0};
   a.truth = reference::traceReference(tracer, distant, {}, point.position, point.normal, settings,
                                       progress.stage("paths", reference::referenceBatches(settings)));
-  judge(a);
+  judge(a, subject.level->section.scale, openGround(sampleOf(level.sky(), time_h, {})));
   return a;
 }
 

@@ -9,6 +9,17 @@ namespace {
 
 constexpr uint8_t kLine = 230;
 
+/// Side by side: the first of two pictures up to column `line`, from its column `first_from` on, then the second.
+struct Halves {
+  uint32_t line, first_from, second_from;
+};
+
+Halves halvesOf(uint32_t width) {
+  const uint32_t half = width / 2;
+  const uint32_t from = (width - half) / 2;
+  return {half, from, std::min(from, half)};
+}
+
 /// `a` up to column `line`, then `b` from its column `from` on.
 render::Picture joined(const render::Picture& a, uint32_t a_from, const render::Picture& b, uint32_t b_from,
                        uint32_t line) {
@@ -33,9 +44,13 @@ render::Picture wiped(const render::Picture& a, const render::Picture& b, double
 }
 
 render::Picture sideBySide(const render::Picture& a, const render::Picture& b) {
-  const uint32_t half = a.width / 2;
-  const uint32_t from = (a.width - half) / 2;
-  return joined(a, from, b, std::min(from, half), half);
+  const Halves h = halvesOf(a.width);
+  return joined(a, h.first_from, b, h.second_from, h.line);
+}
+
+double sideColumn(double x, uint32_t width) {
+  const Halves h = halvesOf(width);
+  return x < h.line ? x + h.first_from : x - h.line + h.second_from;
 }
 
 }  // namespace welkin::view

@@ -12,4 +12,7 @@ render::Picture wiped(const render::Picture& a, const render::Picture& b, double
 /// The middle half of each, with a line between them.
 render::Picture sideBySide(const render::Picture& a, const render::Picture& b);
 
+/// The column of the pictures that sideBySide() shows at column `x` of a picture of this width.
+double sideColumn(double x, uint32_t width);
+
 }  // namespace welkin::view

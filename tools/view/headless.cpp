@@ -36,6 +36,9 @@ class Headless : public Host {
 }  // namespace
 
 void runHeadless(const ViewOptions& options) {
+  if (options.script.empty() && options.screenshot.empty() && options.state.empty())
+    throw base::Error(base::ExitStatus::usage,
+                      "--headless has nothing to do: give --script, --screenshot or --state, each with a file");
   Level level(levelFiles(options.folder, options.level));
   render::VulkanDevice device(options.validate);
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);

@@ -70,10 +70,12 @@ Level::Level(const LevelFiles& files)
     build::addWarnings(sectors_.back(), has_budget ? subject_.sky.bake.max_error : std::nullopt, list);
     for (const auto& one : list) warnings_.push_back({one["id"], one["message"], placeToLookAt(sectors_.back())});
     if (sectors_.back().unlit > 0)
-      warnings_.push_back({"unlit",
-                           fmt::format("sector {}: {} probes get no light of sky, sun, moon or emission",
-                                       nameOf(entry.id), sectors_.back().unlit),
-                           placeToLookAt(sectors_.back())});
+      warnings_.push_back(
+          {"unlit",
+           fmt::format(
+               "sector {}: {} no light of sky, sun, moon or emission", nameOf(entry.id),
+               sectors_.back().unlit == 1 ? "1 probe gets" : fmt::format("{} probes get", sectors_.back().unlit)),
+           placeToLookAt(sectors_.back())});
   }
 }
 

@@ -64,8 +64,9 @@ void row(const char* name, const std::string& text) {
 Panels::Panels(Session& session) : session_(session), context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;                          // the layout is the same every time
-  io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines;  // the pipeline reads texels and does not filter
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // more than 65536 vertices in a list
+  io.IniFilename = nullptr;                                   // the layout is the same every time
+  io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines;           // the pipeline reads texels and does not filter
   ImGui::StyleColorsDark();
   ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.82F;
   ImGui::GetStyle().WindowRounding = 4.0F;
@@ -80,8 +81,15 @@ void Panels::perform(const std::string& line) {
     complaint_.clear();
     session_.perform(line);
   } catch (const base::Error& error) {
-    complaint_ = error.what();
+    complain(error.what());
   }
+}
+
+void Panels::performDragged(const std::string& line) {
+  session_.joinChanges(dragged_step_ > 0 && dragged_step_ == session_.undoCount());
+  perform(line);
+  session_.joinChanges(false);
+  dragged_step_ = session_.undoCount();
 }
 
 const ImDrawData& Panels::build() {
@@ -173,11 +181,16 @@ void Panels::see() {
 void Panels::change() {
   if (!header("Change")) return;
   const Changes& c = session_.state().changes;
-  float value = 0.0F;
-  if (slider("sky", c.sky, 4.0F, value)) perform(fmt::format("set sky {}", value));
-  if (slider("bounced sun", c.sun_bounce, 4.0F, value)) perform(fmt::format("set sun-bounce {}", value));
-  if (slider("emission, lamps", c.local, 4.0F, value)) perform(fmt::format("set local {}", value));
-  if (slider("saturation", c.saturation, 1.0F, value)) perform(fmt::format("set saturation {}", value));
+  const auto factor = [&](const char* label, const char* name, double now, float high) {
+    float value = 0.0F;
+    const bool changed = slider(label, now, high, value);
+    if (ImGui::IsItemActivated()) dragged_step_ = 0;
+    if (changed) performDragged(fmt::format("set {} {}", name, value));
+  };
+  factor("sky", "sky", c.sky, 4.0F);
+  factor("bounced sun", "sun-bounce", c.sun_bounce, 4.0F);
+  factor("emission, lamps", "local", c.local, 4.0F);
+  factor("saturation", "saturation", c.saturation, 1.0F);
   const auto flag = [&](const char* name, bool now) {
     bool on = now;
     if (ImGui::Checkbox(name, &on)) perform(fmt::format("set {} {}", name, on ? "on" : "off"));
@@ -193,7 +206,7 @@ void Panels::change() {
   ImGui::SameLine();
   if (ImGui::Button("reset")) perform("reset");
   ImGui::SameLine();
-  ImGui::TextDisabled("%zu back, %zu forth", session_.undoCount(), session_.redoCount());
+  ImGui::TextDisabled("%zu undo, %zu redo", session_.undoCount(), session_.redoCount());
 }
 
 void Panels::compare() {
@@ -235,6 +248,7 @@ void Panels::point() {
   }
   row("truth", rgbText(a->truth.total.value));
   row("  +-", rgbText(a->truth.total.standard_error));
+  if (a->expected != a->truth.total.value) row("  scaled", rgbText(a->expected));
   const bool right = a->verdict == Verdict::right;
   ImGui::PushStyleColor(ImGuiCol_Text, right ? ImVec4{0.5F, 1.0F, 0.5F, 1.0F} : ImVec4{1.0F, 0.6F, 0.4F, 1.0F});
   say(a->words);

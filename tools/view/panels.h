@@ -26,6 +26,8 @@ class Panels {
 
   /// Performs a command; a complaint is shown until the next command.
   void perform(const std::string& line);
+  /// Shows a complaint until the next command.
+  void complain(const std::string& text) { complaint_ = text; }
 
  private:
   void time();
@@ -37,11 +39,14 @@ class Panels {
   void warnings();
   void cost();
   void help();
+  /// Performs a change of the light. All of one drag of a slider are one step of undo.
+  void performDragged(const std::string& line);
 
   Session& session_;
   ImGuiContext* context_;
   std::string complaint_;
   int curve_ = 0;
+  std::size_t dragged_step_ = 0;  ///< undoCount() after the last change by the slider that is dragged; 0: none yet
 };
 
 }  // namespace welkin::view

@@ -18,7 +18,8 @@ struct ViewOptions {
   bool validate = false;
 };
 
-/// Without a window: performs the script, writes what is asked for and ends. Throws Error.
+/// Without a window: performs the script, writes what is asked for and ends. Throws Error, of usage without script,
+/// screenshot and state.
 void runHeadless(const ViewOptions& options);
 
 }  // namespace welkin::view

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "view/actions.h"
+#include "view/beside.h"
 #include "view/words.h"
 
 namespace welkin::view {
@@ -29,13 +30,12 @@ void Session::perform(const std::string& line) {
   perform(wordsOf(line));
 }
 
-void Session::set(const State& state, bool edit) {
-  constexpr std::size_t kMostUndone = 1000;
-  if (edit) {
-    past_.push_back(state_);
-    if (past_.size() > kMostUndone) past_.erase(past_.begin());
-    future_.clear();
-  }
+void Session::set(const State& state) {
+  if (state.changes != state_.changes) history_.record(state_.changes, joins_);
+  replace(state);
+}
+
+void Session::replace(const State& state) {
   const bool light_changed = state.time_h != state_.time_h || state.changes != state_.changes;
   if (light_changed || state.probe != state_.probe) probe_.reset();
   const auto same_point = [](const std::optional<baked::SurfacePoint>& a, const std::optional<baked::SurfacePoint>& b) {
@@ -51,19 +51,19 @@ void Session::set(const State& state, bool edit) {
 }
 
 void Session::undo() {
-  if (past_.empty()) return;
-  future_.push_back(state_);
-  const State before = past_.back();
-  past_.pop_back();
-  set(before, false);
+  State state = state_;
+  const std::optional<Changes> before = history_.undo(state_.changes);
+  if (!before) return;
+  state.changes = *before;
+  replace(state);
 }
 
 void Session::redo() {
-  if (future_.empty()) return;
-  past_.push_back(state_);
-  const State after = future_.back();
-  future_.pop_back();
-  set(after, false);
+  State state = state_;
+  const std::optional<Changes> after = history_.redo(state_.changes);
+  if (!after) return;
+  state.changes = *after;
+  replace(state);
 }
 
 void Session::resize(uint32_t width, uint32_t height) {
@@ -126,6 +126,7 @@ Number3 Session::rayAt(double x, double y) const {
   const auto column = [&](std::size_t c) {
     return Number3(double{rays[4 * c]}, double{rays[4 * c + 1]}, double{rays[4 * c + 2]});
   };
+  if (state_.compare && state_.compare->beside == Beside::side) x = sideColumn(x, width_);
   const Number3 ray = column(0) * (2.0 * x / width_ - 1.0) + column(1) * (2.0 * y / height_ - 1.0) + column(3);
   return ray / std::sqrt(dot(ray, ray));
 }
@@ -140,7 +141,7 @@ void Session::click(double x, double y) {
   if (state.probes != ProbeShade::off)
     state.probe = probeOnRay(level_, state.eye.position, ray, hit ? hit->distance : kFar_m);
   if (!state.probe && hit) state.point = baked::SurfacePoint{hit->position, hit->normal};
-  set(state, false);
+  set(state);
 }
 
 }  // namespace welkin::view

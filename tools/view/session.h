@@ -10,6 +10,7 @@
 #include "render/difference.h"
 #include "view/answer.h"
 #include "view/day.h"
+#include "view/history.h"
 #include "view/painter.h"
 #include "view/probes.h"
 
@@ -34,14 +35,17 @@ class Session {
   void perform(const std::string& line);
 
   const State& state() const { return state_; }
-  /// Changes the state; `edit` says whether undo leads back to what was before.
-  void set(const State& state, bool edit);
+  /// Changes the state. Undo leads back to the light that was before, if that changes.
+  void set(const State& state);
+  /// While true, changes of the light belong to the last step of undo.
+  void joinChanges(bool joined) { joins_ = joined; }
+  /// Take back and make again a change of the light alone.
   void undo();
   void redo();
   /// Changes whenever the state does.
   std::size_t version() const { return version_; }
-  std::size_t undoCount() const { return past_.size(); }
-  std::size_t redoCount() const { return future_.size(); }
+  std::size_t undoCount() const { return history_.undoCount(); }
+  std::size_t redoCount() const { return history_.redoCount(); }
 
   Level& level() { return level_; }
   const Level& level() const { return level_; }
@@ -62,7 +66,7 @@ class Session {
 
   /// A camera that sees the whole level.
   Eye overview() const;
-  /// The direction through a pixel.
+  /// The direction through a pixel, in pictures side by side too.
   f64::Number3 rayAt(double x, double y) const;
   /// Picks the probe whose sphere is at the pixel, or the surface there; nothing where the sky is.
   void click(double x, double y);
@@ -71,12 +75,15 @@ class Session {
   Host& host() const { return *host_; }
 
  private:
+  void replace(const State& state);
+
   render::VulkanDevice& device_;
   Level& level_;
   uint32_t width_, height_;
   State state_;
   std::size_t version_ = 0;
-  std::vector<State> past_, future_;
+  History history_;
+  bool joins_ = false;
   Day day_;
   WelkinSkySample sample_{};
   Painter painter_;

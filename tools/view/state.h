@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person, or a script, has set in the viewer. It holds no results, so undo is a copy.
+// What a person, or a script, has set in the viewer. It holds no results.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
 #include "baked/level_folder.h"
+#include "probes/geometry/sector.h"
 #include "render/level_frame.h"
 
 namespace welkin::view {

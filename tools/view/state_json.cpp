@@ -49,6 +49,7 @@ Json json(const Answer& a) {
          {{"sky", json(a.light->sky)}, {"sun_bounce", json(a.light->sun_bounce)}, {"local", json(a.light->local)}}}};
   result["cells"] = Json::array();
   for (std::size_t i = 0; i < a.cell_count; ++i) result["cells"].push_back(json(a.cells[i]));
+  result["expected"] = json(a.expected);
   result["truth"] = {{"irradiance", json(a.truth.total.value)},
                      {"standard_error", json(a.truth.total.standard_error)},
                      {"components",
@@ -153,7 +154,7 @@ Json stateJson(Session& session) {
 }
 
 void writeState(Session& session, const std::string& path) {
-  base::writeFile(path, stateJson(session).dump(2) + "\n");
+  base::writeFile(path, stateJson(session).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace welkin::view

@@ -19,7 +19,7 @@ constexpr ImU32 kNow = IM_COL32(255, 255, 80, 255);
 std::optional<double> timeLine(const Day& day, double time_h) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 size{ImGui::GetContentRegionAvail().x, 26.0F * ImGui::GetIO().FontGlobalScale};
+  const ImVec2 size{std::max(1.0F, ImGui::GetContentRegionAvail().x), 26.0F * ImGui::GetIO().FontGlobalScale};
   const auto x = [&](double hour) { return low.x + size.x * static_cast<float>(hour / 24.0); };
   ImGui::InvisibleButton("time line", size);
   for (std::size_t i = 0; i + 1 < kDaySamples; ++i)

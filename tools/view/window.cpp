@@ -108,7 +108,12 @@ class Windowed : public Host {
         return canvas_.image();
       });
       in_frame_ = false;
-      if (!wanted_screenshot_.empty()) screenshot(std::string(wanted_screenshot_));
+      if (wanted_screenshot_.empty()) continue;
+      try {
+        screenshot(std::string(wanted_screenshot_));
+      } catch (const base::Error& error) {  // a folder that cannot be written does not end the session
+        panels_.complain(error.what());
+      }
     }
   }
 
