@@ -110,7 +110,8 @@ BakeInput readInput(const BakeRequest& request, const base::Progress& progress) 
   if (request.cubemap_error != 0.0) requireInDomain(bake::skyDomain(), "cubemap_error", request.cubemap_error);
   requireInDomain(level::levelDomain(), "max_surface_error", request.max_surface_error);
   Subject subject = readSubject(request.file, request.more);
-  BakeInput read{std::move(subject.sky), std::move(subject.more), std::move(subject.inputs), std::nullopt, std::nullopt};
+  BakeInput read{std::move(subject.sky), std::move(subject.more), std::move(subject.inputs), std::nullopt,
+                 std::nullopt};
   applyOptions(request, read.sky.bake);
   for (bake::SkyFile& sky : read.more) applyOptions(request, sky.bake);
   if (!read.more.empty()) {

@@ -35,8 +35,8 @@ struct LevelFile {
   OutsideFiles outside_files = OutsideFiles::warn;
 };
 
-/// Reads and checks [level] and [[geometry]]. It ignores [probes], [[room]], [transfer], [bake] and [scale], which belong to
-/// the bake (bake_section.h). Throws Error(content) if they are wrong.
+/// Reads and checks [level] and [[geometry]]. It ignores [probes], [[room]], [transfer], [bake] and [scale], which
+/// belong to the bake (bake_section.h). Throws Error(content) if they are wrong.
 LevelFile levelFileOf(const base::TomlFile& toml);
 
 }  // namespace welkin::level

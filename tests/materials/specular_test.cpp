@@ -157,12 +157,12 @@ TEST_CASE("Specular, FresnelsFormsAndTheirDistances") {
 
 TEST_CASE("Specular, FurnaceOnTheNormalInClosedForm") {
   const std::array<std::pair<double, double>, 7> kValues = {{{1.0, 0.2 + 0.4 / std::sqrt(8.0)},
-                                                                 {2.0, 5.0 / 12.0},
-                                                                 {4.0, 17.0 / 32.0},
-                                                                 {16.0, 0.800195},
-                                                                 {64.0, 0.941176},
-                                                                 {1024.0, 0.996109},
-                                                                 {8192.0, 0.999512}}};
+                                                             {2.0, 5.0 / 12.0},
+                                                             {4.0, 17.0 / 32.0},
+                                                             {16.0, 0.800195},
+                                                             {64.0, 0.941176},
+                                                             {1024.0, 0.996109},
+                                                             {8192.0, 0.999512}}};
   for (const auto& [m, value] : kValues) {
     CAPTURE(m);
     REQUIRE(furnaceAtNormal(m) == Approx(value).epsilon(2e-6));

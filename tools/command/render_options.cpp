@@ -90,8 +90,7 @@ Size parseSize(const std::string& text, Size fallback) {
   const bool parsed = std::sscanf(text.c_str(), "%5ux%5u%n", &size.width, &size.height, &used) == 2 &&
                       static_cast<std::size_t>(used) == text.size();
   if (!parsed || size.width < 1 || size.height < 1)
-    throw base::Error(base::ExitStatus::usage,
-                      "--size: '" + text + "' is not WIDTHxHEIGHT, for example 640x360");
+    throw base::Error(base::ExitStatus::usage, "--size: '" + text + "' is not WIDTHxHEIGHT, for example 640x360");
   return size;
 }
 
