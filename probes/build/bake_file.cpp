@@ -154,8 +154,9 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   if (!request.shard || request.shard->index == 0)  // else another shard bakes it
     report = bakeSkies(request, read, progress, timing);
   if (read.level && read.level->surfaceBudget()) {
-    if (!read.choice || request.force) {
-      read.choice = chooseSpreads(*read.level, read.sky, wanted.shard || !wanted.sectors.empty(), progress);
+    const bool part = wanted.shard || !wanted.sectors.empty();
+    if (!read.choice || (request.force && !part)) {
+      read.choice = chooseSpreads(*read.level, read.sky, part, progress);
       wanted.ready = std::move(read.choice->file);
     }
     read.level->setSpreads(read.choice->spread);

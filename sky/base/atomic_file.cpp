@@ -184,6 +184,14 @@ void requireSize(const std::filesystem::path& path, std::uint64_t bytes) {
       fmt::format("{}: something else has removed or changed it since it was written; bake again", path.string()));
 }
 
+void requireNoInput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
+  std::error_code none;
+  for (const std::filesystem::path& input : inputs)
+    if (!input.empty() && std::filesystem::equivalent(output, input, none))
+      throw Error(ExitStatus::usage,
+                  fmt::format("{} is an input and would be overwritten; name another folder", output.string()));
+}
+
 void makeFolder(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return;

@@ -28,6 +28,9 @@ std::vector<std::byte> readStart(const std::filesystem::path& path, std::size_t 
 /// Throws Error(ExitStatus::file) unless a regular file of so many bytes is there, as was written before.
 void requireSize(const std::filesystem::path& path, std::uint64_t bytes);
 
+/// Throws Error(ExitStatus::usage) where the output would take the place of an input.
+void requireNoInput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+
 /// Makes a folder and its parents; throws Error(ExitStatus::file).
 void makeFolder(const std::filesystem::path& path);
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/image/image.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cfenv>
 #include <limits>
 #include <string_view>
 #include <thread>
@@ -16,6 +14,7 @@
 
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/module.h"
 #include "sky/image/coded_image.h"
 #include "sky/image/coded_picture.h"
 #include "sky/image/exr_read.h"
@@ -139,16 +138,8 @@ void requireRoomForModule() {
 const ImageModule& imageModule() {
   static const ImageModule* const kModule = [] {
     requireRoomForModule();
-    std::fenv_t arithmetic;  // libraries built for fast arithmetic change it when they are loaded
-    std::fegetenv(&arithmetic);
-    void* library = dlopen(WELKIN_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed: images may outlive any scope
-    std::fesetenv(&arithmetic);
-    if (library == nullptr)
-      throw base::Error(base::ExitStatus::file, fmt::format("cannot load what reads images: {}", dlerror()));
-    const auto entry = reinterpret_cast<const ImageModule* (*)()>(dlsym(library, kImageModuleEntry));
-    if (entry == nullptr)
-      throw base::Error(base::ExitStatus::file, fmt::format("{}: {}", WELKIN_IMAGE_MODULE, dlerror()));
-    return entry();
+    void* entry = base::loadModule(WELKIN_IMAGE_MODULE, kImageModuleEntry, "the reader of images");
+    return reinterpret_cast<const ImageModule* (*)()>(entry)();
   }();
   return *kModule;
 }

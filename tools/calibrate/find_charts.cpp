@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calibrate/find_charts.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 
 #include "sh/deterministic.h"
 #include "sky/base/error.h"
+#include "sky/base/module.h"
 
 namespace welkin::calibrate {
 
 const ChartModule& chartModule() {
   static const ChartModule* const kModule = [] {
-    std::fenv_t arithmetic;  // libraries built for fast arithmetic change it when they are loaded
-    std::fegetenv(&arithmetic);
-    void* library = dlopen(WELKIN_CHART_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed
-    std::fesetenv(&arithmetic);
-    if (library == nullptr)
-      throw base::Error(base::ExitStatus::file, fmt::format("cannot load what finds charts: {}", dlerror()));
-    const auto entry = reinterpret_cast<const ChartModule* (*)()>(dlsym(library, kChartModuleEntry));
-    if (entry == nullptr)
-      throw base::Error(base::ExitStatus::file, fmt::format("{}: {}", WELKIN_CHART_MODULE, dlerror()));
-    return entry();
+    void* entry = base::loadModule(WELKIN_CHART_MODULE, kChartModuleEntry, "the detector of charts");
+    return reinterpret_cast<const ChartModule* (*)()>(entry)();
   }();
   return *kModule;
 }

@@ -158,7 +158,7 @@ Judgement judge(const image::Image& image, const Corners& corners, const Referen
         "at least {} is needed",
         best.match->likeness, kLeastLikeness);
   } else if (best.left() > kMostAmbiguity * ways[1].left()) {
-    result.refusal = fmt::format("two ways up are as likely: likeness {:.3f} and {:.3f}", best.match->likeness,
+    result.refusal = fmt::format("two ways up are equally likely: likeness {:.3f} and {:.3f}", best.match->likeness,
                                  1.0 - ways[1].left());
   } else if (best.is_mirrored) {
     result.refusal = "it is mirrored, or its corners run against the order dark skin, bluish green, black, white";

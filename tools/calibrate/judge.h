@@ -43,8 +43,9 @@ struct Judgement {
 Judgement judge(const image::Image& image, const Corners& corners, const ReferenceChart& reference, double full,
                 bool turn);
 
-/// Judges many areas. Returns the charts, the likest first, each once: of areas whose middles are nearer than half way
-/// to a corner the likest counts. Without a chart it returns the likest refusal, and nothing where there is no area.
+/// Judges many areas. Returns the charts, the most similar first, each once: of areas whose middles are nearer than
+/// half way to a corner the most similar counts. Without a chart it returns the most similar refusal, and nothing where
+/// there is no area.
 std::vector<Judgement> judgeAll(const image::Image& image, const std::vector<Corners>& areas,
                                 const ReferenceChart& reference, double full, bool turn);
 

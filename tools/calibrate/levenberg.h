@@ -7,8 +7,8 @@
 
 namespace welkin::calibrate {
 
-/// Improves `unknowns` until the sum of squares of `residuals` falls by less than 1e-10 of itself a step, or for at
-/// most 60 steps (K. Levenberg 1944, D. W. Marquardt 1963; derivatives by one-sided differences). The sum never rises.
+/// Improves `unknowns` until the sum of squares of `residuals` falls by less than 1e-5 of itself a step, or for at
+/// most 30 steps (K. Levenberg 1944, D. W. Marquardt 1963; derivatives by one-sided differences). The sum never rises.
 Eigen::VectorXd leastSquaresFrom(Eigen::VectorXd unknowns,
                                  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -80,15 +81,11 @@ void print(const calibrate::CalibratedPhoto& photo) {
   printLine("left out", c.errors().left_out);
 }
 
-/// The output, which may not be one of the inputs.
+/// The output, which is none of the inputs.
 std::filesystem::path albedoPath(const Options& options) {
   const std::string stem = std::filesystem::path(options.photo).stem().string();
   std::filesystem::path path = std::filesystem::path(options.folder) / fmt::format("{}.{}", stem, options.format);
-  std::error_code none;
-  for (const std::string& input : {options.photo, options.reference})
-    if (!input.empty() && std::filesystem::equivalent(path, input, none))
-      throw base::Error(base::ExitStatus::usage,
-                        fmt::format("-o: {} is an input and would be overwritten; name another folder", path.string()));
+  base::requireNoInput(path, std::array<std::filesystem::path, 2>{options.photo, options.reference});
   return path;
 }
 
@@ -122,14 +119,17 @@ void addCalibrate(CLI::App& app) {
       ->required();
   command->add_option("-o,--output", options->folder, "Folder for the albedo and report.json")->required();
   command->add_option("--corners", options->corners,
-                      "x,y,x,y,x,y,x,y: corners of the area of patches in pixels from the upper left, next to the "
+                      "x,y,x,y,x,y,x,y: corners of the area of patches, in pixels from the upper left of the upright "
+                      "picture, next to the "
                       "patches dark skin, bluish green, black and white; without it the chart is searched");
   command
       ->add_option("--model", options->model,
                    fmt::format("auto, the least error on patches left out, or {}", calibrate::modelNames()))
       ->capture_default_str();
   command
-      ->add_option("--input", options->input, "What the codes are: srgb as the file says, linear light, or the better")
+      ->add_option(
+          "--input", options->input,
+          "What the codes are: srgb, as the file says; linear light; auto, whichever leaves clearly less error")
       ->check(CLI::IsMember({"auto", "srgb", "linear"}))
       ->capture_default_str();
   command->add_option("--edition", options->edition, "Edition of the chart, by the pigments' change in November 2014")
@@ -137,7 +137,7 @@ void addCalibrate(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--reference", options->reference,
                       "A file of the chart's measured colours: 24 lines \"NAME L a b\" under D50");
-  command->add_option("--format", options->format, "Of the albedo: linear OpenEXR, or PNG of 16 bits in sRGB")
+  command->add_option("--format", options->format, "Format of the albedo: linear OpenEXR, or PNG of 16 bits in sRGB")
       ->check(CLI::IsMember({"exr", "png"}))
       ->capture_default_str();
   options->threads.addTo(*command, "The result is the same for any number");

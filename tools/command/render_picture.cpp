@@ -12,19 +12,6 @@
 namespace welkin::command {
 namespace {
 
-/// Luminance of E(up) / pi, the cosine-weighted mean over the upper hemisphere, at the day's brightest quarter hour.
-double brightestLuminance(const Sky& sky) {
-  double brightest = 0.0;
-  for (int quarter = 0; quarter < 96; ++quarter) {
-    WelkinSkySample sample;
-    const float up[3] = {0.0F, 1.0F, 0.0F};
-    float e[3];
-    if (!sky.sample(quarter / 4.0, sample) || welkin_sample_irradiance(&sample, up, e) != WELKIN_OK) continue;
-    brightest = std::max(brightest, f64::luminanceOf({double{e[0]}, double{e[1]}, double{e[2]}}) / f64::kPi);
-  }
-  return brightest;
-}
-
 /// The pictures of one instant, in the order of the sheet's rows.
 std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOptions& options, View view, bool sheet) {
   render::Camera camera = render::towardsLight(views.sample());
@@ -48,7 +35,7 @@ std::vector<render::FloatImage> drawInstant(render::Views& views, const RenderOp
 }  // namespace
 
 Exposure::Exposure(const Sky& sky, const std::string& option)
-    : stops_(parseExposure(option)), day_(brightestLuminance(sky)) {}
+    : stops_(parseExposure(option)), day_(render::brightestLuminance(sky)) {}
 
 double Exposure::of(std::span<const render::FloatImage> images) const {
   return stops_ ? std::exp2(*stops_) : render::automaticExposure(render::logAverageLuminance(images), day_);

@@ -10,7 +10,6 @@
 
 #include "gloss/batch.h"
 #include "sky/base/atomic_file.h"
-#include "sky/base/error.h"
 #include "sky/base/hash.h"
 #include "sky/image/exr_write.h"
 
@@ -63,16 +62,6 @@ void checkGreen(const Request& request, Result& result) {
                                          result.green.correlation, result.green.certainty)});
 }
 
-/// Throws Error(usage) where an output would take the place of an input.
-void requireNoInput(const Request& request, const std::filesystem::path& output) {
-  std::error_code none;
-  for (const std::filesystem::path& input : inputsOf(request))
-    if (std::filesystem::equivalent(output, input, none))
-      throw base::Error(
-          base::ExitStatus::usage,
-          fmt::format("-o: {} is an input and would be overwritten; name another folder", output.string()));
-}
-
 }  // namespace
 
 Result writeGloss(const Request& request, const std::filesystem::path& folder, const base::Progress& progress) {
@@ -95,7 +84,8 @@ Result writeGloss(const Request& request, const std::filesystem::path& folder, c
   result.mips = mipsOf(normals, gloss, progress);
   result.average = averageFactorOf(result.mips);
   const std::vector<NamedBytes> files = filesOf(request, result);
-  for (const NamedBytes& file : files) requireNoInput(request, folder / file.name);
+  const std::vector<std::filesystem::path> inputs = inputsOf(request);
+  for (const NamedBytes& file : files) base::requireNoInput(folder / file.name, inputs);
   for (const NamedBytes& file : files) {
     base::writeFile(folder / file.name, file.bytes);
     result.files.push_back({file.name, file.bytes.size(), base::textOf(base::hashOf(file.bytes))});

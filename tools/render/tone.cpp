@@ -31,6 +31,22 @@ double logAverageLuminance(std::span<const FloatImage> images) {
   return count == 0 ? 0.0 : std::exp(sum / static_cast<double>(count));
 }
 
+double openGround(const WelkinSkySample& sample) {
+  const float up[3] = {0.0F, 1.0F, 0.0F};
+  float e[3] = {};
+  if (welkin_sample_irradiance(&sample, up, e) != WELKIN_OK) return 0.0;
+  return f64::luminanceOf({double{e[0]}, double{e[1]}, double{e[2]}});
+}
+
+double brightestLuminance(const Sky& sky) {
+  double brightest = 0.0;
+  for (int quarter = 0; quarter < 96; ++quarter) {
+    WelkinSkySample sample;
+    if (sky.sample(quarter / 4.0, sample)) brightest = std::max(brightest, openGround(sample) / f64::kPi);
+  }
+  return brightest;
+}
+
 double automaticExposure(double luminance, double day_luminance) {
   const double day = std::max(luminance, day_luminance);
   if (!(day > 0.0)) return 1.0;

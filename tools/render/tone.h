@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <vector>
+#include <welkin/welkin.hpp>
 
 #include "render/offscreen.h"
 
@@ -20,6 +21,12 @@ struct Picture {
 /// Log-average luminance over the pixels that are not black (Reinhard et al., "Photographic Tone Reproduction for
 /// Digital Images", SIGGRAPH 2002, eq. 1); 0 when all are black.
 double logAverageLuminance(std::span<const FloatImage> images);
+
+/// Luminance of the irradiance, pi included, of a surface that faces up, without sun and moon.
+double openGround(const WelkinSkySample& sample);
+
+/// The cosine-weighted mean of the sky's luminance over the upper hemisphere, at the day's brightest quarter hour.
+double brightestLuminance(const Sky& sky);
 
 /// Factor that maps `luminance`, a picture's log-average, towards middle grey, 0.18. `day_luminance` is the log-average
 /// of the day's brightest instant, which maps to 0.18 exactly. A darker picture is brightened by only four fifths of

@@ -25,8 +25,7 @@ struct Way {
 
 /// A way that was baked.
 struct Measured {
-  std::string name;
-  bool is_spread = true;
+  Way way;
   std::size_t probes = 0, bytes = 0;
   double seconds = 0.0;
   certify::LevelCertificate error;
@@ -62,7 +61,7 @@ Measured measure(const build::Subject& subject, const Way& way, const certify::C
                                progress);
   if (level.sectors().empty())
     throw base::Error(base::ExitStatus::content, "the level has no sectors, so there is nothing to study");
-  Measured result{way.name, way.is_spread, 0, 0, 0.0, {}};
+  Measured result{way, 0, 0, 0.0, {}};
   std::vector<sectors::SectorFile> files;
   for (const geometry::SectorId sector : level.sectors()) {
     files.push_back(level.bake(sector, progress, way.spread));
@@ -95,7 +94,7 @@ Table tableOf(const std::vector<Measured>& measured) {
                {"air_total", "", Quantity::share},
                {"air_interval", "", Quantity::share}});
   for (const Measured& m : measured)
-    table.addRow({m.name, static_cast<double>(m.probes), static_cast<double>(m.bytes), m.seconds,
+    table.addRow({m.way.name, static_cast<double>(m.probes), static_cast<double>(m.bytes), m.seconds,
                   m.error.surface.sky.rms, m.error.surface.sun_bounce.rms, surface(m), m.error.surface.total.interval,
                   air(m), m.error.air.total.interval});
   return table;
@@ -118,11 +117,11 @@ Chart chartOf(const std::vector<Measured>& measured, const std::vector<std::size
   Series best{"front, the worse of both", SeriesStyle::front, {}};
   for (const Measured& m : measured) {
     const auto bytes = static_cast<double>(m.bytes);
-    if (!m.is_spread) {
-      others.points.push_back({bytes, surface(m), m.name});
+    if (!m.way.is_spread) {
+      others.points.push_back({bytes, surface(m), m.way.name});
       continue;
     }
-    on_surfaces.points.push_back({bytes, surface(m), m.name});
+    on_surfaces.points.push_back({bytes, surface(m), m.way.name});
     in_air.points.push_back({bytes, air(m)});
   }
   for (const std::size_t i : front)
@@ -139,13 +138,14 @@ std::vector<std::string> conclusionOf(const std::vector<Measured>& measured, con
   for (const std::size_t i : front) {
     const Measured& m = measured[i];
     list += fmt::format("{}{} by {} ({} probes)", list.empty() ? "" : ", ", share(std::max(surface(m), air(m))),
-                        inWords(static_cast<double>(m.bytes), Quantity::bytes, 3) + " of " + m.name, m.probes);
+                        inWords(static_cast<double>(m.bytes), Quantity::bytes, 3) + " of " + m.way.name, m.probes);
   }
   text.push_back(fmt::format("The fewest bytes for an error, the worse of surfaces and air: {}.", list));
   const auto stated = std::find_if(measured.begin(), measured.end(),
-                                   [](const Measured& m) { return m.is_spread && m.name == "distances x 1"; });
-  const auto plain =
-      std::find_if(measured.begin(), measured.end(), [](const Measured& m) { return m.name == "without fit"; });
+                                   [](const Measured& m) { return m.way.is_spread && m.way.spread == 1.0; });
+  const auto plain = std::find_if(measured.begin(), measured.end(), [](const Measured& m) {
+    return m.way.section.transfer.fit == build::Fit::none && !m.way.is_spread;
+  });
   if (stated != measured.end() && plain != measured.end())
     text.push_back(fmt::format("The fit takes the error on surfaces from {} to {}, for {:+} bytes.",
                                share(surface(*plain)), share(surface(*stated)),

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/day.h"
+#include "render/tone.h"
 #include "view/painter.h"
 
 namespace welkin::view {
@@ -105,7 +105,7 @@ Answer answerAt(Level& level, const baked::SurfacePoint& point, double time_h, s
   const reference::ReferenceSettings settings{paths, subject.level->section.transfer.bounces, 0};
   a.truth = reference::traceReference(tracer, distant, {}, point.position, point.normal, settings,
                                       progress.stage("paths", reference::referenceBatches(settings)));
-  judge(a, subject.level->section.scale, openGround(sampleOf(level.sky(), time_h, {})));
+  judge(a, subject.level->section.scale, render::openGround(sampleOf(level.sky(), time_h, {})));
   return a;
 }
 

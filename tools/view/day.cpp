@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/tone.h"
 #include "shared.h"
 
 namespace welkin::view {
@@ -27,13 +28,6 @@ double crossing(const Sky& sky, double from_h, double to_h) {
 
 }  // namespace
 
-double openGround(const WelkinSkySample& sample) {
-  const float up[3] = {0.0F, 1.0F, 0.0F};
-  float e[3] = {};
-  if (welkin_sample_irradiance(&sample, up, e) != WELKIN_OK) return 0.0;
-  return f64::luminanceOf({double{e[0]}, double{e[1]}, double{e[2]}});
-}
-
 Day dayOf(const Sky& sky) {
   Day day;
   for (std::uint32_t i = 0; i < sky.info().key_count; ++i) {
@@ -50,9 +44,7 @@ Day dayOf(const Sky& sky) {
     day.tint[i] = static_cast<float>(f64::luminanceOf({double{tint[0]}, double{tint[1]}, double{tint[2]}}));
     day.saturation[i] = s.ambient_saturation;
     day.elevation_deg[i] = static_cast<float>(elevationAt(sky, time_h));
-    const double ground = openGround(s);
-    day.irradiance[i] = static_cast<float>(ground);
-    day.brightest = std::max(day.brightest, ground / f64::kPi);
+    day.irradiance[i] = static_cast<float>(render::openGround(s));
     if (i == 0 || (day.elevation_deg[i] > 0.0F) == (day.elevation_deg[i - 1] > 0.0F)) continue;
     const double at_h = crossing(sky, 24.0 * static_cast<double>(i - 1) / (kDaySamples - 1), time_h);
     (day.elevation_deg[i] > 0.0F ? day.sunrise_h : day.sunset_h).push_back(at_h);

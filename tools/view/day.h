@@ -18,12 +18,8 @@ struct Day {
   /// Of the sky at intensity, tint's luminance, saturation, sun's elevation in degrees, luminance of the irradiance of
   /// level ground by the open sky.
   std::array<float, kDaySamples> intensity{}, tint{}, saturation{}, elevation_deg{}, irradiance{};
-  double brightest = 0.0;  ///< luminance of the mean radiance of the sky at the brightest quarter hour
 };
 
 Day dayOf(const Sky& sky);
-
-/// Luminance of the irradiance, pi included, of a surface that faces up, without sun and moon.
-double openGround(const WelkinSkySample& sample);
 
 }  // namespace welkin::view

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/level_reference.h"
+#include "render/tone.h"
 #include "sky/base/error.h"
 #include "view/beside.h"
 #include "view/probes.h"
@@ -48,8 +49,8 @@ WelkinSkySample sampleOf(const Sky& sky, double time_h, const Changes& changes) 
   return sample;
 }
 
-Painter::Painter(render::VulkanDevice& device, Level& level, const Day& day)
-    : device_(device), level_(level), day_(day) {}
+Painter::Painter(render::VulkanDevice& device, Level& level)
+    : device_(device), level_(level), brightest_(render::brightestLuminance(level.sky())) {}
 
 render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
   const Changes& c = state.changes;
@@ -94,7 +95,7 @@ render::FloatImage Painter::draw(const State& state, Light light, Size size) {
   const auto spheres_for = std::pair(state.time_h, state.changes);
   if (light == Light::baked || light == Light::reference) {
     if (spheres_for_ != spheres_for || spheres_shade_ != state.probes || spheres_view_ != &view)
-      view.setProbes(spheresOf(level_, state.time_h, state.changes, state.probes, openGround(view.sample())));
+      view.setProbes(spheresOf(level_, state.time_h, state.changes, state.probes, render::openGround(view.sample())));
     spheres_for_ = spheres_for;
     spheres_shade_ = state.probes;
     spheres_view_ = &view;
@@ -123,7 +124,7 @@ const render::TracedImage& Painter::traced(const State& state, Size size) {
 
 double Painter::exposure(const State& state, const render::FloatImage& image) const {
   if (state.exposure_ev) return std::exp2(*state.exposure_ev);
-  return render::automaticExposure(render::logAverageLuminance({&image, 1}), day_.brightest);
+  return render::automaticExposure(render::logAverageLuminance({&image, 1}), brightest_);
 }
 
 render::Picture Painter::paint(const State& state, uint32_t width, uint32_t height, bool quick,

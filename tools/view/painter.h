@@ -21,7 +21,7 @@ WelkinSkySample sampleOf(const Sky& sky, double time_h, const Changes& changes);
 class Painter {
  public:
   /// All must outlive the object.
-  Painter(render::VulkanDevice& device, Level& level, const Day& day);
+  Painter(render::VulkanDevice& device, Level& level);
 
   /// A picture of this size. Fills `error` where two lights are compared. With `quick` shadows are coarser.
   render::Picture paint(const State& state, uint32_t width, uint32_t height, bool quick,
@@ -52,7 +52,7 @@ class Painter {
 
   render::VulkanDevice& device_;
   Level& level_;
-  const Day& day_;
+  double brightest_;                                         // render::brightestLuminance of the level's sky
   std::unique_ptr<render::LevelView> baked_, quick_, open_;  ///< made when first drawn
   bool is_quick_ = false;
   std::optional<TracedFor> traced_for_;

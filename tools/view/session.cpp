@@ -18,7 +18,7 @@ Session::Session(render::VulkanDevice& device, Level& level, uint32_t width, uin
       width_(width),
       height_(height),
       day_(dayOf(level.sky())),
-      painter_(device_, level_, day_) {
+      painter_(device_, level_) {
   state_.eye = overview();
 }
 
@@ -90,11 +90,6 @@ const ProbeNumbers* Session::probe() {
   if (state_.probe && !probe_)
     probe_ = std::make_unique<ProbeNumbers>(numbersOf(level_, *state_.probe, state_.time_h, state_.changes));
   return probe_.get();
-}
-
-const render::IrradianceError* Session::error() {
-  if (state_.compare && !error_) picture();
-  return error_ ? &*error_ : nullptr;
 }
 
 render::Picture Session::picture(bool quick) {

@@ -58,8 +58,9 @@ class Session {
   /// The answer for the state's point, the numbers of its probe; null without one. Computed once a change.
   const Answer* answer();
   const ProbeNumbers* probe();
-  /// The error of the first of the two compared lights against the second; null without a comparison.
-  const render::IrradianceError* error();
+  /// The error of the first of the two compared lights against the second, from picture(); null until that is drawn at
+  /// full size, and without a comparison.
+  const render::IrradianceError* error() const { return error_ ? &*error_ : nullptr; }
 
   /// The level's picture without panels. With `quick` at half the size, and without the path tracer.
   render::Picture picture(bool quick = false);

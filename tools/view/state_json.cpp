@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "probes/geometry/sector_name.h"
+#include "render/tone.h"
 #include "sky/base/atomic_file.h"
 
 namespace welkin::view {
@@ -98,6 +99,7 @@ Json warningsJson(const Level& level) {
 Json compareJson(Session& session) {
   if (!session.state().compare) return nullptr;
   const Comparison& c = *session.state().compare;
+  session.picture();  // the error is of it
   const render::IrradianceError& e = *session.error();
   Json result = {{"first", kLights[static_cast<std::size_t>(c.first)]},
                  {"second", kLights[static_cast<std::size_t>(c.second)]},
@@ -129,7 +131,7 @@ Json stateJson(Session& session) {
                   {"ambient_saturation", double{sample.ambient_saturation}},
                   {"polarising_tint", json(sample.polarising_tint)},
                   {"ground_radiance", json(sample.ground_radiance)},
-                  {"open_ground", openGround(sample)}}},
+                  {"open_ground", render::openGround(sample)}}},
                 {"light", kLights[static_cast<std::size_t>(s.light)]},
                 {"probes", kProbeShades[static_cast<std::size_t>(s.probes)]},
                 {"exposure", s.exposure_ev ? Json(*s.exposure_ev) : Json("auto")},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/window.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,6 +10,7 @@
 
 #include "render/picture.h"
 #include "sky/base/error.h"
+#include "sky/base/module.h"
 #include "view/canvas.h"
 #include "view/navigation.h"
 #include "view/panels.h"
@@ -27,15 +27,11 @@ constexpr double kStillAfter_s = 0.2;  // without a change the picture gets its 
 constexpr double kIdle_s = 0.25;       // between looks at a window that nobody uses
 
 std::unique_ptr<Window> openWindow(uint32_t width, uint32_t height) {
-  void* library = dlopen(WELKIN_WINDOW_MODULE, RTLD_NOW | RTLD_LOCAL);  // never closed: X11 keeps handlers
-  if (library == nullptr)
-    throw base::Error(base::ExitStatus::file,
-                      fmt::format("cannot load what opens windows: {}; --headless works without it", dlerror()));
-  const auto entry = reinterpret_cast<const WindowModule* (*)()>(dlsym(library, kWindowModuleEntry));
-  if (entry == nullptr)
-    throw base::Error(base::ExitStatus::file, fmt::format("{}: {}", WELKIN_WINDOW_MODULE, dlerror()));
+  void* entry = base::loadModule(WELKIN_WINDOW_MODULE, kWindowModuleEntry,
+                                 "the module for windows, without which --headless works");
+  const WindowModule& module = *reinterpret_cast<const WindowModule* (*)()>(entry)();
   std::string why;
-  std::unique_ptr<Window> window(entry()->open(width, height, "Welkin", why));
+  std::unique_ptr<Window> window(module.open(width, height, "Welkin", why));
   if (!window)
     throw base::Error(base::ExitStatus::file,
                       fmt::format("no window: {}; --headless with --script works without one", why));
@@ -63,12 +59,12 @@ class Windowed : public Host {
   }
 
   void screenshot(const std::string& path) override {
-    const render::Picture picture = session_.picture();
     wanted_screenshot_.clear();
     if (in_frame_) {  // a panel or a key asks for it within a frame of ImGui
       wanted_screenshot_ = path;
       return;
     }
+    const render::Picture picture = session_.picture();  // first, so that the panels know its error
     render::writePng(canvas_.read(picture, panels_.settled()), path);
   }
 
