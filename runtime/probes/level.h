@@ -66,6 +66,7 @@ struct WelkinSector {
   welkin::core::HostArray<std::byte> blocks;   ///< packProbes
   welkin::core::HostArray<std::uint64_t> cut;  ///< a bit a cell of the grid that walls part; null without
   welkin::core::HostArray<float> fixed;        ///< light that does not follow the day, as `light`; null without
+  std::uint64_t fixed_changes = 0;             ///< counts changes of `fixed`
   welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
   std::array<std::uint8_t, welkin::format::kGridCells> filled{};  ///< the grid, its holes as their nearest cells
   welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;   ///< the light as texels of the volume

@@ -90,6 +90,7 @@ std::size_t localBytes(const WelkinSector& sector) {
 void lightLocally(WelkinSector& sector) {
   if (sector.transfers.count == 0) return;
   sector.complete = sector.pass = 0;  // a pass that has begun goes on, and another one follows
+  ++sector.fixed_changes;
   float* fixed = sector.fixed.get();
   const f64::TransferBasis basis = f64::transferBasis();
   float weight[kDirections][4];

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 #include "core/floats.h"
 #include "shared.h"
@@ -22,11 +21,26 @@ float largestOf(const WelkinLevel& level, const float* open) {
   return largest;
 }
 
+/// About the most light of any place, where the device relights and the processor does not know it. Halfs have digits
+/// for light that is 30,000 times as much, or a thousandth of it.
+float aboutLargestOf(const WelkinLevel& level, const float* open) {
+  float largest = *std::max_element(open, open + kColours);
+  for (const auto& light : level.light.light_irradiance)
+    for (const double e : light) largest = std::max(largest, core::toFloat(e));
+  for (std::uint32_t i = 0; i < level.count; ++i) {
+    const WelkinSector& s = *level.resident.get()[i];
+    if (s.fixed.get() == nullptr) continue;
+    const float *start = s.fixed.get(), *end = start + kColours * s.probes;
+    largest = std::max(largest, core::toFloat(level.light.local * double{*std::max_element(start, end)}));
+  }
+  return largest;
+}
+
 /// The scale for light up to `largest`, near the present one. Steps of RGBA8 are an eighth of an octave, so that slow
 /// light seldom changes it; it falls only by two of them. Halfs need one only where they would overflow or lose digits.
 float scaleFor(float largest, WelkinVolumeFormat format, float present) {
   if (!(largest > 0.0F) || !std::isfinite(largest)) return present;
-  if (format == WELKIN_VOLUME_RGBA16F)
+  if (format != WELKIN_VOLUME_RGBA8)
     return largest > 1e-3F * present && largest < 30000.0F * present ? present
                                                                      : std::exp2(std::ceil(std::log2(largest)));
   if (largest <= present && largest > 0.8F * present) return present;
@@ -169,19 +183,23 @@ void updateCuts(WelkinVolume& volume, const WelkinLevel& level, std::uint32_t ma
 
 void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sample, const Cells& first,
             std::uint32_t max_texels, WelkinVolumeUpdate& out) {
-  const std::uint64_t version = level.changes + level.instant;
+  const bool on_device = volume.format == WELKIN_VOLUME_DEVICE;
+  const std::uint64_t version = on_device ? level.residents + 1 : level.changes + level.instant;
   const bool changed = !volume.filled || version != volume.version;
-  bool whole = !volume.filled;
-  if (changed) {
-    float open[kColours];
+  // The words of sectors that have gone must not outlive them, as another sector takes their slot.
+  bool whole = !volume.filled || (on_device && changed);
+  if (changed || on_device) {
+    float* open = volume.open_light.data();
     openLight(sample, level.light.sky_factor, open);
-    const float scale = scaleFor(largestOf(level, open), volume.format, volume.scale);
-    whole = whole || scale != volume.scale;
+    const float largest = on_device ? aboutLargestOf(level, open) : largestOf(level, open);
+    const float scale = scaleFor(largest, volume.format, volume.scale);
+    whole = whole || (!on_device && scale != volume.scale);
     volume.scale = scale;
-    volume.open = packTexel(open, volume.format, scale);
+    volume.open = on_device ? TexelWords{kOpenTexel} : packTexel(open, volume.format, scale);
     volume.version = version;
   }
-  packLight(level, volume);
+  volume.level = &level;
+  if (!on_device) packLight(level, volume);
   for (std::size_t a = 0; a < 3; ++a) whole = whole || std::abs(first[a] - volume.first[a]) >= volume.count[a];
   if (whole) {
     volume.first = first;
@@ -204,58 +222,6 @@ void update(WelkinVolume& volume, WelkinLevel& level, const WelkinSkySample& sam
 using namespace welkin::core;
 using namespace welkin::probes;
 
-WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVolume** volume) {
-  if (volume != nullptr) *volume = nullptr;
-  if (const auto r = nonNull(__func__, {{"volume", volume}})) return r;
-  if (const auto r = sized(__func__, "settings", settings)) return r;
-  const WelkinVolumeSettings s = take(*settings);
-  if (s.format != WELKIN_VOLUME_RGBA16F && s.format != WELKIN_VOLUME_RGBA8)
-    return refuse(__func__, "settings->format is %d, must be one of WelkinVolumeFormat", static_cast<int>(s.format));
-  WelkinVolume made;
-  constexpr std::uint32_t kUsual[3] = {96, 16, 96};
-  for (std::size_t a = 0; a < 3; ++a) {
-    made.count[a] = s.texels[a] == 0 ? kUsual[a] : s.texels[a];
-    if (made.count[a] < 2 || made.count[a] > 512)
-      return refuse(__func__, "settings->texels[%zu] is %u, must be 0 or 2 to 512", a, s.texels[a]);
-  }
-  const float height = s.texel_height_m == 0.0F ? 4.0F : s.texel_height_m;
-  if (!(height >= 0.5F && height <= 1e4F))
-    return refuse(__func__, "settings->texel_height_m is %g, must be 0 or 0.5 to 10000", double{s.texel_height_m});
-  constexpr std::uint32_t kUsualBricks = 4096, kMostBricks = 32760;
-  if (s.bricks > kMostBricks && s.bricks != WELKIN_VOLUME_NO_BRICKS)
-    return refuse(__func__, "settings->bricks is %u, must be 0 to %u or WELKIN_VOLUME_NO_BRICKS", s.bricks,
-                  kMostBricks);
-  if (s.allocator != nullptr) {
-    if (const auto r = sized(__func__, "settings->allocator", s.allocator)) return r;
-    if (const auto r = nonNull(__func__, {{"settings->allocator->allocate", asPointer(s.allocator->allocate)},
-                                          {"settings->allocator->free", asPointer(s.allocator->free)}}))
-      return r;
-    made.memory = HostMemory(take(*s.allocator));
-  }
-  made.format = s.format;
-  made.texel_m = {welkin::format::kCellWidth_m, double{height}, welkin::format::kCellWidth_m};
-  made.texel_bytes = s.format == WELKIN_VOLUME_RGBA16F ? 8 : 4;
-  const std::uint32_t bricks = s.bricks == WELKIN_VOLUME_NO_BRICKS ? 0 : s.bricks == 0 ? kUsualBricks : s.bricks;
-  bool room = made.slice.allocate(made.memory, made.count[2]) &&
-              made.cuts.allocate(made.memory, made.count, double{height}, bricks);
-  made.depth = made.count[2] + 1 + 3 * made.cuts.layers();
-  const std::size_t texels = std::size_t{made.count[0]} * made.count[1] * made.depth;
-  for (auto& channel : made.texels) room = room && channel.allocate(made.memory, texels * made.texel_bytes);
-  void* place = room ? made.memory.allocate(sizeof(WelkinVolume), alignof(WelkinVolume)) : nullptr;
-  if (place == nullptr) return WELKIN_ERROR_MEMORY;
-  for (auto& channel : made.texels) std::fill_n(channel.get(), texels * made.texel_bytes, std::byte{0});
-  std::fill_n(made.slice.get(), made.count[2], std::uint64_t{0});
-  *volume = new (place) WelkinVolume(std::move(made));
-  return WELKIN_OK;
-}
-
-void welkin_volume_destroy(WelkinVolume* volume) {
-  if (volume == nullptr) return;
-  const HostMemory memory = volume->memory;
-  volume->~WelkinVolume();
-  memory.free(volume, sizeof(WelkinVolume));
-}
-
 WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, const WelkinSkySample* sample,
                                   const float camera[3], uint32_t max_texels, WelkinVolumeUpdate* update) {
   if (const auto r = nonNull(__func__, {{"volume", volume}, {"level", level}, {"camera", camera}})) return r;
@@ -271,28 +237,5 @@ WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, cons
   WelkinVolumeUpdate out{};
   welkin::probes::update(*volume, *level, take(*sample), first, max_texels, out);
   give(out, update);
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, const void** texels, size_t* bytes) {
-  if (const auto r = nonNull(__func__, {{"volume", volume}, {"texels", texels}, {"bytes", bytes}})) return r;
-  if (channel > 2) return refuse(__func__, "channel is %u, must be 0 to 2", channel);
-  *texels = volume->texels[channel].get();
-  *bytes = std::size_t{volume->count[0]} * volume->count[1] * volume->depth * volume->texel_bytes;
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_volume_cuts(const WelkinVolume* volume, const void** words, size_t* bytes) {
-  if (const auto r = nonNull(__func__, {{"volume", volume}, {"words", words}, {"bytes", bytes}})) return r;
-  *words = volume->cuts.words().data();
-  *bytes = volume->cuts.words().size_bytes();
-  return WELKIN_OK;
-}
-
-WelkinResult welkin_volume_extent(const WelkinVolume* volume, uint32_t extent[3]) {
-  if (const auto r = nonNull(__func__, {{"volume", volume}, {"extent", extent}})) return r;
-  extent[0] = volume->count[0];
-  extent[1] = volume->count[1];
-  extent[2] = volume->depth;
   return WELKIN_OK;
 }

@@ -55,11 +55,8 @@ class VolumeCuts {
   const BrickProbes* probesOf(std::uint32_t brick) const {
     return brick < brick_count_ && owner_.get()[brick] != 0 ? brick_.get() + brick : nullptr;
   }
-  /// The light of one of them as texels; none of a sector that has gone.
-  std::array<std::uint64_t, 3> lightOf(BrickProbe probe) const {
-    const Slot& slot = slot_.get()[probe / 256];
-    return slot.sector == nullptr ? std::array<std::uint64_t, 3>{} : slot.sector->packed.get()[probe % 256];
-  }
+  /// The sector of one of them; null where it has gone.
+  const WelkinSector* holderOf(BrickProbe probe) const { return slot_.get()[probe / 256].sector; }
 
  private:
   struct Slot {

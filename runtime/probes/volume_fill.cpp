@@ -31,7 +31,7 @@ std::uint16_t halfFromFloat(float value) {
 /// Writes a texel's words at an index.
 template <typename Word>
 void write(WelkinVolume& volume, std::size_t at, const TexelWords& words) {
-  for (std::size_t c = 0; c < kChannels; ++c)
+  for (std::size_t c = 0; c < volume.channels; ++c)
     reinterpret_cast<Word*>(volume.texels[c].get())[at] = static_cast<Word>(words[c]);
 }
 
@@ -77,7 +77,7 @@ void fill(WelkinVolume& volume, const WelkinLevel& level, const Cells& low, cons
                                          ? format::kNoProbe
                                          : probeOf(*sector, cells + column, middle, static_cast<int>(column),
                                                    static_cast<int>(z - sz * kSide));
-          write<Word>(volume, at, probe == format::kNoProbe ? volume.open : sector->packed.get()[probe]);
+          write<Word>(volume, at, probe == format::kNoProbe ? volume.open : texelOf(volume, sector, probe));
         }
       }
       x = end;
@@ -109,6 +109,19 @@ std::array<float, kDirections> unpackTexel(std::uint64_t word, WelkinVolumeForma
   return numbers;
 }
 
+std::uint32_t slotOf(const WelkinVolume& volume, std::int32_t x, std::int32_t z) {
+  const auto along = [&](std::int32_t sector, std::size_t axis) {
+    const std::int64_t n = volume.slots[axis];
+    return static_cast<std::uint32_t>((sector % n + n) % n);
+  };
+  return along(x, 0) + volume.slots[0] * along(z, 1);
+}
+
+TexelWords texelOf(const WelkinVolume& volume, const WelkinSector* sector, std::uint32_t probe) {
+  if (volume.format != WELKIN_VOLUME_DEVICE) return sector == nullptr ? TexelWords{} : sector->packed.get()[probe];
+  return {sector == nullptr ? kDarkTexel : kFirstTexel + kSlotProbes * slotOf(volume, sector->x, sector->z) + probe};
+}
+
 void fillCells(WelkinVolume& volume, const WelkinLevel& level, const Cells& low, const Cells& high) {
   if (volume.format == WELKIN_VOLUME_RGBA16F)
     fill<std::uint64_t>(volume, level, low, high);
@@ -118,7 +131,8 @@ void fillCells(WelkinVolume& volume, const WelkinLevel& level, const Cells& low,
 
 void copyFirstSlice(WelkinVolume& volume) {
   const std::size_t bytes = volume.texel_bytes * volume.count[0] * volume.count[1];
-  for (auto& channel : volume.texels) std::memcpy(channel.get() + bytes * volume.count[2], channel.get(), bytes);
+  for (std::size_t c = 0; c < volume.channels; ++c)
+    std::memcpy(volume.texels[c].get() + bytes * volume.count[2], volume.texels[c].get(), bytes);
 }
 
 void fillBricks(WelkinVolume& volume, std::uint32_t first, std::uint32_t count) {
@@ -131,10 +145,11 @@ void fillBricks(WelkinVolume& volume, std::uint32_t first, std::uint32_t count) 
     const std::size_t z = volume.count[2] + 1 + 3 * (b / cuts.perLayer());
     for (std::size_t i = 0; i < probes->size(); ++i) {
       const std::size_t at = x + i % 3 + volume.count[0] * (y + i / 3 % 3 + volume.count[1] * (z + i / 9));
+      const TexelWords words = texelOf(volume, cuts.holderOf((*probes)[i]), (*probes)[i] % kSlotProbes);
       if (volume.format == WELKIN_VOLUME_RGBA16F)
-        write<std::uint64_t>(volume, at, cuts.lightOf((*probes)[i]));
+        write<std::uint64_t>(volume, at, words);
       else
-        write<std::uint32_t>(volume, at, cuts.lightOf((*probes)[i]));
+        write<std::uint32_t>(volume, at, words);
     }
   }
 }

@@ -114,6 +114,8 @@ WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float po
   if (const auto r = nonNull(__func__, {{"volume", volume}, {"position", position}, {"irradiance", irradiance}}))
     return r;
   if (const auto r = unit(__func__, "normal", normal)) return r;
+  if (volume->format == WELKIN_VOLUME_DEVICE)
+    return refuse(__func__, "the volume's format is WELKIN_VOLUME_DEVICE, so only the device has its texels");
   double margin = 1e30;
   for (std::size_t a = 0; a < 3; ++a) {
     if (!(std::abs(position[a]) <= 1e7F))

@@ -37,11 +37,13 @@ namespace welkin::vulkan {
   X(CmdBlitImage)                         \
   X(CmdCopyBuffer)                        \
   X(CmdCopyBufferToImage)                 \
+  X(CmdDispatch)                          \
   X(CmdDraw)                              \
   X(CmdPipelineBarrier2)                  \
   X(CmdPushConstants)                     \
   X(CmdSetBlendConstants)                 \
   X(CreateBuffer)                         \
+  X(CreateComputePipelines)               \
   X(CreateDescriptorPool)                 \
   X(CreateDescriptorSetLayout)            \
   X(CreateGraphicsPipelines)              \

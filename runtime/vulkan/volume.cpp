@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "vulkan/barriers.h"
 #include "vulkan/volume_images.h"
 
 namespace welkin::vulkan {
@@ -27,89 +28,44 @@ unsigned char* stage(const WelkinVulkanVolume& o, const std::byte* texels, const
   return to;
 }
 
-VkImageMemoryBarrier2 barrier(VkImage image, VkPipelineStageFlags2 from, VkAccessFlags2 read, VkImageLayout old_layout,
-                              VkPipelineStageFlags2 to, VkAccessFlags2 access, VkImageLayout layout) {
-  VkImageMemoryBarrier2 b{};
-  b.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
-  b.srcStageMask = from;
-  b.srcAccessMask = read;
-  b.dstStageMask = to;
-  b.dstAccessMask = access;
-  b.oldLayout = old_layout;
-  b.newLayout = layout;
-  b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  b.image = image;
-  b.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  return b;
-}
-
-void record(const WelkinVulkanVolume& o, VkCommandBuffer commands, const VkImageMemoryBarrier2* barriers) {
-  VkDependencyInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  info.imageMemoryBarrierCount = 3;
-  info.pImageMemoryBarriers = barriers;
-  o.device.fn.CmdPipelineBarrier2(commands, &info);
-}
-
-constexpr VkPipelineStageFlags2 kShaders =
-    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-
 /// Copies the words of the cuts that changed to the frame's staging memory, after its constants, and records their way.
 void recordCuts(const WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
                 const WelkinVolumeUpdate& update) {
   const VkDeviceSize offset = frame * o.frame_bytes + o.constants_bytes;
   const auto* words = reinterpret_cast<const std::byte*>(volume.cuts.words().data());
   std::memcpy(o.staging.mapped + offset, words + update.cut_first, update.cut_bytes);
-  VkBufferMemoryBarrier2 b{};
-  b.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2;
-  b.srcStageMask = o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE;
-  b.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  b.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  b.buffer = o.cuts.buffer;
-  b.size = VK_WHOLE_SIZE;
-  VkDependencyInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  info.bufferMemoryBarrierCount = 1;
-  info.pBufferMemoryBarriers = &b;
-  o.device.fn.CmdPipelineBarrier2(commands, &info);
+  recordBarrier(o.device, commands, o.cuts.buffer, o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
+                VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
   const VkBufferCopy region{offset, update.cut_first, update.cut_bytes};
   o.device.fn.CmdCopyBuffer(commands, o.staging.buffer, o.cuts.buffer, 1, &region);
-  b.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  b.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  b.dstStageMask = kShaders;
-  b.dstAccessMask = VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
-  o.device.fn.CmdPipelineBarrier2(commands, &info);
+  recordBarrier(o.device, commands, o.cuts.buffer, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                kShaders, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
 }
 
 /// Copies the boxes to the frame's staging memory and records their way to the images.
 void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
                  const WelkinVolumeUpdate& update) {
-  VkImageMemoryBarrier2 before[3], after[3];
-  for (int c = 0; c < 3; ++c) {
-    before[c] =
-        barrier(o.images[c], o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
-                o.recorded ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_UNDEFINED,
-                VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    after[c] = barrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kShaders, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  const uint32_t images = o.copied;
+  VkImageMemoryBarrier2 before[3], between[3], after[3];
+  for (uint32_t c = 0; c < images; ++c) {
+    before[c] = imageBarrier(o.images[c], o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
+                             o.recorded ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_UNDEFINED,
+                             VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    between[c] = imageBarrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,
+                              VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    after[c] = imageBarrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kShaders, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   }
-  record(o, commands, before);
-  unsigned char* frame_memory = o.staging.mapped + frame * o.frame_bytes;
-  unsigned char* to = frame_memory + o.constants_bytes + o.cut_bytes;
+  recordBarriers(o.device, commands, before, images);
+  unsigned char* to = o.staging.mapped + frame * o.frame_bytes + o.constants_bytes + o.cut_bytes;
   // Boxes that overlap hold the same texels, but two copies to one texel must not race: each waits for the one before.
   for (uint32_t b = 0; b < update.box_count; ++b) {
     const WelkinVolumeBox& box = update.box[b];
-    if (b > 0) {
-      VkImageMemoryBarrier2 between[3];
-      for (int c = 0; c < 3; ++c)
-        between[c] = barrier(o.images[c], VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,
-                             VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-      record(o, commands, between);
-    }
-    for (int c = 0; c < 3; ++c) {
+    if (b > 0) recordBarriers(o.device, commands, between, images);
+    for (uint32_t c = 0; c < images; ++c) {
       VkBufferImageCopy region{};
       region.bufferOffset = static_cast<VkDeviceSize>(to - o.staging.mapped);
       region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -121,7 +77,7 @@ void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame
                                        &region);
     }
   }
-  record(o, commands, after);
+  recordBarriers(o.device, commands, after, images);
 }
 
 }  // namespace
@@ -150,9 +106,14 @@ WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, con
   object->extent = {volume->count[0], volume->count[1], volume->depth};
   object->slices = volume->count[2];
   object->texel_bytes = volume->texel_bytes;
+  object->copied = static_cast<uint32_t>(volume->channels);
   object->cut_bytes = volume->cuts.words().size_bytes();
-  object->format = volume->format == WELKIN_VOLUME_RGBA16F ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM;
-  if (const auto result = createVolumeImages(*object, message)) {
+  object->format = volume->format == WELKIN_VOLUME_RGBA8 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
+  WelkinResult result = createVolumeImages(*object, message);
+  if (result == WELKIN_OK && object->relights())
+    result = createRelight(object->device, *volume, object->relightImages(), object->frame_count, given.pipeline_cache,
+                           object->relight, message);
+  if (result != WELKIN_OK) {
     welkin_vulkan_volume_destroy(object);
     return result;
   }
@@ -162,6 +123,7 @@ WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, con
 
 void welkin_vulkan_volume_destroy(WelkinVulkanVolume* object) {
   if (object == nullptr) return;
+  destroy(object->device, object->relight);
   destroy(*object);
   delete object;
 }
@@ -188,13 +150,19 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
     return refuse(__func__, "update->cut_bytes passes the cuts of the volume");
   if (!object->recorded && (changed.box_count == 0 || changed.filled < all))
     return refuse(__func__, "the first update that is recorded must fill the whole volume");
+  if (object->relights() && volume->level == nullptr)
+    return refuse(__func__, "the volume was not updated, and its format is WELKIN_VOLUME_DEVICE");
   WelkinVolumeConstants constants{};
   if (const auto r = welkin_volume_constants(volume, &constants, sizeof constants)) return r;
   std::memcpy(object->staging.mapped + frame * object->frame_bytes, &constants, sizeof constants);
   if (changed.cut_bytes != 0) recordCuts(*object, commands, frame, *volume, changed);
-  if (changed.box_count == 0) return WELKIN_OK;
-  recordBoxes(*object, commands, frame, *volume, changed);
-  object->recorded = true;
+  if (changed.box_count > 0) {
+    recordBoxes(*object, commands, frame, *volume, changed);
+    object->recorded = true;
+  }
+  if (object->relights())
+    recordRelight(object->device, object->relight, object->relightImages(), *volume, commands, frame,
+                  changed.box_count > 0);
   return WELKIN_OK;
 }
 
@@ -210,8 +178,8 @@ WelkinResult welkin_vulkan_volume_memory(const WelkinVulkanVolume* object, Welki
   if (const auto r = nonNull(__func__, {{"object", object}})) return r;
   if (const auto r = core::sized(__func__, "memory", memory)) return r;
   WelkinVulkanMemory out{};
-  out.images = object->image_bytes + object->cuts.bytes;
-  out.staging = object->staging.bytes;
+  out.images = object->image_bytes + object->cuts.bytes + object->relight.probes.bytes + object->relight.relit.bytes;
+  out.staging = object->staging.bytes + object->relight.staging.bytes;
   core::give(out, memory);
   return WELKIN_OK;
 }

@@ -8,6 +8,10 @@
 namespace welkin::vulkan {
 namespace {
 
+VkFormat formatOf(const WelkinVulkanVolume& o, uint32_t image) {
+  return image < o.textures() ? VK_FORMAT_R32_UINT : o.format;
+}
+
 WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   const Device& device = o.device;
   const uint32_t limit = device.properties.limits.maxImageDimension3D;
@@ -17,16 +21,18 @@ WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
   info.imageType = VK_IMAGE_TYPE_3D;
-  info.format = o.format;
   info.extent = o.extent;
   info.mipLevels = 1;
   info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   VkMemoryRequirements block{0, 1, ~0U};
-  VkDeviceSize offset[3];
-  for (int c = 0; c < 3; ++c) {
+  const uint32_t count = o.textures() + 3;
+  VkDeviceSize offset[4];
+  for (uint32_t c = 0; c < count; ++c) {
+    info.format = formatOf(o, c);
+    info.usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | (c < o.copied ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT);
     if (const auto r = check(device.fn.CreateImage(device.handle, &info, device.allocator, &o.images[c]),
                              "welkin volume", message))
       return r;
@@ -40,7 +46,7 @@ WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   }
   if (const auto r = allocateImages(device, block, "welkin volume", o.image_memory, message)) return r;
   o.image_bytes = block.size;
-  for (int c = 0; c < 3; ++c) {
+  for (uint32_t c = 0; c < count; ++c) {
     if (const auto r = check(device.fn.BindImageMemory(device.handle, o.images[c], o.image_memory.memory,
                                                        o.image_memory.offset + offset[c]),
                              "welkin volume", message))
@@ -49,7 +55,7 @@ WelkinResult createImages(WelkinVulkanVolume& o, WelkinMessage* message) {
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = o.images[c];
     view.viewType = VK_IMAGE_VIEW_TYPE_3D;
-    view.format = o.format;
+    view.format = formatOf(o, c);
     view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     if (const auto r = check(device.fn.CreateImageView(device.handle, &view, device.allocator, &o.views[c]),
                              "welkin volume", message))
@@ -108,7 +114,8 @@ WelkinResult createSets(WelkinVulkanVolume& o, WelkinMessage* message) {
 
 void writeSets(const WelkinVulkanVolume& o) {
   VkDescriptorImageInfo textures[3];
-  for (int c = 0; c < 3; ++c) textures[c] = {o.sampler, o.views[c], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  for (uint32_t c = 0; c < 3; ++c)
+    textures[c] = {o.sampler, o.views[o.textures() + c], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   for (uint32_t frame = 0; frame < o.frame_count; ++frame) {
     const VkDescriptorBufferInfo constants{o.staging.buffer, frame * o.frame_bytes, sizeof(WelkinVolumeConstants)};
     const VkDescriptorBufferInfo cuts{o.cuts.buffer, 0, o.cut_bytes};
@@ -139,7 +146,7 @@ WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message) {
   // An update's boxes may overlap, such as two slabs that meet at an edge: at most three of them, and two runs. Bricks
   // are in one of them.
   const VkDeviceSize most = slice * (4 * (o.slices + 1) + o.extent.depth);
-  o.frame_bytes = round(o.constants_bytes + o.cut_bytes + 3 * most, alignment);
+  o.frame_bytes = round(o.constants_bytes + o.cut_bytes + o.copied * most, alignment);
   if (const auto r = createMapped(o.device, o.frame_bytes * o.frame_count,
                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                   "welkin volume staging", o.staging, message))
@@ -160,7 +167,7 @@ void destroy(WelkinVulkanVolume& o) {
   device.fn.DestroySampler(device.handle, o.sampler, device.allocator);
   destroy(device, o.staging);
   destroy(device, o.cuts);
-  for (int c = 0; c < 3; ++c) {
+  for (uint32_t c = 0; c < 4; ++c) {
     device.fn.DestroyImageView(device.handle, o.views[c], device.allocator);
     device.fn.DestroyImage(device.handle, o.images[c], device.allocator);
   }

@@ -5,6 +5,7 @@
 #include <welkin/welkin_vulkan_volume.h>
 
 #include "vulkan/memory.h"
+#include "vulkan/volume_relight.h"
 
 struct WelkinVulkanVolume {
   welkin::vulkan::Device device;
@@ -12,8 +13,9 @@ struct WelkinVulkanVolume {
   uint32_t slices = 0;  ///< of the volume itself, without bricks
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkDeviceSize texel_bytes = 0;
-  VkImage images[3] = {};
-  VkImageView views[3] = {};
+  uint32_t copied = 3;  ///< images that updates copy texels to: the first of `images`
+  VkImage images[4] = {};
+  VkImageView views[4] = {};  ///< the three textures, or for a volume that the device fills its words and then them
   WelkinVulkanAllocation image_memory{};
   VkDeviceSize image_bytes = 0;
   welkin::vulkan::MappedBuffer staging;  ///< of each frame: its constants, then the texels that it copies
@@ -26,7 +28,15 @@ struct WelkinVulkanVolume {
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   VkDescriptorSet sets[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT] = {};
-  bool recorded = false;  ///< the images have their texels
+  bool recorded = false;                  ///< the images that updates copy to have their texels
+  welkin::vulkan::VolumeRelight relight;  ///< for WELKIN_VOLUME_DEVICE
+
+  bool relights() const { return copied == 1; }
+  /// First of the three textures among the images.
+  uint32_t textures() const { return relights() ? 1 : 0; }
+  welkin::vulkan::RelightImages relightImages() const {
+    return {{images[1], images[2], images[3]}, {views[1], views[2], views[3]}, views[0], extent};
+  }
 };
 
 namespace welkin::vulkan {

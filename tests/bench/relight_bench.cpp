@@ -68,6 +68,31 @@ void fillVolume(benchmark::State& state, WelkinVolumeFormat format) {
 }
 BENCHMARK_CAPTURE(fillVolume, halfs, WELKIN_VOLUME_RGBA16F)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(fillVolume, bytes, WELKIN_VOLUME_RGBA8)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(fillVolume, words, WELKIN_VOLUME_DEVICE)->Unit(benchmark::kMicrosecond);
+
+/// What a change of the light costs the processor: relighting and filling, or nothing of the two.
+void changeLight(benchmark::State& state, WelkinVolumeFormat format) {
+  OpenedLevel& opened = talkLevel();
+  WelkinVolumeSettings settings{};
+  settings.format = format;
+  WelkinVolume* volume = nullptr;
+  welkin_volume_create(&settings, &volume);
+  WelkinVolumeUpdate update{};
+  WelkinRelight relit{};
+  const float camera[3] = {1600, 20, 32};
+  int turn = 0;
+  for (auto _ : state) {
+    WelkinLevelLight light{};
+    light.sample = &sampleOfTurn(turn++);
+    light.sky = light.sun_bounce = light.local = 1.0F;
+    welkin_level_set_light(opened.level, &light);
+    if (format != WELKIN_VOLUME_DEVICE) welkin_level_relight(opened.level, UINT32_MAX, &relit);
+    welkin_volume_update(volume, opened.level, light.sample, camera, UINT32_MAX, &update);
+  }
+  welkin_volume_destroy(volume);
+}
+BENCHMARK_CAPTURE(changeLight, halfs, WELKIN_VOLUME_RGBA16F)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(changeLight, words, WELKIN_VOLUME_DEVICE)->Unit(benchmark::kMicrosecond);
 
 OpenedLevel& localLevel() {
   static const RandomLevel baked = [] {

@@ -7,6 +7,7 @@
 //   volume_bench leaks [SHAPE]
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -67,6 +68,29 @@ void printFill(tests::OpenedLevel& opened, const WelkinSkySample& sample, const 
   fmt::print("the first update takes {:.2f} ms without walls, {:.2f} ms with\n", least_ms[0], least_ms[1]);
 }
 
+/// Time from the update to the end of its commands, where the light of all probes changed: relit and filled by the
+/// processor and copied, or by the device.
+void printRelight(render::VulkanDevice& device, tests::OpenedLevel& opened, const float* at) {
+  double least_ms[2] = {1e9, 1e9};
+  std::size_t bytes[2] = {};
+  for (const int on_device : {0, 1}) {
+    const tests::DeviceVolume v(device, on_device != 0 ? WELKIN_VOLUME_DEVICE : WELKIN_VOLUME_RGBA16F, {96, 16, 96});
+    WelkinVulkanMemory memory{};
+    render::require(welkin_vulkan_volume_memory(v.textures, &memory), "welkin_vulkan_volume_memory");
+    bytes[on_device] = memory.images + memory.staging;
+    for (int i = 0; i < 12; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      const WelkinSkySample sample = opened.relight(i % 2 == 0 ? 9.0 : 12.0);
+      v.update(device, opened.level, sample, at, 0);
+      const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+      if (i > 1) least_ms[on_device] = std::min(least_ms[on_device], taken.count());
+    }
+  }
+  fmt::print(
+      "another hour takes {:.2f} ms by the processor, {:.2f} ms by the device; {:.1f} and {:.1f} MB of its memory\n",
+      least_ms[0], least_ms[1], 1e-6 * static_cast<double>(bytes[0]), 1e-6 * static_cast<double>(bytes[1]));
+}
+
 void run(const geometry::Surfaces& surfaces, const Number3& eye, const render::Camera& camera, int runs) {
   const tests::RandomLevel baked = tests::bakedLevel(surfaces);
   tests::OpenedLevel opened(baked);
@@ -76,6 +100,7 @@ void run(const geometry::Surfaces& surfaces, const Number3& eye, const render::C
   const float at[3] = {static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)};
   const WelkinVolumeUpdate update = v.update(device, opened.level, sample, at, 0);
   printFill(opened, sample, at);
+  printRelight(device, opened, at);
   const std::vector<float> pixels = pixelsOf(surfaces, eye, camera);
   const std::size_t outputs = pixels.size() / 2;
   const VkDescriptorSetLayout layout = welkin_vulkan_volume_descriptor_set_layout(v.textures);

@@ -9,10 +9,10 @@
 namespace welkin::tests {
 namespace {
 
-constexpr uint32_t kSize = 8;
+constexpr uint32_t kEdge = 8;
 constexpr VkFormat kDepthFormat = VK_FORMAT_D16_UNORM;  // every device can draw into it
 
-/// An attachment of kSize x kSize with its own memory.
+/// An attachment of kEdge x kEdge with its own memory.
 class Attachment {
  public:
   Attachment(const render::VulkanDevice& device, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect,
@@ -22,7 +22,7 @@ class Attachment {
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = format;
-    info.extent = {kSize, kSize, 1};
+    info.extent = {kEdge, kEdge, 1};
     info.mipLevels = 1;
     info.arrayLayers = 1;
     info.samples = samples;
@@ -107,7 +107,7 @@ float drawnAlpha(render::VulkanDevice& device, const Sky& sky, VkCompareOp compa
                             VK_IMAGE_ASPECT_COLOR_BIT, VK_SAMPLE_COUNT_1_BIT);
   const Attachment depths(device, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_ASPECT_DEPTH_BIT,
                           VK_SAMPLE_COUNT_4_BIT);
-  const render::Buffer readback(device, VkDeviceSize{16} * kSize * kSize, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  const render::Buffer readback(device, VkDeviceSize{16} * kEdge * kEdge, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   device.execute([&](VkCommandBuffer commands) {
     CHECK(welkin_vulkan_record_upload(object, commands) == WELKIN_OK);
     colour.transition(commands, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -131,13 +131,13 @@ float drawnAlpha(render::VulkanDevice& device, const Sky& sky, VkCompareOp compa
     depth_info.clearValue.depthStencil.depth = 0.5F;
     VkRenderingInfo rendering{};
     rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea.extent = {kSize, kSize};
+    rendering.renderArea.extent = {kEdge, kEdge};
     rendering.layerCount = 1;
     rendering.colorAttachmentCount = 1;
     rendering.pColorAttachments = &colours;
     rendering.pDepthAttachment = &depth_info;
     vkCmdBeginRendering(commands, &rendering);
-    const VkViewport viewport{0.0F, 0.0F, float{kSize}, float{kSize}, 0.0F, 1.0F};
+    const VkViewport viewport{0.0F, 0.0F, float{kEdge}, float{kEdge}, 0.0F, 1.0F};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
     CHECK(welkin_vulkan_draw_dome(object, commands, 0, &view) == WELKIN_OK);
@@ -145,11 +145,11 @@ float drawnAlpha(render::VulkanDevice& device, const Sky& sky, VkCompareOp compa
     resolved.transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {kSize, kSize, 1};
+    region.imageExtent = {kEdge, kEdge, 1};
     vkCmdCopyImageToBuffer(commands, resolved.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback.handle(), 1,
                            &region);
   });
-  const float alpha = readback.as<float>()[4 * (kSize / 2 * kSize + kSize / 2) + 3];
+  const float alpha = readback.as<float>()[4 * (kEdge / 2 * kEdge + kEdge / 2) + 3];
   welkin_vulkan_destroy(object);
   return alpha;
 }

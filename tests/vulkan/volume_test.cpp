@@ -14,8 +14,6 @@
 namespace welkin::tests {
 namespace {
 
-constexpr std::uint32_t kFrames = DeviceVolume::kFrames;
-
 std::vector<float> pointsAbout(const std::array<float, 3>& camera, std::mt19937& random) {
   const auto in = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
   std::vector<float> points;
@@ -71,8 +69,8 @@ TEST_CASE("VolumeOnTheDevice, ItLightsAsTheTexelsOnTheCpu", "[vulkan]") {
           welkin_sector_close(sector);
         }
         for (float& c : camera) c += std::uniform_real_distribution<float>(-7, 7)(random);
-        v.update(device, opened.level, sample, camera.data(), turn % kFrames, 24 * 8 * 6);
-        worst = std::max(worst, differenceOf(device, v, turn % kFrames, pointsAbout(camera, random)));
+        v.update(device, opened.level, sample, camera.data(), turn % DeviceVolume::kFrames, 24 * 8 * 6);
+        worst = std::max(worst, differenceOf(device, v, turn % DeviceVolume::kFrames, pointsAbout(camera, random)));
       }
       // lavapipe filters halfs in floats, and bytes with weights of 8 bits along each of three axes. The weights of the
       // four directions sum to 2 at most, and a random level's neighbours differ by all of the scale.
@@ -100,13 +98,14 @@ TEST_CASE("VolumeOnTheDevice, RefusesUpdatesThatAreNotItsOwn", "[vulkan]") {
       WelkinVolumeUpdate past = first;
       past.box[0].size[1] += 1;
       CHECK(welkin_vulkan_volume_record(v.textures, commands, 0, v.volume, &past) == WELKIN_ERROR_ARGUMENT);
-      CHECK(welkin_vulkan_volume_record(v.textures, commands, kFrames, v.volume, &first) == WELKIN_ERROR_ARGUMENT);
+      CHECK(welkin_vulkan_volume_record(v.textures, commands, DeviceVolume::kFrames, v.volume, &first) ==
+            WELKIN_ERROR_ARGUMENT);
       CHECK(welkin_vulkan_volume_record(v.textures, commands, 0, v.volume, &first) == WELKIN_OK);
     });
     WelkinVulkanMemory memory{};
     REQUIRE(welkin_vulkan_volume_memory(v.textures, &memory) == WELKIN_OK);
     CHECK(memory.images >= 3 * 24 * 8 * 20 * 8);
-    CHECK(welkin_vulkan_volume_descriptor_set(v.textures, kFrames) == VK_NULL_HANDLE);
+    CHECK(welkin_vulkan_volume_descriptor_set(v.textures, DeviceVolume::kFrames) == VK_NULL_HANDLE);
     CHECK(welkin_vulkan_volume_descriptor_set_layout(nullptr) == VK_NULL_HANDLE);
   }
   CHECK(device.messageCount() == 0);

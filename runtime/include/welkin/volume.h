@@ -30,7 +30,11 @@ typedef struct WelkinVolume WelkinVolume;
 
 typedef enum WelkinVolumeFormat {
   WELKIN_VOLUME_RGBA16F = 0, /* half floats: VK_FORMAT_R16G16B16A16_SFLOAT, 8 bytes */
-  WELKIN_VOLUME_RGBA8 = 1 /* VK_FORMAT_R8G8B8A8_UNORM, 4 bytes, over a scale of all texels; light below 0 becomes 0 */
+  WELKIN_VOLUME_RGBA8 = 1, /* VK_FORMAT_R8G8B8A8_UNORM, 4 bytes, over a scale of all texels; light below 0 becomes 0 */
+  /* The device relights the probes and fills textures of half floats: welkin_vulkan_volume_record does it, and no call
+   * of welkin_level_relight is needed for it. The processor keeps one word for each texel, which probe lights it. So
+   * a change of the light costs it nothing, and all texels show the newest light. */
+  WELKIN_VOLUME_DEVICE = 2
 } WelkinVolumeFormat;
 
 /* Zero-initialise it for the defaults. */
@@ -86,7 +90,7 @@ WELKIN_API WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* 
 WELKIN_API WelkinResult welkin_volume_extent(const WelkinVolume* volume, uint32_t extent[3]);
 
 /* The texels of channel 0, 1 or 2 (red, green, blue): x, then y, then z; 4 or 8 bytes each. They live as long as the
- * volume, and welkin_volume_update alone changes them. */
+ * volume, and welkin_volume_update alone changes them. WELKIN_ERROR_ARGUMENT for WELKIN_VOLUME_DEVICE. */
 WELKIN_API WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_t channel, const void** texels,
                                              size_t* bytes);
 
@@ -101,7 +105,8 @@ WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, stru
 
 /* Irradiance of a surface as the shader computes it from the volume, for tests and tools. `inside` becomes the share of
  * the volume in [0, 1]: 1 near the camera, falling over two texels to 0 at half the volume's width from it, less the
- * push and a texel and a half. The rest is the caller's light beyond. Both are filled; `inside` may be null. */
+ * push and a texel and a half. The rest is the caller's light beyond. Both are filled; `inside` may be null.
+ * WELKIN_ERROR_ARGUMENT for WELKIN_VOLUME_DEVICE. */
 WELKIN_API WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float position[3],
                                                  const float normal[3], float irradiance[3], float* inside);
 

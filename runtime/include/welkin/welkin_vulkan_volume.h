@@ -23,7 +23,8 @@ typedef struct WelkinVulkanVolume WelkinVulkanVolume;
 
 /* Creates the textures for a volume. `info` is that of the sky; the formats of the dome's attachments and the caller's
  * images do not matter here. Three allocations: the textures, the buffer of cells along walls, and staging of
- * frames_in_flight times the volume's size.
+ * frames_in_flight times the volume's size. WELKIN_VOLUME_DEVICE needs three more: the probes of the sectors about the
+ * volume, their light, and staging of frames_in_flight times the probes.
  * On an error *out is null. WELKIN_ERROR_ARGUMENT, WELKIN_ERROR_MEMORY or WELKIN_ERROR_DEVICE. */
 WELKIN_API WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, const WelkinVolume* volume,
                                                     WelkinVulkanVolume** out, WelkinMessage* message);
@@ -32,6 +33,9 @@ WELKIN_API WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo
 WELKIN_API void welkin_vulkan_volume_destroy(WelkinVulkanVolume* object);
 
 /* Records the copy of the boxes and words that an update changed, and writes the constants of frame index `frame`.
+ * For WELKIN_VOLUME_DEVICE it also copies sectors that are new, and records two compute passes: one relights all probes
+ * about the volume, the other fills all texels. It records neither where nothing changed. No function of the level may
+ * run between welkin_volume_update and this call.
  * Every update of the volume is recorded once, in order; the first must fill the whole volume, as an update of a new
  * volume does. No command buffer of this frame index may be running. All earlier reads of the textures on this queue
  * end before the copy, and fragment and compute shaders after it see the new texels. */

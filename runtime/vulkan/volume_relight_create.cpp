@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Buffers, sets and pipelines of the passes that relight and fill a volume.
+#include <algorithm>
+#include <cstdint>
+#include <new>
+
+#include "passes/volume_relight.h"
+#include "spirv/kVolumeFill.h"
+#include "spirv/kVolumeRelight.h"
+#include "vulkan/volume_relight.h"
+
+namespace welkin::vulkan {
+namespace {
+
+constexpr uint32_t kBindingCount = 5;
+constexpr VkDescriptorPoolSize kRelightBound[kBindingCount] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1},
+                                                               {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1},
+                                                               {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1},
+                                                               {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 1},
+                                                               {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 3}};
+
+WelkinResult createBuffers(const Device& device, uint32_t frames, VolumeRelight& o, WelkinMessage* message) {
+  const VkDeviceSize slots = VkDeviceSize{o.slots} * 4 * WELKIN_SLOT_WORDS;
+  const VkDeviceSize alignment = std::max<VkDeviceSize>(device.properties.limits.minStorageBufferOffsetAlignment, 16);
+  const auto round = [&](VkDeviceSize bytes) { return (bytes + alignment - 1) / alignment * alignment; };
+  o.light_bytes = round(sizeof(passes::VolumeLight) + o.slots * sizeof(passes::SlotLight));
+  o.frame_bytes = round(o.light_bytes + slots);
+  if (const auto r = createMapped(device, o.frame_bytes * frames,
+                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                  "welkin volume relight staging", o.staging, message))
+    return r;
+  if (const auto r = createLocal(device, slots, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                 "welkin volume probes", o.probes, message))
+    return r;
+  return createLocal(device, VkDeviceSize{o.slots} * WELKIN_SLOT_PROBES * sizeof(float) * probes::kColours,
+                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "welkin volume relit", o.relit, message);
+}
+
+WelkinResult createSets(const Device& device, uint32_t frames, VolumeRelight& o, WelkinMessage* message) {
+  VkDescriptorSetLayoutBinding bindings[kBindingCount] = {};
+  VkDescriptorPoolSize sizes[kBindingCount];
+  for (uint32_t i = 0; i < kBindingCount; ++i) {
+    bindings[i].binding = i;
+    bindings[i].descriptorType = kRelightBound[i].type;
+    bindings[i].descriptorCount = kRelightBound[i].descriptorCount;
+    bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+    sizes[i] = {kRelightBound[i].type, kRelightBound[i].descriptorCount * frames};
+  }
+  VkDescriptorSetLayoutCreateInfo layout{};
+  layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  layout.bindingCount = kBindingCount;
+  layout.pBindings = bindings;
+  if (const auto r = check(device.fn.CreateDescriptorSetLayout(device.handle, &layout, device.allocator, &o.layout),
+                           "vkCreateDescriptorSetLayout", message))
+    return r;
+  VkDescriptorPoolCreateInfo pool{};
+  pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  pool.maxSets = frames;
+  pool.poolSizeCount = kBindingCount;
+  pool.pPoolSizes = sizes;
+  if (const auto r = check(device.fn.CreateDescriptorPool(device.handle, &pool, device.allocator, &o.pool),
+                           "vkCreateDescriptorPool", message))
+    return r;
+  VkDescriptorSetLayout layouts[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT];
+  std::fill_n(layouts, frames, o.layout);
+  VkDescriptorSetAllocateInfo sets{};
+  sets.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+  sets.descriptorPool = o.pool;
+  sets.descriptorSetCount = frames;
+  sets.pSetLayouts = layouts;
+  return check(device.fn.AllocateDescriptorSets(device.handle, &sets, o.sets), "vkAllocateDescriptorSets", message);
+}
+
+void writeSets(const Device& device, const RelightImages& images, uint32_t frames, const VolumeRelight& o) {
+  const VkDescriptorImageInfo words{VK_NULL_HANDLE, images.words, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  VkDescriptorImageInfo texels[3];
+  for (int c = 0; c < 3; ++c) texels[c] = {VK_NULL_HANDLE, images.texel_views[c], VK_IMAGE_LAYOUT_GENERAL};
+  for (uint32_t frame = 0; frame < frames; ++frame) {
+    const VkDescriptorBufferInfo buffers[3] = {{o.staging.buffer, frame * o.frame_bytes, o.light_bytes},
+                                               {o.probes.buffer, 0, VK_WHOLE_SIZE},
+                                               {o.relit.buffer, 0, VK_WHOLE_SIZE}};
+    VkWriteDescriptorSet writes[kBindingCount] = {};
+    for (uint32_t i = 0; i < kBindingCount; ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = o.sets[frame];
+      writes[i].dstBinding = i;
+      writes[i].descriptorCount = kRelightBound[i].descriptorCount;
+      writes[i].descriptorType = kRelightBound[i].type;
+      if (i < 3) writes[i].pBufferInfo = &buffers[i];
+    }
+    writes[3].pImageInfo = &words;
+    writes[4].pImageInfo = texels;
+    device.fn.UpdateDescriptorSets(device.handle, kBindingCount, writes, 0, nullptr);
+  }
+}
+
+WelkinResult createPipeline(const Device& device, const uint32_t* words, size_t bytes, VkPipelineCache cache,
+                            const char* name, VkPipelineLayout layout, VkPipeline& pipeline, WelkinMessage* message) {
+  VkShaderModuleCreateInfo code{};
+  code.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  code.codeSize = bytes;
+  code.pCode = words;
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.pName = "main";
+  info.layout = layout;
+  if (const auto r = check(device.fn.CreateShaderModule(device.handle, &code, device.allocator, &info.stage.module),
+                           "vkCreateShaderModule", message))
+    return r;
+  const VkResult result = device.fn.CreateComputePipelines(device.handle, cache, 1, &info, device.allocator, &pipeline);
+  device.fn.DestroyShaderModule(device.handle, info.stage.module, device.allocator);
+  if (const auto r = check(result, "vkCreateComputePipelines", message)) return r;
+  device.name(VK_OBJECT_TYPE_PIPELINE, pipeline, name);
+  return WELKIN_OK;
+}
+
+}  // namespace
+
+WelkinResult createRelight(const Device& device, const WelkinVolume& volume, const RelightImages& images,
+                           uint32_t frames, VkPipelineCache cache, VolumeRelight& o, WelkinMessage* message) {
+  o.slots = volume.slots[0] * volume.slots[1];
+  o.slot = new (std::nothrow) RelightSlot[2 * o.slots];
+  if (o.slot == nullptr) return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
+  if (const auto r = createBuffers(device, frames, o, message)) return r;
+  if (const auto r = createSets(device, frames, o, message)) return r;
+  writeSets(device, images, frames, o);
+  VkPipelineLayoutCreateInfo layout{};
+  layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  layout.setLayoutCount = 1;
+  layout.pSetLayouts = &o.layout;
+  if (const auto r = check(device.fn.CreatePipelineLayout(device.handle, &layout, device.allocator, &o.pipeline_layout),
+                           "vkCreatePipelineLayout", message))
+    return r;
+  if (const auto r = createPipeline(device, kVolumeRelight, sizeof kVolumeRelight, cache, "welkin volume relight",
+                                    o.pipeline_layout, o.pipelines[0], message))
+    return r;
+  return createPipeline(device, kVolumeFill, sizeof kVolumeFill, cache, "welkin volume fill", o.pipeline_layout,
+                        o.pipelines[1], message);
+}
+
+void destroy(const Device& device, VolumeRelight& o) {
+  for (VkPipeline pipeline : o.pipelines) device.fn.DestroyPipeline(device.handle, pipeline, device.allocator);
+  device.fn.DestroyPipelineLayout(device.handle, o.pipeline_layout, device.allocator);
+  device.fn.DestroyDescriptorPool(device.handle, o.pool, device.allocator);
+  device.fn.DestroyDescriptorSetLayout(device.handle, o.layout, device.allocator);
+  destroy(device, o.staging);
+  destroy(device, o.probes);
+  destroy(device, o.relit);
+  delete[] o.slot;
+  o = {};
+}
+
+}  // namespace welkin::vulkan
