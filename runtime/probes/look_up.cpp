@@ -2,6 +2,7 @@
 #include "probes/look_up.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "format/domain_check.h"
 
@@ -116,23 +117,31 @@ struct OpenBox {
 bool openProbes(const WelkinSector& sector, const format::InWorld& place, PointProbes& out) {
   if (sector.file->room() != nullptr) return false;
   const format::InWorld p = inCells(sector, place);
-  const OpenBox box(sector, {p[0] - 0.5, p[1] - 0.5, p[2] - 0.5}, {p[0] + 0.5, p[1] + 0.5, p[2] + 0.5});
-  if (!box.is_open) return false;
-  double share[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) share[axis] = p[axis] - 0.5 - box.first[axis];
-  double weight[8], total = 0.0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const int dx = i & 1, dy = i >> 1 & 1, dz = i >> 2;
-    if (dx >= box.count[0] || dy >= box.count[1] || dz >= box.count[2]) continue;  // its share is 0
-    const int cell = box.first[0] + dx + 16 * (box.first[1] + dy + 16 * (box.first[2] + dz));
-    const std::uint8_t probe = sector.grid.grid[static_cast<std::size_t>(cell)];
-    const double w = (dx != 0 ? share[0] : 1.0 - share[0]) * (dy != 0 ? share[1] : 1.0 - share[1]) *
-                     (dz != 0 ? share[2] : 1.0 - share[2]);
-    if (probe == format::kNoProbe || !(w > 0.0)) continue;
-    total += weight[out.count] = w;
-    out.share[out.count++].light = sector.light.get() + kColours * probe;
+  int first[3];
+  double share[3][2];  // axis; of the first cell and of the second
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = p[axis] - 0.5;
+    if (!(low >= 0.0 && low < format::kCellsAcross - 1)) return false;
+    first[axis] = static_cast<int>(low);
+    share[axis][1] = low - first[axis];
+    share[axis][0] = 1.0 - share[axis][1];
   }
-  for (std::size_t i = 0; i < out.count; ++i) out.share[i].weight = static_cast<float>(weight[i] / total);
+  const int corner = first[0] + 16 * (first[1] + 16 * first[2]);
+  double weight[8], total = 0.0;
+  std::size_t count = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const unsigned dx = i & 1, dy = i >> 1 & 1, dz = i >> 2;
+    const auto cell = static_cast<unsigned>(corner) + dx + 16 * (dy + 16 * dz);
+    if (sector.cut.get() != nullptr && (sector.cut.get()[cell / 64] >> (cell % 64) & 1) != 0) return false;
+    const std::uint8_t probe = sector.grid.grid[cell];
+    if (probe == format::kNoProbe) continue;
+    total += weight[count] = share[0][dx] * share[1][dy] * share[2][dz];
+    out.share[count++].light = sector.light.get() + kColours * probe;
+  }
+  if (!(total > 0.0)) return true;
+  const double inverse = 1.0 / total;
+  out.count = count;
+  for (std::size_t i = 0; i < out.count; ++i) out.share[i].weight = static_cast<float>(weight[i] * inverse);
   return true;
 }
 
@@ -181,9 +190,14 @@ PointProbes probesFor(const WelkinLevel& level, const format::InWorld& p) {
 }
 
 void addLight(const PointProbes& probes, float* out) {
-  for (std::size_t i = 0; i < kColours; ++i) out[i] = 0.0F;
-  for (std::size_t s = 0; s < probes.count; ++s)
-    for (std::size_t i = 0; i < kColours; ++i) out[i] += probes.share[s].weight * probes.share[s].light[i];
+  using Directions [[gnu::vector_size(kDirections * sizeof(float))]] = float;
+  Directions sum[kChannels] = {};
+  for (std::size_t s = 0; s < probes.count; ++s) {
+    Directions light[kChannels];
+    std::memcpy(light, probes.share[s].light, sizeof light);
+    for (std::size_t c = 0; c < kChannels; ++c) sum[c] += probes.share[s].weight * light[c];
+  }
+  std::memcpy(out, sum, sizeof sum);
 }
 
 }  // namespace welkin::probes
