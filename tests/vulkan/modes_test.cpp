@@ -160,6 +160,41 @@ TEST_CASE("VulkanModes, DenormalYIsOnEitherSideOfTheHorizon", "[vulkan]") {
   CHECK(device.messageCount() == 0);
 }
 
+TEST_CASE("VulkanModes, ABlendOfAFamilyIsTheSumOfItsSkies", "[vulkan]") {
+  const std::vector<Vector> directions = modeNormals();
+  render::VulkanDevice device(true);
+  const auto clear_bytes = testSkyFile({.mode_count = 5}), storm_bytes = testSkyFile({.mode_count = 5, .day = 3});
+  const Sky clear = openTestSky(clear_bytes), storm = openTestSky(storm_bytes);
+  {
+    const SkyObject object(device, clear, createInfo(device, 1));
+    WelkinSkySample first{}, second{}, blended{};
+    REQUIRE(clear.sample(12.2, first));
+    REQUIRE(storm.sample(12.2, second));
+    REQUIRE(first.mode_family == second.mode_family);
+    for (const float weight : {0.0F, 0.3F, 1.0F}) {
+      REQUIRE(welkin_sample_blend(&first, &second, weight, &blended) == WELKIN_OK);
+      REQUIRE(blended.mode_count == 5);
+      REQUIRE(welkin_vulkan_update(object.get(), 0, &first) == WELKIN_OK);
+      REQUIRE(welkin_vulkan_update_ambient(object.get(), 0, &blended) == WELKIN_OK);
+      const auto results = shade(device, kModesComp, object.get(), directions);
+      double worst = 0.0, largest = 0.0, between = 0.0;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const Vector a = expectedOf(clear, first, directions[i]), b = expectedOf(storm, second, directions[i]);
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double e = (1.0 - double{weight}) * double{a[c]} + double{weight} * double{b[c]};
+          largest = std::max(largest, e);
+          worst = std::max(worst, std::abs(double{results[8 * i + c]} - e));
+          between = std::max(between, std::abs(double{a[c]} - double{b[c]}));
+        }
+      }
+      INFO("weight " << weight);
+      CHECK(worst < 2.0 * tolerance(device) * largest);  // the two skies' own floats, too
+      CHECK(between > 0.1 * largest);
+    }
+  }
+  CHECK(device.messageCount() == 0);
+}
+
 TEST_CASE("VulkanModes, WithoutModesTheFirstTwoBandsAreShown", "[vulkan]") {
   const std::vector<Vector> directions = modeNormals();
   render::VulkanDevice device(true);

@@ -76,15 +76,17 @@ Offset<format::Modes> modes(FlatBufferBuilder& builder, std::mt19937& random, ui
 }
 
 /// Three keys of 15 coefficients and the horizontal irradiance, or of the weights of modes.
-Offset<format::Day> day(FlatBufferBuilder& builder, std::mt19937& random, uint8_t mode_count) {
+Offset<format::Day> day(FlatBufferBuilder& builder, std::mt19937& random, uint8_t mode_count, unsigned seed) {
   const std::vector<double> key_time_h{1.0, 9.0, 16.0};
   const uint8_t rows = mode_count > 0 ? mode_count : 16;
   std::uniform_real_distribution<float> uniform(-0.3F, 0.3F);
+  std::mt19937 of_day(seed);
   std::vector<float> numbers;
   for (std::size_t i = 0; i < key_time_h.size() * rows * 3; ++i) {
     const std::size_t row = i / 3 % rows;
     const float middle = mode_count > 0 ? (row == 0 ? 1.0F : 0.0F) : row == 0 ? 2.0F : row == 15 ? 1.5F : 0.0F;
-    numbers.push_back(middle + uniform(random));
+    const float usual = uniform(random), own = uniform(of_day);
+    numbers.push_back(middle + (seed == 0 ? usual : own));
   }
   std::vector<uint8_t> bytes(numbers.size() * sizeof(float));
   std::memcpy(bytes.data(), numbers.data(), bytes.size());
@@ -101,7 +103,7 @@ std::vector<std::byte> testSkyFile(const TestSkyOptions& options) {
   FlatBufferBuilder builder;
   const format::Luminance luminance(-1.0, -0.08, 24.0, -3.0, 0.3, 0.0, options.normalise_to_sun ? 1 : 0);
   const format::Rgb ground_albedo(0.2F, 0.3F, 0.1F);
-  const auto day_table = day(builder, random, options.mode_count);
+  const auto day_table = day(builder, random, options.mode_count, options.day);
   std::vector<Offset<format::Cubemap>> cubemaps;
   if (options.cubemaps)
     for (const double time_h : {3.0, 11.0, 20.0})

@@ -17,6 +17,7 @@ struct TestSkyOptions {
   double disc_radius_rad = 0.0;
   format::CubemapFormat cubemap_format = format::CubemapFormat::rgba16f;
   uint8_t mode_count = 0;  ///< 1 to 8: the day's numbers are weights of modes of noise
+  unsigned day = 0;        ///< skies that differ in this alone are of one family
 };
 
 /// Edge of the test sky's cubemaps, texels.
