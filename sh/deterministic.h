@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared formulas in double with the same bits on every x86-64 machine. Bakes use them: namespace welkin::det.
-// The C++ library picks its functions by processor; SLEEF's "cinz" functions are bit-identical everywhere (Shibata and
-// Petrogalli, "SLEEF: A Portable Vectorized Library of C Standard Mathematical Functions", 2020), within 1 ulp. The
-// rest is IEEE arithmetic, which -ffp-contract=off keeps unfused. This file asserts the other demands on the compiler;
-// sh/arithmetic.h checks the running process.
+// The shared formulas in double with the same bits on every x86-64 and ARM64 machine. Bakes use them: namespace
+// welkin::det. The C++ library picks its functions by processor; SLEEF's "cinz" functions are bit-identical everywhere
+// (Shibata and Petrogalli, "SLEEF: A Portable Vectorized Library of C Standard Mathematical Functions", 2020), within 1
+// ulp. The rest is IEEE arithmetic, which -ffp-contract=off keeps unfused. This file asserts the other demands on the
+// compiler; sh/arithmetic.h checks the running process.
 #pragma once
 
-#include <emmintrin.h>
 #include <sleef.h>
 
 #include <cfloat>
 #include <cmath>
 #include <limits>
+
+#if defined(__aarch64__)
+#include <arm_neon.h>
+#else
+#include <emmintrin.h>
+#endif
 
 #include "shared.h"
 
@@ -61,6 +66,15 @@ inline Number atan(Number y, Number x) {
 #include "formulas.glsl"  // NOLINT(bugprone-suspicious-include)
 
 /// Two numbers side by side. + - * / act on both, and give the same bits as they do on each number alone.
+#if defined(__aarch64__)
+using Number2 = float64x2_t;
+inline Number2 sqrt(Number2 x) {
+  return vsqrtq_f64(x);
+}
+inline Number2 atan(Number2 y, Number2 x) {
+  return Sleef_cinz_atan2d2_u10advsimdnofma(y, x);
+}
+#else
 using Number2 = __m128d;
 inline Number2 sqrt(Number2 x) {
   return _mm_sqrt_pd(x);
@@ -68,6 +82,7 @@ inline Number2 sqrt(Number2 x) {
 inline Number2 atan(Number2 y, Number2 x) {
   return Sleef_cinz_atan2d2_u10sse2(y, x);
 }
+#endif
 }  // namespace welkin::det
 
 #undef SCALED

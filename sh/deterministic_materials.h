@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared formulas of materials in double with the same bits on every x86-64 machine, beside sh/deterministic.h's.
+// The shared formulas of materials in double with the same bits on every machine, beside sh/deterministic.h's.
 #pragma once
 
 #include "sh/deterministic.h"

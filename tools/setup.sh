@@ -47,6 +47,23 @@ if [ "${1-}" = --tests ] && [ ! -x "$slurm/usr/sbin/slurmctld-wlm" ]; then
   fi
 fi
 
+# Where a compiler for ARM64 is, also its libraries that a bake of a sky links. They are unpacked and not installed, beside
+# the machine's own of the same names.
+arm64="$(dirname "$0")/../build/arm64_packages"
+if [ "${1-}" = --tests ] && command -v aarch64-linux-gnu-g++ >/dev/null && [ ! -e "$arm64/usr/include/aarch64-linux-gnu/sleef.h" ]; then
+  mkdir -p "$arm64/lists/partial" "$arm64/cache"
+  apt() {
+    timeout 120 apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o "Dir::State::Lists=$arm64/lists" \
+      -o "Dir::Cache=$arm64/cache" "$@" >/dev/null 2>&1
+  }
+  arm64="$(cd "$arm64" && pwd)"
+  if ! (cd "$arm64" && apt update && apt download libsleef3 libsleef-dev libtbb12 libfmt9 libxxhash0 libopenexr-3-1-30 libimath-3-1-29 zlib1g \
+      && for package in *.deb; do dpkg -x "$package" . && rm "$package"; done && rm -rf lists cache); then
+    rm -rf "$arm64"
+    echo "setup: the libraries of ARM64 cannot be had: cross.arm64.same_bytes will be skipped"
+  fi
+fi
+
 # Readers by someone else, for the tests: of KTX2, and of WGSL (Dawn, of which the other systems' programs go again).
 fetch() {  # fetch FOLDER PACKAGE VERSION: by npm into build/FOLDER, once
   folder="$(dirname "$0")/../build/$1"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bakes and plans two skies and projects pictures with 1, 2 and 8 threads, and prints a checksum of every product. The
-// lines are the same from any compiler, at any optimisation, on any x86-64 processor. With a file as argument, it
-// compares them with that file.
+// lines are the same from any compiler, at any optimisation, on any x86-64 or ARM64 processor.
+//   same_bytes [FILE [THREADS]]      FILE: compares the lines with this file; THREADS: only with so many threads
 #include <tbb/global_control.h>
 #include <xxhash.h>
 
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -214,16 +215,16 @@ bool same(const std::string& got, const std::string& want, const char* of) {
   return false;
 }
 
-int run(const char* golden) {
+int run(const char* golden, const std::vector<std::size_t>& threads) {
   if (const char* why = sh::whyArithmeticDiffers()) return std::fprintf(stderr, "%s\n", why), 1;
-  const Products one = make(1);
+  const Products first = make(threads.front());
   bool good = true;
-  for (const std::size_t threads : {2, 8}) {
-    const Products more = make(threads);
-    const std::string name = std::to_string(threads) + " threads and 1";
-    good = same(more.lines, one.lines, name.c_str()) && same(more.others, one.others, name.c_str()) && good;
+  for (std::size_t i = 1; i < threads.size(); ++i) {
+    const Products more = make(threads[i]);
+    const std::string name = std::to_string(threads[i]) + " threads and " + std::to_string(threads.front());
+    good = same(more.lines, first.lines, name.c_str()) && same(more.others, first.others, name.c_str()) && good;
   }
-  const std::string text = kHeader + one.lines;
+  const std::string text = kHeader + first.lines;
   std::fputs(text.c_str(), stdout);
   if (golden != nullptr) {
     std::ifstream file(golden);
@@ -236,5 +237,7 @@ int run(const char* golden) {
 }  // namespace welkin::tests
 
 int main(int argc, char** argv) {
-  return welkin::tests::run(argc > 1 ? argv[1] : nullptr);
+  const long threads = argc > 2 ? std::strtol(argv[2], nullptr, 10) : 0;
+  return welkin::tests::run(argc > 1 ? argv[1] : nullptr, threads > 0 ? std::vector{static_cast<std::size_t>(threads)}
+                                                                      : std::vector<std::size_t>{1, 2, 8});
 }
