@@ -68,13 +68,15 @@ static void describe(const WelkinSky* sky) {
          (unsigned)*(const unsigned char*)cubemap.value.texels);
   stars.value.struct_size = sizeof stars.value;
   CALL(stars, welkin_sky_stars(sky, &stars.value));
-  printf("stars %u %u %a\n", (unsigned)stars.value.width, (unsigned)stars.value.height, stars.value.midnight_h);
+  printf("stars %u %u %a, first byte %u\n", (unsigned)stars.value.width, (unsigned)stars.value.height,
+         stars.value.midnight_h, (unsigned)(stars.value.rgba8 != NULL ? *stars.value.rgba8 : 0));
   floats("stars", &stars.value.intensity, 1);
   floats("latitude_rad", &stars.value.latitude_rad, 1);
   floats("north_offset_rad", &stars.value.north_offset_rad, 1);
   modes.value.struct_size = sizeof modes.value;
   CALL(modes, welkin_sky_modes(sky, &modes.value));
-  printf("modes %u %u %u\n", (unsigned)modes.value.count, (unsigned)modes.value.columns, (unsigned)modes.value.rows);
+  printf("modes %u %u %u, first texel %u\n", (unsigned)modes.value.count, (unsigned)modes.value.columns,
+         (unsigned)modes.value.rows, (unsigned)(modes.value.texels != NULL ? *modes.value.texels : 0));
   certificate.value.struct_size = sizeof certificate.value;
   CALL(certificate, welkin_sky_certificate(sky, &certificate.value));
   printf("certificate %u %a %a %a %a %a %u %a %a %a %a %a %a %a %a %a %a %a\n", (unsigned)certificate.value.method,
@@ -130,6 +132,58 @@ static void evaluate(const WelkinSky* sky) {
   floats("stars", rgb.value, 3);
 }
 
+/* What the game's functions were called with. */
+static struct { unsigned allocations, frees, lines; } called;
+
+static void* allocate(void* user, size_t bytes, size_t alignment) {
+  if (user != &called || bytes == 0 || alignment == 0 || alignment > sizeof(void*) * 2) fail("allocate");
+  ++called.allocations;
+  return malloc(bytes);
+}
+
+static void release(void* user, void* address, size_t bytes) {
+  if (user != &called || bytes == 0) fail("free");
+  ++called.frees;
+  free(address);
+}
+
+static void note(void* user, WelkinLogLevel level, const char* text) {
+  if (user != &called) fail("write");
+  printf("log %d of %lu characters\n", (int)level, (unsigned long)strlen(text));
+  ++called.lines;
+}
+
+/* Opens a copy of a file in memory with the game's functions, and a part of it, which is refused. */
+static void openMemory(const char* path) {
+  static unsigned char bytes[1 << 20];
+  static WelkinAllocator allocator;
+  static WelkinLog log;
+  static WelkinOpenInfo info;
+  WelkinSky* sky = NULL;
+  WelkinMessage message;
+  FILE* stream = fopen(path, "rb");
+  if (stream == NULL) fail(path);
+  info.struct_size = sizeof info;
+  info.data = bytes;
+  info.size = fread(bytes, 1, sizeof bytes, stream);
+  fclose(stream);
+  info.flags = WELKIN_OPEN_COPY;
+  info.allocator = &allocator;
+  info.log = &log;
+  allocator.struct_size = sizeof allocator;
+  allocator.user = &called;
+  allocator.allocate = allocate;
+  allocator.free = release;
+  log.struct_size = sizeof log;
+  log.user = &called;
+  log.write = note;
+  if (welkin_sky_open(&info, &sky, &message) != WELKIN_OK) fail(message.text);
+  memset(bytes, 0, 64);
+  welkin_sky_close(sky);
+  if (welkin_sky_open(&info, &sky, &message) == WELKIN_OK) fail("zeros open");
+  if (called.allocations == 0 || called.allocations != called.frees || called.lines == 0) fail("the game's functions");
+}
+
 int main(int argc, char** argv) {
   WelkinOpenInfo info;
   WelkinSky* sky = NULL;
@@ -149,5 +203,6 @@ int main(int argc, char** argv) {
   if (welkin_sky_settings(sky, &settings) != WELKIN_OK || welkin_sky_key_time(sky, 0, &hour) != WELKIN_OK) fail("text");
   printf("settings of %lu bytes, first key at %a h\n", (unsigned long)strlen(settings), hour);
   welkin_sky_close(sky);
+  openMemory(argv[1]);
   return 0;
 }

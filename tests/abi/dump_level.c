@@ -54,6 +54,36 @@ static void relight(WelkinLevel* level, const WelkinSkySample* sample) {
   printf("relit %u, remaining %u\n", (unsigned)result.value.relit, (unsigned)result.value.remaining);
 }
 
+/* All lights but the one of `user` see everything. */
+static int sees(void* user, const float from[3], const float to[3]) {
+  (void)from;
+  return to[0] != ((const WelkinPointLight*)user)->position[0];
+}
+
+/* A lamp, a spot and a lamp that nothing sees. */
+static void lamps(WelkinLevel* level) {
+  static WelkinPointLight light[3];
+  GUARDED(WelkinLightsResult) result;
+  int i;
+  for (i = 0; i < 3; ++i) {
+    light[i].position[0] = 20.0F + 3.0F * (float)i;
+    light[i].position[1] = 2.5F;
+    light[i].position[2] = 30.0F;
+    light[i].intensity[0] = 50.0F;
+    light[i].intensity[1] = 20.0F * (float)i;
+    light[i].intensity[2] = 10.0F;
+  }
+  light[1].direction[1] = -1.0F;
+  light[1].inner_rad = 0.3F;
+  light[1].outer_rad = 0.8F;
+  light[1].revision = 7;
+  result.value.struct_size = sizeof result.value;
+  CALL(result, welkin_level_set_lights(level, 3, light, sees, &light[2], &result.value));
+  printf("lamps: %u unseen, %u shared, %u sectors, %u probes\n", (unsigned)result.value.unseen,
+         (unsigned)result.value.shared, (unsigned)result.value.sectors, (unsigned)result.value.probes);
+  if (result.value.probes == 0) fail("the lamps light no probe");
+}
+
 static void lookUp(const WelkinLevel* level) {
   static const float position[2][3] = {{20.5F, 1.0F, 30.25F}, {45.0F, 7.5F, 9.0F}};
   static const float normal[2][3] = {{0.0F, 1.0F, 0.0F}, {0.6F, 0.0F, -0.8F}};
@@ -103,6 +133,11 @@ static void fill(WelkinLevel* level, const WelkinSkySample* sample, WelkinVolume
   const void* texels = NULL;
   size_t bytes = 0, i;
   unsigned sum = 0;
+  struct {
+    unsigned char before[GUARDS];
+    uint32_t value[3];
+    unsigned char after[GUARDS];
+  } extent;
   float inside = -1.0F;
   settings.struct_size = sizeof settings;
   settings.format = format;
@@ -119,6 +154,10 @@ static void fill(WelkinLevel* level, const WelkinSkySample* sample, WelkinVolume
   CALL(rgb, welkin_volume_irradiance(volume, camera, up, rgb.value, &inside));
   floats("volume irradiance", rgb.value, 3);
   floats("inside", &inside, 1);
+  CALL(extent, welkin_volume_extent(volume, extent.value));
+  if (welkin_volume_cuts(volume, &texels, &bytes) != WELKIN_OK) fail("volume_cuts");
+  printf("extent %u %u %u, cuts of %lu bytes\n", (unsigned)extent.value[0], (unsigned)extent.value[1],
+         (unsigned)extent.value[2], (unsigned long)bytes);
   if (welkin_volume_texels(volume, 1, &texels, &bytes) != WELKIN_OK) fail("volume_texels");
   for (i = 0; i < bytes; ++i) sum = 31 * sum + ((const unsigned char*)texels)[i];
   printf("texels of %lu bytes, hash %u\n", (unsigned long)bytes, sum);
@@ -151,6 +190,9 @@ int main(int argc, char** argv) {
   describe(level);
   sample.struct_size = sizeof sample;
   if (welkin_sky_sample(sky, 9.5, &sample) != WELKIN_OK) fail("sky_sample");
+  relight(level, &sample);
+  lookUp(level);
+  lamps(level);
   relight(level, &sample);
   lookUp(level);
   fill(level, &sample, WELKIN_VOLUME_RGBA16F);
