@@ -25,7 +25,7 @@ row() {
   eval "$("$welkin" render "$@" --compare --occlusion none 2>/dev/null | numbers)"
   without="$probes_rms, $probes_mean, $probes_worst"
   between="$frame_to_query_mean, $frame_to_query_rms, $frame_to_query_worst"
-  eval "$("$welkin" render "$@" --difference 2>/dev/null | numbers)"
+  eval "$("$welkin" render "$@" --difference --occlusion screen 2>/dev/null | numbers)"
   echo "| $name | $hour | $nothing_rms, $nothing_worst | $flat_rms, $flat_mean, $flat_worst |" \
     "$query_rms, $query_mean, $query_worst | $without | $probes_rms, $probes_mean, $probes_worst | $between | $tracer_noise |"
 }

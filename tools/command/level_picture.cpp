@@ -38,7 +38,7 @@ render::LevelOptions levelOptions(const RenderOptions& options, LevelLight light
   };
   return {.flat_light = light == LevelLight::flat,
           .tint = !options.no_tint,
-          .occlusion = parseOcclusion(options),
+          .occlusion = parseOcclusion(options, light),
           .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
           .direct = part == Component::all,
           .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}};

@@ -108,9 +108,10 @@ void addRender(CLI::App& app) {
                       "The part of a level's light: all, ambient (without sun, moon, lamps and emission), or of the "
                       "probes' light sky, sun-bounce or local; occlusion: the share of ambient light that is left, as "
                       "grey, without the sea");
-  command->add_option("--occlusion", options->occlusion,
-                      "What darkens a level's ambient light where surfaces are near: screen (default), by what the "
-                      "picture shows; none");
+  command->add_option(
+      "--occlusion", options->occlusion,
+      "What darkens a level's ambient light where surfaces are near: screen, by what the picture shows; "
+      "none. Default: none where probes light the level, which are fitted to its surfaces; else screen");
   command->add_option("--exposure", options->exposure, "auto, or stops: radiance is multiplied by 2^EV");
   command->add_option("--yaw", options->yaw_deg,
                       "Degrees clockwise from north; default: towards the sun or the moon, for the spheres 120 degrees "

@@ -78,8 +78,8 @@ Shown parseShown(const RenderOptions& options) {
                               : Shown::drawn;
 }
 
-bool parseOcclusion(const RenderOptions& options) {
-  if (options.occlusion.empty()) return true;
+bool parseOcclusion(const RenderOptions& options, LevelLight light) {
+  if (options.occlusion.empty()) return light != LevelLight::probes || parseComponent(options) == Component::occlusion;
   return choose<bool>("--occlusion", options.occlusion, {{"screen", true}, {"none", false}});
 }
 
@@ -129,7 +129,7 @@ void checkOptions(const RenderOptions& options) {
   const bool cubemap = parseSource(options) == WELKIN_VULKAN_CUBEMAP;
   parseSkyLight(options);
   const Component component = parseComponent(options);
-  parseOcclusion(options);
+  parseOcclusion(options, LevelLight::flat);
   parseExposure(options.exposure);
   parseSize(options.size, {});
   parseCamera(options);
@@ -151,7 +151,7 @@ void checkOptions(const RenderOptions& options) {
   if (!level && component != Component::all) refuse("--component: only a level has parts; give --level LEVEL.toml");
   if (!level && !options.occlusion.empty())
     refuse("--occlusion: only a level has surfaces that hide the sky; give --level LEVEL.toml");
-  if (component == Component::occlusion && !parseOcclusion(options))
+  if (component == Component::occlusion && !parseOcclusion(options, LevelLight::flat))
     refuse("--component occlusion: --occlusion none leaves it out");
   if (!level && !options.lights.text.empty()) refuse("--light: only a level has lamps; give --level LEVEL.toml");
   options.lights.lights();

@@ -34,7 +34,7 @@ struct RenderOptions {
   std::string
       sky_light;  ///< empty: both for the spheres; for a level its probes, or sh where `sky` is no level's folder
   std::string component;  ///< empty: all
-  std::string occlusion;  ///< of ambient light in a level; empty: screen
+  std::string occlusion;  ///< of ambient light in a level; empty: screen, but none where probes light it
   std::string exposure = "auto";
   std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
   std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
@@ -65,8 +65,9 @@ LevelLight parseLevelLight(const RenderOptions& options);
 Component parseComponent(const RenderOptions& options);
 /// What is shown. Throws Error(usage) where more than one thing is asked for.
 Shown parseShown(const RenderOptions& options);
-/// Whether occlusion in screen space darkens the level's ambient light.
-bool parseOcclusion(const RenderOptions& options);
+/// Whether occlusion in screen space darkens the level's ambient light of a kind. If nothing is asked for, it darkens
+/// light that knows no surfaces.
+bool parseOcclusion(const RenderOptions& options, LevelLight light);
 Size parseSize(const std::string& text, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);

@@ -34,7 +34,7 @@ std::string reasonOf(const Answer& a) {
   }
   if (a.nearest_probe_m > kFarProbe_m)
     return fmt::format("too few probes: the nearest that lights it is {:.1f} m away; add one", a.nearest_probe_m);
-  if (a.contact) return "contact: something is nearer than the probes can tell; occlusion in screen space darkens that";
+  if (a.contact) return "contact: something is nearer than the probes can tell";
   if (a.verdict == Verdict::leak)
     return fmt::format(
         "light leaks: {} of 8 cells are shut out by walls, the others see light that this point does "

@@ -44,7 +44,7 @@ struct Changes {
   double sky = 1.0, sun_bounce = 1.0, local = 1.0;  ///< factors on the probes' light, in [0, 16]
   double saturation = 1.0;                          ///< of ambient light, times the sky's own, in [0, 1]
   bool tint = true;                                 ///< the dome's polarising tint
-  bool occlusion = true;                            ///< in screen space
+  bool occlusion = false;                           ///< in screen space
   bool direct = true;                               ///< sun, moon and lamps themselves
   friend bool operator==(const Changes&, const Changes&) = default;
 };
