@@ -42,8 +42,8 @@ std::vector<ExrLayer> exrLayers(const Imf::MultiPartInputFile& file) {
       ExrLayer layer{part, prefix, "", ExrColours::rgb};
       if (has("R") && has("G") && has("B"))
         layer.colours = ExrColours::rgb;
-      else if (has("Y"))
-        layer.colours = has("RY") && has("BY") ? ExrColours::chroma : ExrColours::grey;
+      else if (has("Y") && has("RY") == has("BY") && !(has("X") && has("Z")))  // X, Y, Z: places, normals or CIE XYZ
+        layer.colours = has("RY") ? ExrColours::chroma : ExrColours::grey;
       else
         continue;
       layer.name = prefix.substr(0, prefix.size() - (prefix.empty() ? 0 : 1));
@@ -59,7 +59,7 @@ ExrLayer chooseLayer(const std::string& file, const std::vector<ExrLayer>& layer
   const auto refuse = [&](const std::string& why) {
     return base::Error(base::ExitStatus::content, fmt::format("{}: {}", file, why));
   };
-  if (layers.empty()) throw refuse("no channels R, G and B, and no Y, in any layer");
+  if (layers.empty()) throw refuse("no channels R, G and B in any layer, and no Y that is alone or with RY and BY");
   const auto only = [&](auto&& fits) -> const ExrLayer* {
     const auto found = std::find_if(layers.begin(), layers.end(), fits);
     const bool alone = found != layers.end() && std::none_of(std::next(found), layers.end(), fits);

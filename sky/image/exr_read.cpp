@@ -22,8 +22,8 @@
 #include "sky/base/message.h"
 #include "sky/image/colour.h"
 #include "sky/image/exr_layers.h"
+#include "sky/image/exr_notes.h"
 #include "sky/image/image_header.h"
-#include "sky/image/pixel_aspect.h"
 
 namespace welkin::image {
 namespace {
@@ -151,6 +151,8 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   const Imf::Header& header = file.header(layer.part);
   if (header.hasType() && Imf::isDeepData(header.type())) throw refuse("deep samples; a picture is flat");
   const bool envmap = Imf::hasEnvmap(header);
+  if (envmap && Imf::envmap(header) != Imf::ENVMAP_CUBE && Imf::envmap(header) != Imf::ENVMAP_LATLONG)
+    throw refuse("envmap is neither 0 (latlong) nor 1 (cube)");
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = widthOf(window), height = heightOf(window);
   requireSize(name, width, height, limits);
@@ -194,13 +196,7 @@ Image read(const std::string& name, std::span<const std::byte> bytes, const Imag
   }
   if (!grey) convertColours(name, colours, image);  // grey is as bright in any primaries
   if (const std::string note = leftOutNote(layers, layer); !note.empty()) image.notes.push_back(note);
-  if (Imf::hasWhiteLuminance(header) && Imf::whiteLuminance(header) != 1.0F)
-    image.notes.push_back(
-        fmt::format("whiteLuminance is {:.6g}; values are not multiplied by it", Imf::whiteLuminance(header)));
-  notePixelAspect("pixelAspectRatio", double{header.pixelAspectRatio()}, image);
-  if (Imf::hasAdoptedNeutral(header))
-    image.notes.push_back(fmt::format("adoptedNeutral ({:.4g}, {:.4g}) is not read; the white of the chromaticities is",
-                                      Imf::adoptedNeutral(header).x, Imf::adoptedNeutral(header).y));
+  noteUnusedFields(header, image);
   if (envmap)
     image.envmap = Imf::envmap(header) == Imf::ENVMAP_CUBE ? EnvironmentMap::cube : EnvironmentMap::latlong;
   else if (window != header.displayWindow())

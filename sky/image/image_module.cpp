@@ -61,6 +61,8 @@ StoredPicture readTiff(const std::string& name, std::span<const std::byte> bytes
   picture.colours = fields.colours;
   picture.exif = fields.exif;
   notePixelAspect("XResolution and YResolution", fields.pixel_aspect, picture.image);
+  if (fields.nits != 1.0)
+    picture.image.notes.push_back(fmt::format("StoNits is {:.6g}; values are not multiplied by it", fields.nits));
   if (fields.has_more) picture.image.notes.push_back("the first picture was read; those behind it were left out");
   if (const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile"); icc != nullptr) {
     const auto* first = static_cast<const std::byte*>(icc->data());

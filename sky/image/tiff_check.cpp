@@ -118,6 +118,7 @@ TiffFields checkTiff(const std::string& name, std::span<const std::byte> bytes, 
   const auto across = fieldOf<float>(tiff, TIFFTAG_XRESOLUTION, 0.0F),
              down = fieldOf<float>(tiff, TIFFTAG_YRESOLUTION, 0.0F);
   if (across > 0.0F && down > 0.0F) fields.pixel_aspect = double{down} / double{across};
+  fields.nits = fieldOf<double>(tiff, TIFFTAG_STONITS, 1.0);
   fields.has_more = TIFFLastDirectory(tiff) == 0;
   float* white = nullptr;
   float* p = nullptr;

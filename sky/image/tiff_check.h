@@ -19,6 +19,7 @@ struct TiffFields {
   ExifFields exif;  ///< and the tag Orientation
   std::optional<Chromaticities> colours;
   double pixel_aspect = 1.0;  ///< width of a pixel over its height, by XResolution and YResolution
+  double nits = 1.0;          ///< StoNits: cd/m2 of a value of 1
   bool has_more = false;      ///< whether further pictures follow
 };
 

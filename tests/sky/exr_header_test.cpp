@@ -4,11 +4,13 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -17,6 +19,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sky/base/error.h"
@@ -160,6 +163,50 @@ TEST_CASE("ExrHeader, FieldsThatAreNotAppliedAreSaid") {
   REQUIRE(image.notes.size() == 2);
   REQUIRE_THAT(image.notes[0], Catch::Contains("whiteLuminance is 250"));
   REQUIRE_THAT(image.notes[1], Catch::Contains("adoptedNeutral"));
+}
+
+TEST_CASE("ExrHeader, NamesOfColourSpacesAreSaidUnlessThereAreChromaticities") {
+  const std::map<std::string, Stored> grey = {{"R", {one}}, {"G", {one}}, {"B", {one}}};
+  for (const char* field : {"colorInteropID", "colorSpace", "oiio:ColorSpace"})
+    for (const auto& [name, notes] : {std::pair("lin_ap1_scene", 1U), std::pair("Linear", 0U), std::pair("sRGB", 1U)}) {
+      CAPTURE(field, name);
+      Imf::Header header(1, 1);
+      header.insert(field, Imf::StringAttribute(name));
+      const image::Image image = roundTrip(header, grey);
+      REQUIRE(image.notes.size() == notes);
+      if (notes > 0) REQUIRE_THAT(image.notes[0], Catch::Contains(field) && Catch::Contains(name));
+      Imf::addChromaticities(header, Imf::Chromaticities());
+      REQUIRE(roundTrip(header, grey).notes.empty());
+    }
+  Imf::Header aces(1, 1);
+  aces.insert("acesImageContainerFlag", Imf::IntAttribute(1));
+  aces.insert("Orientation", Imf::IntAttribute(3));
+  const image::Image image = roundTrip(aces, grey);
+  REQUIRE(image.notes.size() == 2);
+  REQUIRE_THAT(image.notes[0], Catch::Contains("acesImageContainerFlag"));
+  REQUIRE_THAT(image.notes[1], Catch::Contains("Orientation is 3"));
+}
+
+TEST_CASE("ExrHeader, AnUnknownKindOfEnvironmentIsRefused") {
+  Imf::Header header(2, 1);
+  Imf::addEnvmap(header, static_cast<Imf::Envmap>(7));
+  REQUIRE_THROWS_WITH(roundTrip(header, {{"Y", {one}}}), Catch::Contains("envmap is neither 0"));
+}
+
+TEST_CASE("ExrHeader, YAmongPlacesOrWithHalfItsChromaIsNoColour") {
+  const Stored value{one};
+  for (const std::map<std::string, Stored>& channels : {std::map<std::string, Stored>{{"Y", value}, {"RY", value}},
+                                                        {{"Y", value}, {"BY", value}},
+                                                        {{"X", value}, {"Y", value}, {"Z", value}}})
+    REQUIRE_THROWS_WITH(roundTrip(Imf::Header(1, 1), channels),
+                        Catch::Contains("no Y that is alone or with RY and BY"));
+  // A pass of normals beside the picture is no layer of colours; a depth beside a grey picture leaves it grey.
+  requireTexel(
+      roundTrip(
+          Imf::Header(1, 1),
+          {{"a.N.X", value}, {"a.N.Y", value}, {"a.N.Z", value}, {"a.C.R", {two}}, {"a.C.G", {two}}, {"a.C.B", {two}}}),
+      0, 0, Number3(2.0));
+  requireTexel(roundTrip(Imf::Header(1, 1), {{"Y", {two}}, {"Z", value}}), 0, 0, Number3(2.0));
 }
 
 TEST_CASE("ExrHeader, PixelsThatAreNotSquareAreSaid") {

@@ -422,6 +422,12 @@ TEST_CASE("PictureHeader, TiffGreysFromWhiteAndFurtherPictures") {
   REQUIRE(pages.notes == std::vector<std::string>{"the first picture was read; those behind it were left out"});
 }
 
+TEST_CASE("PictureHeader, TiffStoNitsIsSaid") {
+  const image::Image image = tiff([](TIFF* file) { TIFFSetField(file, TIFFTAG_STONITS, 179.0); }, true);
+  requireTexel(image, kSrgb);
+  REQUIRE(image.notes == std::vector<std::string>{"StoNits is 179; values are not multiplied by it"});
+}
+
 TEST_CASE("PictureHeader, TiffFieldsThatAreNotReadAreRefused") {
   REQUIRE_THROWS_WITH(tiff([](TIFF* file) { TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_CIELAB); }, true),
                       Catch::Contains("PhotometricInterpretation is 8"));
