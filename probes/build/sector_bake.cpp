@@ -175,7 +175,7 @@ sectors::SectorFile bakeSector(geometry::SectorId sector, const geometry::Surfac
     }
   }
   if (settings.section.probes.walls == placement::Walls::cut)
-    file.cuts = placement::cutCells(tracer, placed, looksOf(traced), progress);
+    file.cuts = placement::cutCells(tracer, placed, looksOf(traced), is_local, progress);
   std::vector<transfer::ProbeTransfer*> transfers;
   for (transfer::TracedProbe& t : traced) transfers.push_back(&t.transfer);
   if (transfer.fit == Fit::surfaces)

@@ -16,7 +16,7 @@ namespace welkin::build {
 using f64::Number3;
 
 /// Version of the method. It grows by one whenever the same input gives other bytes.
-inline constexpr std::uint32_t kBakeVersion = 8;
+inline constexpr std::uint32_t kBakeVersion = 9;
 
 /// Knots of a light's path that its transfer is traced at, when it is up all day.
 inline constexpr int kKnotsADay = 24;

@@ -36,11 +36,11 @@ struct Step {
 class Cutter {
  public:
   Cutter(const geometry::Tracer& tracer, const geometry::PlacedSector& sector, const std::vector<ProbeLook>& look,
-         const base::Progress& progress)
+         bool lamps_come, const base::Progress& progress)
       : tracer_(tracer),
         sector_(sector),
         progress_(progress),
-        sight_(tracer, sector.probe, look),
+        sight_(tracer, sector.probe, look, lamps_come),
         sampler_(tracer, sight_, sector.id),
         cell_(kAllCells) {}
 
@@ -215,9 +215,9 @@ class Cutter {
 }  // namespace
 
 SectorCuts cutCells(const geometry::Tracer& tracer, const geometry::PlacedSector& sector,
-                    const std::vector<ProbeLook>& look, const base::Progress& progress) {
+                    const std::vector<ProbeLook>& look, bool lamps_come, const base::Progress& progress) {
   if (sector.probe.empty()) return {};
-  return Cutter(tracer, sector, look, progress).cut();
+  return Cutter(tracer, sector, look, lamps_come, progress).cut();
 }
 
 }  // namespace welkin::placement

@@ -77,7 +77,7 @@ double differenceOf(const ProbeLook& a, const ProbeLook& b) {
 }  // namespace
 
 ProbeSight::ProbeSight(const geometry::Tracer& tracer, const std::vector<geometry::Probe>& probe,
-                       const std::vector<ProbeLook>& look)
+                       const std::vector<ProbeLook>& look, bool lamps_come)
     : probe_(probe), akin_(probe.size() * probe.size(), 0), alike_(akin_), space_(probe.size()) {
   constexpr double kAkin = 0.1, kAlike = 0.5;  // differences of light, of the open sky's and of the brighter lamps'
   constexpr double kOutdoors = 0.3;            // share of the sky's light
@@ -109,9 +109,9 @@ ProbeSight::ProbeSight(const geometry::Tracer& tracer, const std::vector<geometr
       const double difference = differenceOf(look[a], look[b]);
       const bool is_seen = seen[a * n + b] != 0;
       const bool is_akin = is_seen && difference < kAkin;
-      const bool is_alike =
-          is_akin || (difference < kAlike && space_[a] == space_[b] && isOutdoors(a) && isOutdoors(b) &&
-                      distanceOf(position(a), position(b)) < kMostBetween_m && (is_seen || meet(a, b)));
+      const bool is_alike = is_akin || (difference < kAlike && space_[a] == space_[b] && isOutdoors(a) &&
+                                        isOutdoors(b) && distanceOf(position(a), position(b)) < kMostBetween_m &&
+                                        (is_seen || (!lamps_come && meet(a, b))));
       akin_[a * n + b] = akin_[b * n + a] = is_akin ? 1 : 0;
       alike_[a * n + b] = alike_[b * n + a] = is_alike ? 1 : 0;
     }

@@ -19,14 +19,16 @@ struct ProbeLook {
 /// The probes of a sector: which of them see each other, and which may stand for each other.
 class ProbeSight {
  public:
+  /// `lamps_come`: the game hangs lamps here, so that places that do not see each other may have any light.
   ProbeSight(const geometry::Tracer& tracer, const std::vector<geometry::Probe>& probe,
-             const std::vector<ProbeLook>& look);
+             const std::vector<ProbeLook>& look, bool lamps_come);
 
   const Number3& position(std::size_t probe) const { return probe_[probe].position; }
   std::size_t size() const { return probe_.size(); }
   /// Whether two probes see each other and have nearly the same light; a probe is so to itself.
   bool akin(std::size_t a, std::size_t b) const { return akin_[a * probe_.size() + b] != 0; }
-  /// Whether they are akin, or stand outdoors, round a corner at most, with no great difference of light.
+  /// Whether they are akin, or stand outdoors with no great difference of light, round a corner at most; in sight of
+  /// each other where lamps come.
   bool alike(std::size_t a, std::size_t b) const { return alike_[a * probe_.size() + b] != 0; }
   /// Whether a chain of probes, each in sight of the next, joins the two.
   bool joined(std::size_t a, std::size_t b) const { return space_[a] == space_[b]; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The levels of examples/talk: what they show holds by probes and by the path tracer.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -114,5 +115,51 @@ TEST_CASE("Talk, LocalTransferAloneLightsWhatTheLampDoesNotSee") {
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK(luminance(no_lamp[0][i], "local") == 0.0);
     CHECK(luminance(no_transfer[0][i], "local") == 0.0);
+  }
+}
+
+TEST_CASE("Talk, TheLampDoesNotShineThroughTheWallThatStandsAlone") {
+  // The view is of the side that the lamp does not see. As places beside it have much the same sky, the wall was none
+  // for cuts, and light was 2.8 times the tracer's. Without local transfer the rms is 0.8; the tracer's noise is taken
+  // off.
+  const Folder folder;
+  const std::string level = kTalk + "/lamp/level.toml";
+  const Run bake = runTool({"bake", level, "-o", folder / "out", "--quality", "draft", "--progress", "none"});
+  INFO(bake.err);
+  REQUIRE(bake.status == 0);
+  const Run run = runTool({"render",
+                           folder / "out",
+                           "--level",
+                           level,
+                           "--time",
+                           "0",
+                           "--size",
+                           "96x54",
+                           "--paths",
+                           "64",
+                           "--component",
+                           "ambient",
+                           "--camera=37,3.5,44",
+                           "--yaw",
+                           "-12",
+                           "--pitch",
+                           "-6",
+                           "--fov",
+                           "50",
+                           "--light",
+                           "29,2.5,32,20,14,7",
+                           "--difference",
+                           "--json",
+                           "--progress",
+                           "none",
+                           "-o",
+                           folder / "difference.png"});
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const json error = json::parse(run.out)["pictures"][0]["error"];
+  for (const char* way : {"probes", "query"}) {
+    INFO(way);
+    CHECK(std::abs(error[way]["mean"].get<double>()) < 0.3);
+    CHECK(error[way]["rms"].get<double>() < 0.75);
   }
 }
