@@ -40,12 +40,17 @@ constexpr const char* kNoCubemaps =
 
 /// Of cubemaps that do not keep a budget which was not stated for them.
 model::Warning shortOf(const cubemap::CubemapPlan& plan, double budget) {
+  const std::string error = fmt::format("the error of the cubemaps is {} %, above {:g} %",
+                                        leastText(100.0 * plan.measured.error), 100.0 * budget);
   const std::string wanted = plan.wanted_bytes > 0.0 ? fmt::format("about {:.0f} MB", 1e-6 * plan.wanted_bytes)
                                                      : std::string("more than 1500 MB");
-  return {"cubemaps-over-budget", 1,
-          fmt::format("within {:.0f} MB the error of the cubemaps is {:.2g} %; {:g} % would take {}; --cubemaps E "
-                      "(cubemap_error = E) is a budget of their own; {}",
-                      1e-6 * kCubemapBytes, 100.0 * plan.measured.error, 100.0 * budget, wanted, kNoCubemaps)};
+  const bool room = plan.wanted_bytes > 0.0 && plan.wanted_bytes <= kCubemapBytes;  // more bytes would not help
+  return {
+      "cubemaps-over-budget", 1,
+      fmt::format(
+          "{}; --cubemaps E (cubemap_error = E) is a budget of their own; {}",
+          room ? error : fmt::format("within {:.0f} MB {}, which would take {}", 1e-6 * kCubemapBytes, error, wanted),
+          kNoCubemaps)};
 }
 
 model::Warning largeCubemaps(const SkyPlan& plan) {

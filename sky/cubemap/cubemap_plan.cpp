@@ -18,6 +18,7 @@ using format::CubemapFormat;
 constexpr double kMargin = 0.97;  // the aim, as a share of the budget, so that Effort::full agrees
 constexpr double kSpare = 1.05;   // a plan this far below its aim is tried again with fewer bytes
 constexpr int kRounds = 12;
+constexpr int kLower = 6;  // then so many targets, each a tenth lower
 
 double bytesOf(int size, CubemapFormat format, std::size_t times) {
   return static_cast<double>(format::bytesOfCubemaps(format, static_cast<std::uint64_t>(size), times));
@@ -240,6 +241,13 @@ CubemapPlan planCubemaps(const model::Sky& sky, double max_error, const CubemapL
       planner.tighten(*plan, aim, 1.02 + 0.01 * round);
       last = std::move(*plan);
     }
+  }
+  // Rounds that end short of the aim, though more cubemaps may be had: lower targets, until the limits leave none.
+  for (int step = 0; !best.met && step < kLower; ++step) {
+    std::optional<CubemapPlan> plan = planner.choose(target *= 0.9);
+    if (!plan) break;
+    plan->met = planner.keeps(*plan, aim);
+    best = std::move(*plan);
   }
   return best.met ? best : planner.leastError(aim, max_error);
 }

@@ -180,6 +180,22 @@ TEST_CASE("CubemapPlan, LimitsGiveTheBestAndWhy", "[slow]") {
   CHECK(possible.met);
 }
 
+/// The rounds of this sky end just past the budget, far below the bytes that may be had.
+TEST_CASE("CubemapPlan, ABudgetThatTheLimitsAllowIsMet", "[slow]") {
+  model::Sky sky;
+  sky.luminance = *model::findLuminance("cie-15");
+  sky.intensity = base::Curve::constant(1.0);
+  sky.sun.path = model::sunPathFromPlace(52.0, 0.0, 0.0, 2012, 172);
+  cubemap::CubemapLimits limits;
+  limits.most_bytes = 64e6;
+  const auto plan = cubemap::planCubemaps(sky, 0.03, limits);
+  requireSound(plan, limits);
+  INFO(plan.reason << "; " << plan.bytes << " bytes");
+  CHECK(plan.met);
+  CHECK(plan.measured.error <= 0.03);
+  CHECK(plan.bytes < 8e6);
+}
+
 TEST_CASE("CubemapPlan, TheSameForAnyNumberOfThreads", "[slow]") {
   const model::Sky sky = someSkies()[2].sky;
   const auto many = cubemap::planCubemaps(sky, 0.2);
