@@ -81,8 +81,9 @@ WelkinResult rootOf(std::span<const std::byte> bytes, format::Kind wanted, const
       if (container.kind != wanted)
         return fail(message, WELKIN_ERROR_KIND, "this is %s, of format version %u; %s", nameOf(container.kind),
                     container.found_version, needOf(wanted));
-      return fail(message, WELKIN_ERROR_VERSION, "format version %u; this library reads version %u: bake again",
-                  container.found_version, format::versionOf(wanted));
+      return fail(message, WELKIN_ERROR_VERSION, "format version %u; this library reads version %u: %s",
+                  container.found_version, format::versionOf(wanted),
+                  container.found_version > format::versionOf(wanted) ? "it is older than the file" : "bake again");
     case Refusal::header:
       return fail(message, WELKIN_ERROR_CONTENT, "damaged: its header states a size of %u bytes, must be %zu",
                   container.found_header_size, sizeof(format::Header));

@@ -228,6 +228,11 @@ TEST_CASE("LevelApi, NumbersOutOfTheirDomainAreRefused") {
       CHECK(welkin_colours_irradiance(&colours, normal, rgb) == WELKIN_ERROR_ARGUMENT);
       CHECK(welkin_volume_irradiance(v.volume, kOrigin, normal, rgb, nullptr) == WELKIN_ERROR_ARGUMENT);
     }
+  const float places[3][3] = {{10, 5, 20}, {11, 5, 20}, {12, 5, 20}};
+  const float normals[3][3] = {{0, 1, 0}, {0, 1, 0}, {0, kNan, 0}};
+  float lit[3][3];
+  refusedFor(welkin_level_irradiance(level, 3, places, normals, lit, nullptr),
+             "welkin_level_irradiance: normal 2 has the length nan, must be a unit vector");
   const float far[3] = {3e38F, -3e38F, 3e38F}, away[3] = {1.1e7F, 0, 0};
   std::uint8_t served = 2;
   CHECK(welkin_level_irradiance(level, 1, &far, &kUp, &rgb, &served) == WELKIN_OK);  // finite: nothing serves there

@@ -62,6 +62,13 @@ TEST_CASE("Open, CodesTellWhatIsWrong") {
   bytes = smallFile();
   bytes[8] = std::byte{99};
   CHECK(openCopy(bytes) == WELKIN_ERROR_VERSION);
+  WelkinSky* sky = nullptr;
+  WelkinMessage message{};
+  CHECK(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, &message) == WELKIN_ERROR_VERSION);
+  CHECK(message.text == std::string("format version 99; this library reads version 2: it is older than the file"));
+  bytes[8] = std::byte{1};
+  CHECK(welkin_sky_open_memory(bytes.data(), bytes.size(), &sky, &message) == WELKIN_ERROR_VERSION);
+  CHECK(message.text == std::string("format version 1; this library reads version 2: bake again"));
   bytes = smallFile();
   bytes.back() ^= std::byte{1};
   CHECK(openCopy(bytes) == WELKIN_ERROR_CHECKSUM);
@@ -69,7 +76,6 @@ TEST_CASE("Open, CodesTellWhatIsWrong") {
   alignas(16) static std::byte shifted[1 << 16];
   REQUIRE(smallFile().size() + 1 < sizeof shifted);
   std::memcpy(shifted + 1, smallFile().data(), smallFile().size());
-  WelkinSky* sky = nullptr;
   CHECK(welkin_sky_open_memory(shifted + 1, smallFile().size(), &sky, nullptr) == WELKIN_ERROR_ARGUMENT);
 }
 

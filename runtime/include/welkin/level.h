@@ -9,8 +9,9 @@
  *   Streaming       welkin_sector_open on any thread; welkin_level_add and welkin_level_remove between frames. The two
  *                   only link and unlink, so they never stall.
  *   Every frame     welkin_level_set_lights if there are dynamic lights, welkin_level_set_light with a sample of the
- * sky, welkin_level_relight with a budget, then welkin_level_irradiance or welkin_level_colours for characters,
- * particles and transparents. At the end      welkin_level_close, which closes the resident sectors too.
+ *                   sky, welkin_level_relight with a budget, then welkin_level_irradiance or welkin_level_colours for
+ *                   characters, particles and transparents.
+ *   At the end      welkin_level_close, which closes the resident sectors too.
  *
  * Threads
  *   Functions that take a const WelkinLevel may be called from any number of threads at once, but not while a function
