@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // welkin export: names, sizes and bytes of its files, and its refusals. What is in the files is tested in tests/maps.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -34,20 +35,28 @@ TEST_CASE("Export, NamesCarryTimeAndEngine") {
   const std::string out = bakedDay(folder, 0);
   const struct {
     std::vector<std::string> options, files;
-  } cases[] = {{{"--to", "ktx2"}, {"sky_063000000.ktx2", "sky_063000000_sh.json"}},
-               {{"--to", "ktx2", "--target", "three", "--format", "rgb9e5"},
-                {"sky_063000000_sh.json", "sky_063000000_three.ktx2"}},
-               {{"--to", "dds", "--target", "unreal", "--format", "bc6h", "--mips"},
-                {"sky_063000000_sh.json", "sky_063000000_unreal.dds"}},
-               {{"--to", "faces", "--target", "unity"},
-                {"sky_063000000_sh.json", "sky_063000000_unity_nx.exr", "sky_063000000_unity_ny.exr",
-                 "sky_063000000_unity_nz.exr", "sky_063000000_unity_px.exr", "sky_063000000_unity_py.exr",
-                 "sky_063000000_unity_pz.exr"}},
-               {{"--to", "hdr", "--target", "godot"}, {"sky_063000000_godot_latlong.hdr", "sky_063000000_sh.json"}},
-               {{"--to", "hdr", "--format", "exr"}, {"sky_063000000_latlong.exr", "sky_063000000_sh.json"}}};
+  } cases[] = {
+      {{"--to", "ktx2"}, {"sky_063000000.ktx2", "sky_063000000_sh.json"}},
+      {{"--to", "ktx2", "--target", "three", "--format", "rgb9e5"},
+       {"sky_063000000_sh.json", "sky_063000000_three.ktx2"}},
+      {{"--to", "dds", "--target", "unreal", "--format", "bc6h", "--mips"},
+       {"sky_063000000_sh.json", "sky_063000000_unreal.dds"}},
+      {{"--to", "faces", "--target", "unity"},
+       {"sky_063000000_sh.json", "sky_063000000_unity_nx.exr", "sky_063000000_unity_ny.exr",
+        "sky_063000000_unity_nz.exr", "sky_063000000_unity_px.exr", "sky_063000000_unity_py.exr",
+        "sky_063000000_unity_pz.exr"}},
+      {{"--to", "hdr", "--target", "godot"}, {"sky_063000000_godot_latlong.hdr", "sky_063000000_sh.json"}},
+      {{"--to", "hdr", "--format", "exr"}, {"sky_063000000_latlong.exr", "sky_063000000_sh.json"}},
+      {{"--to", "dds", "--target", "three", "--prefilter"},
+       {"sky_063000000_sh.json", "sky_063000000_three_prefiltered.dds", "sky_063000000_three_prefiltered.json"}},
+      {{"--to", "hdr", "--prefilter", "--size", "2"},
+       {"sky_063000000_prefiltered.json", "sky_063000000_prefiltered_mip0_latlong.hdr",
+        "sky_063000000_prefiltered_mip1_latlong.hdr", "sky_063000000_sh.json"}}};
   for (const auto& one : cases) {
     const Folder into;
-    std::vector<std::string> options = {"--time", "6.5", "--size", "8", "-o", into / "maps"};
+    std::vector<std::string> options = {"--time", "6.5", "-o", into / "maps"};
+    if (std::find(one.options.begin(), one.options.end(), "--size") == one.options.end())
+      options.insert(options.end(), {"--size", "8"});
     options.insert(options.end(), one.options.begin(), one.options.end());
     const Run run = runExport(out, options);
     INFO(run.err);
@@ -95,6 +104,21 @@ TEST_CASE("Export, SameBytesForAnyNumberOfThreads") {
   }
 }
 
+TEST_CASE("Export, PrefilteredChainsAreTheSameForAnyNumberOfThreads") {
+  const Folder folder;
+  const std::string out = bakedDay(folder, 0);
+  for (const char* threads : {"1", "3"}) {
+    const Run run = runExport(out, {"--to", "ktx2", "--prefilter", "--time", "6", "--size", "8", "--threads", threads,
+                                    "-o", folder / threads});
+    REQUIRE(run.status == 0);
+    CHECK(run.out.find("bytes, error ") != std::string::npos);
+  }
+  const auto files = filesUnder(folder / "1");
+  CHECK(files.size() == 3);
+  for (const std::string& name : files)
+    CHECK(readBytes(folder / "1" + "/" + name) == readBytes(folder / "3" + "/" + name));
+}
+
 TEST_CASE("Export, RefusesWhatItCannotWrite") {
   const Folder folder;
   const std::string out = bakedDay(folder, 0);
@@ -112,6 +136,9 @@ TEST_CASE("Export, RefusesWhatItCannotWrite") {
                {{"--to", "faces", "--time", "1", "--format", "bc6h"}, "exr or hdr"},
                {{"--to", "hdr", "--time", "1", "--mips"}, "--mips"},
                {{"--to", "dds", "--time", "1", "--format", "bc6h", "--size", "6"}, "multiples of 4"},
+               {{"--to", "dds", "--time", "1", "--mips", "--prefilter"}, "--prefilter"},
+               {{"--to", "dds", "--time", "1", "--prefilter", "--size", "1"}, "2 to 512"},
+               {{"--to", "faces", "--time", "1", "--prefilter", "--size", "513"}, "2 to 512"},
                {{"--to", "dds", "--time", "1", "--size", "0"}, "--size"},
                {{"--to", "dds", "--time", "1", "--size", "4097"}, "--size"}};
   for (const auto& one : usage) {

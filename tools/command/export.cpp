@@ -15,6 +15,7 @@
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/shared_options.h"
+#include "maps/prefiltered.h"
 #include "maps/write_maps.h"
 #include "sky/bake/sky_outputs.h"
 #include "sky/base/atomic_file.h"
@@ -30,7 +31,7 @@ struct Options {
   std::string path, to, target, format, output;
   std::vector<std::string> times;
   int size = 0;
-  bool mips = false;
+  bool mips = false, prefilter = false;
   ThreadsOption threads;
 };
 
@@ -46,6 +47,7 @@ void say(const std::string& message) {
 maps::Request requestOf(const Options& options) {
   maps::Request request;
   request.mips = options.mips;
+  request.prefilter = options.prefilter;
   request.container = options.to == "ktx2"    ? maps::Container::ktx2
                       : options.to == "dds"   ? maps::Container::dds
                       : options.to == "faces" ? maps::Container::faces
@@ -54,6 +56,11 @@ maps::Request requestOf(const Options& options) {
     throw usage(fmt::format("--target: \"{}\" is not an engine; those are {}", options.target, maps::engineNames()));
   const bool cube = maps::holdsTexels(request.container);
   if (request.mips && !cube) throw usage(fmt::format("--mips: {} has no mips; ktx2 and dds have", options.to));
+  if (request.mips && request.prefilter) throw usage("--mips and --prefilter: mips are one or the other, not both");
+  if (request.prefilter && options.size != 0 && (options.size < 2 || options.size > maps::kLargestPrefiltered))
+    throw usage(
+        fmt::format("--size: a prefiltered chain has 2 to {} texels, not {}: its sharpest lobe is 1.3 degrees wide",
+                    maps::kLargestPrefiltered, options.size));
   if (cube) {
     const auto format = maps::formatOf(options.format.empty() ? "rgba16f" : options.format);
     if (!format)
@@ -85,11 +92,13 @@ std::vector<double> timesOf(const Options& options, const Sky& sky) {
 /// --size, or the size of the file's cubemaps.
 int sizeOf(const Options& options, const maps::Request& request, const std::string& file, const Sky& sky) {
   int size = options.size;
-  if (size == 0) size = std::min(static_cast<int>(sky.info().cubemap_size), maps::kLargestFace);
+  const int largest = request.prefilter ? maps::kLargestPrefiltered : maps::kLargestFace;
+  if (size == 0) size = std::min(static_cast<int>(sky.info().cubemap_size), largest);
   if (size == 0) {
     size = kSizeWithoutCubemaps;
     say(fmt::format("{}: no cubemaps in it; faces get {} texels, from the formulas", base::oneLine(file), size));
   }
+  if (request.prefilter) size = std::max(size, 2);
   if (maps::holdsTexels(request.container) && request.format == maps::Format::bc6h && size % 4 != 0)
     throw usage(fmt::format("--size: faces of {} texels have no whole blocks; bc6h takes multiples of 4", size));
   return size;
@@ -111,7 +120,8 @@ void runExport(const Options& options) {
     sky.sample(time_h, sample);
     for (const maps::WrittenFile& written : maps::writeMaps(sky.get(), sample, request, folder)) {
       const std::string path = base::oneLine(written.path.string());
-      fmt::print("{} {} bytes\n", path, written.bytes);
+      fmt::print("{} {} bytes{}\n", path, written.bytes,
+                 written.error ? fmt::format(", error {:.2g} %", 100.0 * *written.error) : std::string());
       if (written.saturated > 0)
         say(fmt::format("warning: {}: {} components are past the format's largest number and became that", path,
                         written.saturated));
@@ -141,6 +151,8 @@ void addExport(CLI::App& app) {
       ->add_option("--size", options->size, "Texels along a face's edge; default: that of the file's cubemaps, or 256")
       ->check(CLI::Range(1, maps::kLargestFace));
   command->add_flag("--mips", options->mips, "With box-filtered mips down to one texel: ktx2 and dds");
+  command->add_flag("--prefilter", options->prefilter,
+                    "Filtered for rough surfaces: mip k of n for gloss 1 - k/(n - 1); pictures are one a mip");
   command->add_option("-o,--output", options->output, "Folder to write to; default: export, beside the .welkin file");
   options->threads.addTo(*command, "The files do not depend on it");
   command->callback([options] { runExport(*options); });

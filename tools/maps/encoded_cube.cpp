@@ -2,6 +2,7 @@
 #include "maps/encoded_cube.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "format/cubemap_format.h"
 #include "maps/bc6h.h"
@@ -62,17 +63,26 @@ std::optional<Format> formatOf(std::string_view name) {
   return std::nullopt;
 }
 
-EncodedCube encodeCube(const Map& cube, Format format, bool mips) {
-  EncodedCube encoded{format, cube.width, {}, 0};
-  for (Map level = cube;; level = nextMip(level)) {
+EncodedCube encodeLevels(const std::vector<Map>& levels, Format format) {
+  EncodedCube encoded{format, levels.front().width, {}, 0};
+  for (const Map& level : levels) {
     std::vector<std::byte>& bytes = encoded.levels.emplace_back();
     if (format == Format::bc6h)
       for (int face = 0; face < 6; ++face) encoded.saturated += appendBlocks(faceOf(level, face), bytes);
     else
       encoded.saturated += appendTexels(
           level, format == Format::rgba16f ? format::CubemapFormat::rgba16f : format::CubemapFormat::rgb9e5, bytes);
-    if (!mips || level.width == 1) return encoded;
   }
+  return encoded;
+}
+
+EncodedCube encodeCube(const Map& cube, Format format, bool mips) {
+  std::vector<Map> levels = {cube};
+  while (mips && levels.back().width > 1) {
+    Map next = nextMip(levels.back());
+    levels.push_back(std::move(next));
+  }
+  return encodeLevels(levels, format);
 }
 
 }  // namespace welkin::maps

@@ -41,6 +41,9 @@ struct EncodedCube {
   std::size_t saturated = 0;                   ///< components past the format's largest number, stored as that
 };
 
+/// Encodes cubes of stacked faces as the mips of one, from the largest. There is at least one.
+EncodedCube encodeLevels(const std::vector<Map>& levels, Format format);
+
 /// Encodes a cube of stacked faces, and with `mips` every mip down to one texel. A mip is made of the unrounded texels.
 EncodedCube encodeCube(const Map& cube, Format format, bool mips);
 

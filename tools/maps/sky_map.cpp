@@ -18,16 +18,15 @@ Map emptyMap(int width, int height) {
   return map;
 }
 
-/// Fills a map with the dome in the direction directionOf(column, row) of every texel.
+/// Fills a map with the light in the direction directionOf(column, row) of every texel.
 template <typename DirectionOf>
-Map render(const WelkinSky* sky, const WelkinSkySample& sample, int width, int height, DirectionOf&& directionOf) {
+Map render(const Light& light, int width, int height, DirectionOf&& directionOf) {
   Map map = emptyMap(width, height);
   tbb::parallel_for(0, height, [&](int row) {
     for (int column = 0; column < width; ++column) {
-      const Number3 towards = directionOf(column, row);
-      const float direction[3] = {static_cast<float>(towards.x), static_cast<float>(towards.y),
-                                  static_cast<float>(towards.z)};
-      welkin_dome_radiance(sky, &sample, direction, map.rgb.data() + indexOf(map, column, row));
+      const Number3 colour = light(directionOf(column, row));
+      for (int c = 0; c < 3; ++c)
+        map.rgb[indexOf(map, column, row) + static_cast<std::size_t>(c)] = static_cast<float>(colour[c]);
     }
   });
   return map;
@@ -35,17 +34,35 @@ Map render(const WelkinSky* sky, const WelkinSkySample& sample, int width, int h
 
 }  // namespace
 
-Map renderCube(const WelkinSky* sky, const WelkinSkySample& sample, const Orientation& orientation, int size) {
-  return render(sky, sample, size, 6 * size, [&](int column, int row) {
+Light domeOf(const WelkinSky* sky, const WelkinSkySample& sample) {
+  return [sky, &sample](const Number3& towards) {
+    const float direction[3] = {static_cast<float>(towards.x), static_cast<float>(towards.y),
+                                static_cast<float>(towards.z)};
+    float rgb[3] = {};
+    welkin_dome_radiance(sky, &sample, direction, rgb);
+    return Number3(double{rgb[0]}, double{rgb[1]}, double{rgb[2]});
+  };
+}
+
+Map cubeOf(const Light& light, const Orientation& orientation, int size) {
+  return render(light, size, 6 * size, [&](int column, int row) {
     return cubeDirection(orientation, row / size, (column + 0.5) / size, (row % size + 0.5) / size);
   });
 }
 
-Map renderLatlong(const WelkinSky* sky, const WelkinSkySample& sample, const Orientation& orientation, int height) {
+Map latlongOf(const Light& light, const Orientation& orientation, int height) {
   const int width = 2 * height;
-  return render(sky, sample, width, height, [&](int column, int row) {
+  return render(light, width, height, [&](int column, int row) {
     return latlongDirection(orientation, (column + 0.5) / width, (row + 0.5) / height);
   });
+}
+
+Map renderCube(const WelkinSky* sky, const WelkinSkySample& sample, const Orientation& orientation, int size) {
+  return cubeOf(domeOf(sky, sample), orientation, size);
+}
+
+Map renderLatlong(const WelkinSky* sky, const WelkinSkySample& sample, const Orientation& orientation, int height) {
+  return latlongOf(domeOf(sky, sample), orientation, height);
 }
 
 Map nextMip(const Map& cube) {

@@ -5,6 +5,7 @@
 
 #include <welkin/welkin.h>
 
+#include <functional>
 #include <vector>
 
 #include "maps/orientation.h"
@@ -16,6 +17,16 @@ struct Map {
   int width = 0, height = 0;
   std::vector<float> rgb;
 };
+
+/// Radiance in a unit direction of Welkin's world. Called from many threads.
+using Light = std::function<Number3(const Number3&)>;
+
+/// The dome of a sky. Sky and sample outlive the result.
+Light domeOf(const WelkinSky* sky, const WelkinSkySample& sample);
+
+/// A cube of any light at its texels' centres, as renderCube, and a latlong, as renderLatlong.
+Map cubeOf(const Light& light, const Orientation& orientation, int size);
+Map latlongOf(const Light& light, const Orientation& orientation, int height);
 
 /// The faces +x -x +y -y +z -z of an engine's cube, size x size texels each, stacked downwards. `sample` comes from the
 /// same sky. Parallel over rows; the bytes do not depend on the number of threads.

@@ -41,16 +41,19 @@ struct Request {
   PictureFormat picture = PictureFormat::exr;  ///< of faces and latlongs
   int size = 0;                                ///< N, texels along a face's edge, 1 to kLargestFace
   bool mips = false;                           ///< of a cube in one file: box-filtered mips down to one texel
+  bool prefilter = false;                      ///< every mip filtered for a gloss; N is 2 to kLargestPrefiltered
 };
 
 struct WrittenFile {
   std::filesystem::path path;
   std::size_t bytes = 0;
-  std::size_t saturated = 0;  ///< components past the format's largest number, stored as that
+  std::size_t saturated = 0;    ///< components past the format's largest number, stored as that
+  std::optional<double> error;  ///< of prefiltered maps: the largest of PrefilteredMip::error
 };
 
 /// Writes the maps of the sample, and its spherical harmonics as JSON, to a folder that exists. Names carry the time,
-/// as in sky_063000000_three.ktx2 for 6:30. Every file appears whole or not at all. Throws Error(file).
+/// as in sky_063000000_three.ktx2 for 6:30. Prefiltered pictures are one a mip, and a JSON file tells gloss and error.
+/// Every file appears whole or not at all. Throws Error(file).
 std::vector<WrittenFile> writeMaps(const WelkinSky* sky, const WelkinSkySample& sample, const Request& request,
                                    const std::filesystem::path& folder);
 
