@@ -44,7 +44,7 @@ WelkinResult welkin_level_irradiance(const WelkinLevel* level, size_t count, con
     const float* n = normal[i];
     if (unit(__func__, "normal", n) != WELKIN_OK)
       return refuse(__func__, "normal %zu has the length %g, must be a unit vector", i,
-                    std::hypot(double{n[0]}, double{n[1]}, double{n[2]}));
+                    std::sqrt(double{n[0]} * double{n[0]} + double{n[1]} * double{n[1]} + double{n[2]} * double{n[2]}));
     const PointProbes probes = probesFor(*level, pushedOff(*level, inWorld(position[i]), inWorld(normal[i])));
     float light[kColours];
     addLight(probes, light);
