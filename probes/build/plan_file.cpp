@@ -23,6 +23,7 @@ Json highestJson(const model::LightPath& path) {
 
 Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, const base::Progress& progress) {
   Json sectors = Json::array();
+  const base::Progress planned = progress.stage("sectors", level.sectors().size());
   for (const geometry::SectorId sector : level.sectors()) {
     progress.check();
     const SectorState state = level.state(folder, sector);
@@ -37,6 +38,7 @@ Json sectorsJson(const LevelBake& level, const std::filesystem::path& folder, co
                        {"local", plan.has_local},
                        {"bytes", plan.bytes},
                        {"most_rays", plan.rays ? Json(*plan.rays) : Json()}});
+    planned.step();
   }
   return sectors;
 }

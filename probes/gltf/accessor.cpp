@@ -182,10 +182,13 @@ void AccessorReader::putSparse(const tinygltf::Accessor& accessor, const std::st
     into = {nullptr, element, into.count, std::move(dense)};
     into.first = into.own.data();
   }
-  for (std::size_t i = 0; i < at.count; ++i) {
+  for (std::size_t i = 0, least = 0; i < at.count; ++i) {
     const std::size_t place = index(at.first + i * at.stride, places.componentType);
     if (place >= into.count)
       refuse(what, fmt::format("sparse index {} is {}, and there are {} elements", i, place, into.count));
+    if (place < least)
+      refuse(what, fmt::format("sparse index {} is {}, and must be larger than the one before it", i, place));
+    least = place + 1;
     std::memcpy(into.own.data() + place * element, from.first + i * from.stride, element);
   }
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "sky/base/error.h"
 #include "sky/base/message.h"
@@ -166,11 +167,28 @@ class Walk {
     const Json& object = gltf_["materials"][i];
     const std::string place = nameOf("materials", i);
     note(object, place);
-    if (const Json* emissive = member(object, "emissiveTexture")) note(*emissive, place);
+    textureOf(object, "emissiveTexture", place);
+    if (const Json* extensions = member(object, "extensions"))
+      if (const Json* glass = member(*extensions, "KHR_materials_transmission"))
+        textureOf(*glass, "transmissionTexture", place);
     const Json* pbr = member(object, "pbrMetallicRoughness");
     if (pbr == nullptr) return;
     note(*pbr, place);
-    if (const Json* colour = member(*pbr, "baseColorTexture")) note(*colour, place);
+    textureOf(*pbr, "baseColorTexture", place);
+  }
+
+  /// The texture that a key of an object names, with its sampler and image.
+  void textureOf(const Json& object, const char* key, const std::string& place) {
+    const Json* info = member(object, key);
+    if (info == nullptr) return;
+    note(*info, place);
+    const auto i = (*info)["index"].get<std::size_t>();
+    if (!isNew("textures", i)) return;
+    const Json& texture = gltf_["textures"][i];
+    note(texture, nameOf("textures", i));
+    for (const auto& [index, list] : {std::pair("sampler", "samplers"), std::pair("source", "images")})
+      if (const Json* part = member(texture, index); part != nullptr && isNew(list, part->get<std::size_t>()))
+        note(gltf_[list][part->get<std::size_t>()], nameOf(list, part->get<std::size_t>()));
   }
 
   const Json& gltf_;
@@ -197,7 +215,7 @@ std::vector<std::string> extensionWarnings(const Json& gltf, const std::string& 
   const Walk walk(gltf);
   std::vector<std::string> warnings;
   for (const auto& [name, use] : walk.uses()) {
-    if (isIn(kRead, name) || isIn(kHarmless, name)) continue;
+    if (isIn(kRead, name) || isIn(kTextures, name) || isIn(kHarmless, name)) continue;
     const std::string more = use.count > 1 ? fmt::format(" and {} more", use.count - 1) : "";
     warnings.push_back(fmt::format("{}: {} is not read: {}{}", file, base::shortened(name, 60), use.first, more));
   }

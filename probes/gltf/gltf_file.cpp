@@ -96,6 +96,28 @@ void requireVersion(const nlohmann::json& gltf, const std::string& name) {
                       fmt::format("{}: asset.version = \"{}\": must be 2.0", name, base::shortened(text, 20)));
 }
 
+/// Gives indices without a bufferView, which are all 0 but for sparse ones, a buffer of zeros: tinygltf demands one.
+void storeZeroIndices(nlohmann::json& gltf, GltfBuffers& buffers, const std::string& name) {
+  constexpr std::size_t kMost = std::size_t{1} << 24;  // of a file
+  std::size_t total = 0;
+  if (!gltf.contains("meshes") || !gltf.contains("accessors")) return;
+  for (const auto& mesh : gltf["meshes"])
+    for (const auto& primitive : mesh["primitives"]) {
+      const auto found = primitive.find("indices");
+      if (found == primitive.end() || found->get<std::size_t>() >= gltf["accessors"].size()) continue;
+      auto& accessor = gltf["accessors"][found->get<std::size_t>()];
+      if (accessor.contains("bufferView")) continue;
+      const auto count = accessor["count"].get<std::size_t>();
+      if (count > kMost - total)
+        throw base::Error(
+            base::ExitStatus::content,
+            fmt::format("{}: accessors[{}]: {} indices without a bufferView: at most {} are allowed in all", name,
+                        found->get<std::size_t>(), count, kMost));
+      total += count;
+      accessor["bufferView"] = addGltfBuffer(gltf, buffers, std::vector<unsigned char>(4 * count));
+    }
+}
+
 }  // namespace
 
 tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::filesystem::path>& files,
@@ -112,6 +134,7 @@ tinygltf::Model readGltf(const std::filesystem::path& path, std::vector<std::fil
   GltfBuffers buffers = readGltfBuffers(gltf, parts.binary, path, files);
   unpackMeshopt(gltf, buffers, name);
   unpackDraco(gltf, buffers, name);
+  storeZeroIndices(gltf, buffers, name);
   Reading reading{&files};
   return parse(gltf, std::move(buffers), name, path.parent_path().string(), reading);
 }

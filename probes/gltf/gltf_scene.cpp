@@ -26,8 +26,11 @@ class GltfSource : public level::GeometrySource {
     warn(std::any_of(model_.nodes.begin(), model_.nodes.end(),
                      [](const tinygltf::Node& node) { return node.skin >= 0 && node.mesh >= 0; }),
          "skins: skinned meshes stand as their nodes place them");
-    warn(std::any_of(model_.animations.begin(), model_.animations.end(),
-                     [](const tinygltf::Animation& animation) { return !animation.channels.empty(); }),
+    const auto& used = model_.extensionsUsed;  // tinygltf drops channels of KHR_animation_pointer
+    const bool has_pointers =
+        !model_.animations.empty() && std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end();
+    warn(has_pointers || std::any_of(model_.animations.begin(), model_.animations.end(),
+                                     [](const tinygltf::Animation& animation) { return !animation.channels.empty(); }),
          "animations: what they move stands as the nodes and weights of the file say");
   }
 

@@ -278,6 +278,7 @@ class TypeCheck {
   void object(Json& value, std::string_view kind, const std::string& at) const {
     for (const Key& key : kKeys)
       if (key.in == kind) one(value, key, at);
+    if (kind == "light" && value["type"] == "spot" && !value.contains("spot")) fail(at + "spot is missing");
     const auto extensions = value.find("extensions");
     if (extensions == value.end()) return;
     if (!extensions->is_object()) refuse(at + "extensions", *extensions, "an object");

@@ -58,4 +58,14 @@ void throwWithoutBytes(const base::Error& error, const fs::path& path, const fs:
                                                 path.string(), outsideText(outside)));
 }
 
+void leaveOutWords(const fs::path& folder, const std::vector<fs::path>& files, std::vector<std::string>& warnings,
+                   std::size_t first) {
+  for (const fs::path& file : filesOutside(folder, files)) {
+    const std::string start = file.string() + ": not read: ";
+    for (std::size_t i = first; i < warnings.size(); ++i)
+      if (warnings[i].starts_with(start))
+        warnings[i] = start + "keywords that are left out here, as the file is outside of the level's folder";
+  }
+}
+
 }  // namespace welkin::level

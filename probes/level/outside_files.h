@@ -2,6 +2,7 @@
 // Files outside of a level's folder. A level may come from others, and name any file of the machine.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,5 +29,10 @@ void requireInside(const std::filesystem::path& folder, const std::vector<std::f
 [[noreturn]] void throwWithoutBytes(const base::Error& error, const std::filesystem::path& path,
                                     const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& files);
+
+/// Warnings of OBJ and MTL files name keywords that are not read: "FILE: not read: word (line 1)". From the `first` on,
+/// those of files outside of the folder lose the words.
+void leaveOutWords(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
+                   std::vector<std::string>& warnings, std::size_t first);
 
 }  // namespace welkin::level

@@ -69,10 +69,10 @@ MtlMap readMap(const TextLines& lines) {
 
 /// Keywords that change no diffuse light: highlights, reflections, normals.
 const std::set<std::string_view> kMtlWithoutLight = {
-    "ka",     "ks",       "ns",     "ni",     "tf",       "km",       "illum",   "sharpness", "map_ka",
-    "map_ks", "map_ns",   "map_ni", "map_km", "refl",     "map_refl", "bump",    "map_bump",  "disp",
-    "norm",   "map_disp", "pr",     "pm",     "ps",       "pc",       "pcr",     "aniso",     "anisor",
-    "map_pr", "map_pm",   "map_ps", "map_pc", "map_norm", "map_aat",  "map_rma", "map_orm"};
+    "ka",       "ks",     "ns",     "ni",       "km",       "illum",   "sharpness", "map_ka", "map_ks",
+    "map_ns",   "map_ni", "map_km", "refl",     "map_refl", "bump",    "map_bump",  "disp",   "norm",
+    "map_disp", "pr",     "pm",     "ps",       "pc",       "pcr",     "aniso",     "anisor", "map_pr",
+    "map_pm",   "map_ps", "map_pc", "map_norm", "map_aat",  "map_rma", "map_orm"};
 
 class MtlReader {
  public:
@@ -90,6 +90,7 @@ class MtlReader {
     constexpr double kBrightest = 1e9;
     static const std::set<std::string_view> kRead = {"kd", "ke", "d", "tr", "map_kd", "map_ke", "map_d"};
     if (key == "newmtl") return beginMaterial();
+    if (key == "tf" && passesAll()) return;
     if (kRead.count(key) == 0) {
       if (kMtlWithoutLight.count(key) == 0) unknown_.add(key, lines_.lineNumber());
       return;
@@ -102,6 +103,14 @@ class MtlReader {
     if (key == "map_kd") material_.diffuse_map = readMap(lines_);
     if (key == "map_ke") material_.emission_map = readMap(lines_);
     if (key == "map_d") material_.alpha_map = readMap(lines_).file;
+  }
+
+  /// Whether Tf is 1 1 1, as exporters write beside opaque surfaces too.
+  bool passesAll() const {
+    const auto& words = lines_.words();
+    return std::all_of(words.begin() + 1, words.end(), [](std::string_view word) {
+      return word == "1" || (word.starts_with("1.") && word.find_first_not_of('0', 2) == std::string_view::npos);
+    });
   }
 
   void beginMaterial() {

@@ -40,7 +40,7 @@ class ObjReader {
       file_.uv.push_back({numberAt(1), lines_.words().size() > 2 ? numberAt(2) : 0.0F});
     else if (keyword == "vn")
       file_.normal.push_back({numberAt(1), numberAt(2), numberAt(3)});
-    else if (keyword == "f")
+    else if (keyword == "f" || keyword == "fo")  // fo: an older word for f
       readFace();
     else if (keyword == "o" || keyword == "g")
       object_ = lines_.nameFrom(1);

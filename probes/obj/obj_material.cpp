@@ -40,6 +40,17 @@ void addNames(const std::filesystem::path& folder, const std::string& words, std
   }
 }
 
+/// Adds the names of words with quotes around some of the names. The quotes around the whole are gone already.
+void addQuotedNames(const std::filesystem::path& folder, const std::string& words, std::vector<std::string>& names) {
+  for (std::size_t first = 0; first < words.size();) {
+    first = std::min(words.find_first_not_of(" \t\"", first), words.size());
+    const std::size_t end = std::min(words.find('"', first), words.size());
+    const std::size_t last = words.find_last_not_of(" \t", end == 0 ? 0 : end - 1);
+    if (end > first) addNames(folder, words.substr(first, last + 1 - first), names);
+    first = end;
+  }
+}
+
 std::vector<std::string> namesIn(const std::filesystem::path& folder, const std::vector<std::string>& libraries) {
   std::vector<std::string> names;
   for (const std::string& line : libraries) {
@@ -47,7 +58,7 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder, const std:
     if (isFile(folder / words))
       names.push_back(words);
     else
-      addNames(folder, std::string(withoutComment(words)), names);
+      addQuotedNames(folder, std::string(withoutComment(words)), names);
   }
   return names;
 }

@@ -79,3 +79,26 @@ TEST_CASE("Outside, NoByteOfSuchAFileIsInAMessage") {
   REQUIRE_FALSE(shows(refused));
   REQUIRE(shows(plan("outside_files = \"allow\"")));
 }
+
+TEST_CASE("Outside, NoWordOfSuchALibraryIsInAWarning") {
+  const Folder folder;
+  folder.write("secret", kSecret);
+  folder.write("level/sky.toml", skyText(kUniform));
+  const std::string square = "v -3 0 -3\nv -3 0 3\nv 3 0 3\nv 3 0 -3\nf 1 2 3 4\n";
+  const auto plan = [&](const std::string& rule, const std::string& faces) {
+    folder.write("level/a.obj", "mtllib ../secret\n" + faces);
+    const std::string level =
+        folder.write("level/level.toml", "[level]\nsky = \"sky.toml\"\n" + rule + "\n[[geometry]]\nfile = \"a.obj\"\n");
+    return runTool({"plan", level, "--progress", "none"});
+  };
+  const Run warned = plan("", square);
+  INFO(warned.err);
+  REQUIRE(warned.status == 0);
+  REQUIRE(
+      warned.said("secret: not read: keywords that are left out here, as the file is outside of the level's folder"));
+  REQUIRE_FALSE(warned.said("root"));
+  const Run empty = plan("", "");
+  REQUIRE(empty.status == 3);
+  REQUIRE_FALSE(empty.said("root"));
+  REQUIRE(plan("outside_files = \"allow\"", square).said("root:x:0:0:secret:/root:/bin/sh (line 1)"));
+}

@@ -57,6 +57,21 @@ TEST_CASE("GltfExtensions, WhatTheSceneUsesIsWarnedOfByName") {
   CHECK(warningsWith(scene, "EXT_lights_image_based is not read: the file").size() == 1);
 }
 
+TEST_CASE("GltfExtensions, ThoseOfTexturesSamplersAndImagesToo") {
+  const level::Scene scene = sceneOf(texturedText([](json& j) {
+    j["samplers"] = {{{"extensions", {{"X_sampler", json::object()}}}}};
+    j["textures"][0]["sampler"] = 0;
+    j["textures"][0]["extensions"] = {{"X_texture", json::object()}, {"KHR_texture_basisu", {{"source", 0}}}};
+    j["images"][0]["extensions"] = {{"X_image", json::object()}};
+    j["textures"].push_back({{"extensions", {{"X_unused", json::object()}}}});
+  }));
+  CHECK(warningsWith(scene, "X_unused").empty());
+  CHECK(warningsWith(scene, "KHR_texture_basisu is not read").empty());  // the reader of the texture says so
+  for (const char* text :
+       {"X_sampler is not read: samplers[0]", "X_texture is not read: textures[0]", "X_image is not read: images[0]"})
+    CHECK(warningsWith(scene, text).size() == 1);
+}
+
 TEST_CASE("GltfExtensions, ARequiredOneThatIsNotReadIsRefusedByName") {
   checkWrong(
       [](json& j) {
@@ -167,6 +182,48 @@ TEST_CASE("GltfExtensions, SparseValuesReplaceThoseThatAreStored") {
   CHECK(sceneOf(zeros.text()).draws[0].dropped_triangles == 2);
   zeros.json["accessors"][0]["count"] = 4000000000000;
   checkRefused(zeros.text(), base::ExitStatus::content, "without a bufferView: at most 16777216");
+}
+
+TEST_CASE("GltfExtensions, SparseIndicesRise") {
+  for (const auto& [second, message] :
+       {std::pair(std::uint16_t{1}, "sparse index 1 is 1, and must be larger than the one before it"),
+        std::pair(std::uint16_t{2}, "")}) {
+    GltfText gltf;
+    gltf.addNode(gltf.addMesh(squareMesh()));
+    const std::uint16_t at[2] = {1, second};
+    const float values[6] = {1, 5, -1, 1, 5, 1};
+    gltf.json["accessors"][0]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", gltf.addView(at, sizeof(at))}, {"componentType", 5123}}},
+        {"values", {{"bufferView", gltf.addView(values, sizeof(values))}}}};
+    if (*message != 0)
+      checkRefused(gltf.text(), base::ExitStatus::content, message);
+    else
+      CHECK(sceneOf(gltf.text()).vertices[2].position[1] == 5.0F);
+  }
+}
+
+TEST_CASE("GltfExtensions, IndicesMayBeSparseAlone") {
+  const auto square = [](bool sparse, std::uint64_t count) {
+    GltfText gltf;
+    gltf.addNode(gltf.addMesh(squareMesh()));
+    const std::size_t place = gltf.json["meshes"][0]["primitives"][0]["indices"].get<std::size_t>();
+    json& accessor = gltf.json["accessors"][place];
+    const std::uint8_t at[5] = {1, 2, 3, 4, 5};
+    const std::uint32_t values[5] = {1, 2, 0, 2, 3};
+    accessor["componentType"] = 5125;
+    accessor["count"] = count;
+    accessor.erase("bufferView");
+    if (sparse)
+      accessor["sparse"] = {{"count", 5},
+                            {"indices", {{"bufferView", gltf.addView(at, sizeof(at))}, {"componentType", 5121}}},
+                            {"values", {{"bufferView", gltf.addView(values, sizeof(values))}}}};
+    return gltf.text();
+  };
+  CHECK(sceneOf(square(true, 6)).indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+  checkRefused(square(false, 6), base::ExitStatus::content, "its 2 triangles are without area, or not finite");
+  checkRefused(square(false, 4000000000), base::ExitStatus::content,
+               "4000000000 indices without a bufferView: at most 16777216 are allowed");
 }
 
 TEST_CASE("GltfExtensions, QuantizedMeshesAreRead") {

@@ -122,6 +122,11 @@ TEST_CASE("GltfStrict, TypesAndRangesAreChecked") {
              "is projective");
   checkWrong([](json& j) { j["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2}; },
              "is projective");
+  checkWrong(
+      [](json& j) {
+        j["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}}};
+      },
+      "extensions.KHR_lights_punctual.lights[0].spot is missing");
   // Whole numbers may be written with a point (JSON has one type of number).
   CHECK(sceneOf(squareText([](json& j) { j["nodes"][0]["mesh"] = 0.0; })).draws.size() == 1);
   std::string text = squareText([](json&) {});

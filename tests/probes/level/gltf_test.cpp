@@ -118,6 +118,15 @@ TEST_CASE("Gltf, SkinsAndAnimationsStandStillAndAreWarnedOf") {
   REQUIRE(moving.vertices.size() == plain.vertices.size());
   REQUIRE(moving.instances.size() == 1);
   CHECK(moving.instances[0].row[1][3] == 2.0F);
+
+  gltf.json["nodes"][0].erase("skin");
+  gltf.json["animations"][0]["channels"][0]["target"] = {
+      {"path", "pointer"},
+      {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/0/extensions/KHR_node_visibility/visible"}}}}}};
+  gltf.json["extensionsUsed"] = {"KHR_animation_pointer"};
+  const level::Scene pointed = sceneOf(gltf.text());
+  REQUIRE(pointed.warnings.size() == 1);
+  CHECK_THAT(pointed.warnings[0], Catch::Contains("animations: what they move stands"));
 }
 
 TEST_CASE("Gltf, StripsAndFansAreTrianglesAndLinesAreLeftOut") {

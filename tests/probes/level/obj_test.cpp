@@ -150,6 +150,9 @@ TEST_CASE("Obj, FilesAreReadAsExportersWriteThem") {
   albedo("MtlLib a.mtl\n" + capitals, "NEWMTL paint\nkd 0.1 0.2 0.3\n");
   albedo("mtllib my lib.mtl a.mtl\n" + std::string(kSquare), mtl);
   albedo("mtllib \"a.mtl\"\n" + std::string(kSquare), mtl);
+  albedo("mtllib \"my lib.mtl\" \"a.mtl\"\n" + std::string(kSquare), mtl);
+  albedo("mtllib a.mtl \"my lib.mtl\"\n" + std::string(kSquare), mtl);
+  albedo(changed(obj, "\nf ", "\nfo "), mtl);
   albedo("mtllib a.mtl my lib.mtl a.mtl\n" + std::string(kSquare), mtl);
   albedo("mtllib none.mtl a.mtl\n" + std::string(kSquare), mtl, true);
   albedo(changed(obj, "paint", "paint #1"), "newmtl paint #2\nKd 1 1 1\nnewmtl paint #1\nKd 0.1 0.2 0.3\n");
@@ -165,6 +168,20 @@ TEST_CASE("Obj, WordsThatAreNotReadAreNamedOnce") {
   REQUIRE(s.warning.size() == 2);
   CHECK(warns(s, "a.obj: not read: surf (line 13), call (line 15)"));
   CHECK(warns(s, "a.mtl: not read: glow (line 5)"));
+  // A filter of 1 1 1 passes everything, and is written beside opaque surfaces too.
+  const geometry::Surfaces filters =
+      surfacesOf({{"a.obj", std::string("mtllib a.mtl\n") + kSquare},
+                  {"a.mtl", "newmtl paint\nTf 1.000 1 1.0\nnewmtl glass\nTf 1.0 0.5 1.0\n"}});
+  REQUIRE(filters.warning.size() == 1);
+  CHECK(warns(filters, "a.mtl: not read: tf (line 4)"));
+}
+
+TEST_CASE("Obj, NothingToDrawNamesTheLikeliestReason") {
+  CHECK_THROWS_WITH(surfacesOf({{"a.obj", "<html>\nv 0 0 0\n"}}),
+                    Catch::Contains("a.obj: the level holds nothing to draw") && Catch::Contains("<html> (line 1)"));
+  CHECK_THROWS_WITH(surfacesOf({{"a.obj", "v 0 0 0\nv 1 0 0\nv inf 0 1\nf 1 2 3\n"}}),
+                    Catch::Contains("nothing to draw; its 1 triangles are without area, or not finite"));
+  CHECK_THROWS_WITH(surfacesOf({{"a.obj", "v 0 0 0\n"}}), Catch::EndsWith("the level holds nothing to draw"));
 }
 
 TEST_CASE("Obj, EmissionFollowsTheTexelsOfItsImage") {
