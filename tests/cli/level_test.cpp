@@ -60,8 +60,6 @@ TEST_CASE("Level, PlanSaysWhatIsOutOfDateAndWhy") {
     const Run run = runTool({"plan", level / "level.toml", "-o", level / "out", "--json"});
     INFO(run.err);
     REQUIRE(run.status == 0);
-    const std::string all = std::to_string(kSectors);
-    REQUIRE(run.said("sectors: " + all + "/" + all));  // planning a large level takes minutes
     return json::parse(run.out)["sectors"];
   };
   const json before = plan();
