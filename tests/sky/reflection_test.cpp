@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reflected lobe against closed forms, and the filter against closed forms and a slow integral of the radiance.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -122,17 +123,18 @@ TEST_CASE("ReflectedLobe, GlossFallsEvenlyToZero") {
 TEST_CASE("CubePyramid, SolidAnglesFillTheSphereAndMeansKeepTheLight") {
   const CubePyramid pyramid(64, unevenLight);
   REQUIRE(pyramid.levels().size() == 6);
-  double light = 0.0;
+  std::array<double, 3> light{};
   for (const reflection::CubeLevel& level : pyramid.levels()) {
-    double sphere = 0.0, sum = 0.0;
+    double sphere = 0.0;
+    std::array<double, 3> sum{};
     const std::size_t texels = level.solid_angle.size();
     for (std::size_t i = 0; i < 6 * texels; ++i) {
       sphere += level.solid_angle[i % texels];
-      sum += level.solid_angle[i % texels] * double{level.rgb[3 * i]};
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += level.solid_angle[i % texels] * double{level.rgb[3 * i + c]};
     }
     CHECK(sphere == Approx(4.0 * det::kPi).epsilon(1e-12));
-    if (light == 0.0) light = sum;
-    CHECK(sum == Approx(light).epsilon(1e-6));  // means are floats
+    if (light[0] == 0.0) light = sum;
+    for (std::size_t c = 0; c < 3; ++c) CHECK(sum[c] == Approx(light[c]).epsilon(1e-6));  // means are floats
   }
 }
 
