@@ -6,7 +6,7 @@
 #define WELKIN_VOLUME_RELIGHT_H
 
 #define WELKIN_SLOT_PROBES 256
-#define WELKIN_SLOT_FIXED (32 * (496 + 32 * 16) / 4)                   // words of 32 blocks of 16 modes
+#define WELKIN_SLOT_FIXED (32 * (496 + 32 * 16) / 4)  // words of 32 blocks of 16 modes
 #define WELKIN_SLOT_WORDS (WELKIN_SLOT_FIXED + 12 * WELKIN_SLOT_PROBES)
 
 #ifdef __cplusplus
@@ -42,7 +42,8 @@ static_assert(sizeof(SlotLight) == 4 * 122 && sizeof(VolumeLight) == 64);
 layout(set = 0, binding = 0, std430) readonly buffer Light {
   VolumeLight volume;
   SlotLight slot[];
-} light;
+}
+light;
 #endif
 
 #endif
