@@ -50,8 +50,7 @@ struct CutSample {
 };
 
 /// The points of a cell: a jittered lattice, and points close to both sides of every face. Points in the dark, from
-/// where no probe of the sector is in sight, are left out. Points in the dark, from where no probe of the sector is in
-/// sight, are left out.
+/// where no probe of the sector is in sight, are left out.
 class CutSampler {
  public:
   CutSampler(const geometry::Tracer& tracer, const ProbeSight& sight, const geometry::SectorId& id)

@@ -2,6 +2,8 @@
 // Buffers, images and their memory.
 #include "vulkan/memory.h"
 
+#include "vulkan/barriers.h"
+
 namespace welkin::vulkan {
 namespace {
 
@@ -222,16 +224,9 @@ namespace {
 /// Records a barrier for a range of mips; `barrier` holds stages, accesses and layouts.
 void recordTransition(const Device& device, VkCommandBuffer commands, const Image& image, uint32_t first_mip,
                       uint32_t mips, VkImageMemoryBarrier2 barrier) {
-  barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
-  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = image.image;
   barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, first_mip, mips, 0, image.layers};
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.imageMemoryBarrierCount = 1;
-  dependency.pImageMemoryBarriers = &barrier;
-  device.fn.CmdPipelineBarrier2(commands, &dependency);
+  recordBarriers(device, commands, &barrier, 1);
 }
 
 constexpr uint32_t kMostMips = 32;  // edges have 32 bits
@@ -239,14 +234,7 @@ constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PI
 
 VkImageMemoryBarrier2 barrierOf(VkPipelineStageFlags2 from, VkAccessFlags2 written, VkImageLayout before,
                                 VkPipelineStageFlags2 to, VkAccessFlags2 read, VkImageLayout after) {
-  VkImageMemoryBarrier2 barrier{};
-  barrier.srcStageMask = from;
-  barrier.srcAccessMask = written;
-  barrier.dstStageMask = to;
-  barrier.dstAccessMask = read;
-  barrier.oldLayout = before;
-  barrier.newLayout = after;
-  return barrier;
+  return imageBarrier(VK_NULL_HANDLE, from, written, before, to, read, after);
 }
 
 /// Fills the mips after the first, each from the one before. Leaves all but the last in the layout of a transfer

@@ -167,11 +167,11 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
 }
 
 VkDescriptorSetLayout welkin_vulkan_volume_descriptor_set_layout(const WelkinVulkanVolume* object) {
-  return object == nullptr ? VkDescriptorSetLayout{VK_NULL_HANDLE} : object->layout;
+  return object == nullptr ? VkDescriptorSetLayout{VK_NULL_HANDLE} : object->sets.layout;
 }
 
 VkDescriptorSet welkin_vulkan_volume_descriptor_set(const WelkinVulkanVolume* object, uint32_t frame) {
-  return object == nullptr || frame >= object->frame_count ? VkDescriptorSet{VK_NULL_HANDLE} : object->sets[frame];
+  return object == nullptr || frame >= object->frame_count ? VkDescriptorSet{VK_NULL_HANDLE} : object->sets.sets[frame];
 }
 
 WelkinResult welkin_vulkan_volume_memory(const WelkinVulkanVolume* object, WelkinVulkanMemory* memory) {

@@ -78,38 +78,8 @@ WelkinResult createSets(WelkinVulkanVolume& o, WelkinMessage* message) {
   if (const auto r = check(device.fn.CreateSampler(device.handle, &sampler, device.allocator, &o.sampler),
                            "vkCreateSampler", message))
     return r;
-  VkDescriptorSetLayoutBinding bindings[kBindings] = {};
-  for (uint32_t i = 0; i < kBindings; ++i) {
-    bindings[i].binding = i;
-    bindings[i].descriptorType = kBound[i].type;
-    bindings[i].descriptorCount = kBound[i].descriptorCount;
-    bindings[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-  }
-  VkDescriptorSetLayoutCreateInfo layout{};
-  layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  layout.bindingCount = kBindings;
-  layout.pBindings = bindings;
-  if (const auto r = check(device.fn.CreateDescriptorSetLayout(device.handle, &layout, device.allocator, &o.layout),
-                           "vkCreateDescriptorSetLayout", message))
-    return r;
-  VkDescriptorPoolSize sizes[kBindings];
-  for (uint32_t i = 0; i < kBindings; ++i) sizes[i] = {kBound[i].type, kBound[i].descriptorCount * o.frame_count};
-  VkDescriptorPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-  pool.maxSets = o.frame_count;
-  pool.poolSizeCount = kBindings;
-  pool.pPoolSizes = sizes;
-  if (const auto r = check(device.fn.CreateDescriptorPool(device.handle, &pool, device.allocator, &o.pool),
-                           "vkCreateDescriptorPool", message))
-    return r;
-  VkDescriptorSetLayout layouts[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT];
-  std::fill_n(layouts, o.frame_count, o.layout);
-  VkDescriptorSetAllocateInfo sets{};
-  sets.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-  sets.descriptorPool = o.pool;
-  sets.descriptorSetCount = o.frame_count;
-  sets.pSetLayouts = layouts;
-  return check(device.fn.AllocateDescriptorSets(device.handle, &sets, o.sets), "vkAllocateDescriptorSets", message);
+  return createFrameSets(device, kBound, VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT, o.frame_count,
+                         o.sets, message);
 }
 
 void writeSets(const WelkinVulkanVolume& o) {
@@ -122,7 +92,7 @@ void writeSets(const WelkinVulkanVolume& o) {
     VkWriteDescriptorSet writes[kBindings] = {};
     for (uint32_t i = 0; i < kBindings; ++i) {
       writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = o.sets[frame];
+      writes[i].dstSet = o.sets.sets[frame];
       writes[i].dstBinding = i;
       writes[i].descriptorCount = kBound[i].descriptorCount;
       writes[i].descriptorType = kBound[i].type;
@@ -162,8 +132,7 @@ WelkinResult createVolumeImages(WelkinVulkanVolume& o, WelkinMessage* message) {
 
 void destroy(WelkinVulkanVolume& o) {
   const Device& device = o.device;
-  device.fn.DestroyDescriptorPool(device.handle, o.pool, device.allocator);
-  device.fn.DestroyDescriptorSetLayout(device.handle, o.layout, device.allocator);
+  destroy(device, o.sets);
   device.fn.DestroySampler(device.handle, o.sampler, device.allocator);
   destroy(device, o.staging);
   destroy(device, o.cuts);

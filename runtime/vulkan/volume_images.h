@@ -4,6 +4,7 @@
 
 #include <welkin/welkin_vulkan_volume.h>
 
+#include "vulkan/frame_sets.h"
 #include "vulkan/memory.h"
 #include "vulkan/volume_relight.h"
 
@@ -25,9 +26,7 @@ struct WelkinVulkanVolume {
   VkDeviceSize frame_bytes = 0;
   uint32_t frame_count = 0;
   VkSampler sampler = VK_NULL_HANDLE;
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  VkDescriptorSet sets[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT] = {};
+  welkin::vulkan::FrameSets sets;
   bool recorded = false;                  ///< the images that updates copy to have their texels
   welkin::vulkan::VolumeRelight relight;  ///< for WELKIN_VOLUME_DEVICE
 

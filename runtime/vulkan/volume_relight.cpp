@@ -15,6 +15,10 @@ namespace {
 using passes::SlotLight;
 using probes::kColours;
 
+using probes::BlockLayout;
+static_assert(BlockLayout::kVisibility == WELKIN_BLOCK_VISIBILITY && BlockLayout::kSky == WELKIN_BLOCK_SKY &&
+              BlockLayout::kSide == WELKIN_BLOCK_SIDE && BlockLayout::kSun == WELKIN_BLOCK_SUN);
+
 constexpr VkDeviceSize kSlotBytes = 4 * WELKIN_SLOT_WORDS, kFixedBytes = 4 * WELKIN_SLOT_FIXED;
 
 /// The sectors of a level that light a volume's texels or bricks, each at its slot.
@@ -39,7 +43,7 @@ void findSectors(const WelkinVolume& volume, RelightSlot* wanted, uint32_t slots
 void recordSlot(const Device& device, const VolumeRelight& o, VkCommandBuffer commands, const WelkinSector& sector,
                 uint32_t slot, VkDeviceSize offset) {
   const VkDeviceSize blocks = (sector.probes + probes::kBlock - 1) / probes::kBlock;
-  VkBufferCopy copy[2] = {{offset, slot * kSlotBytes, blocks * probes::BlockLayout{sector.modes}.bytes()}, {}};
+  VkBufferCopy copy[2] = {{offset, slot * kSlotBytes, blocks * BlockLayout{sector.modes}.bytes()}, {}};
   std::memcpy(o.staging.mapped + offset, sector.blocks.get(), copy[0].size);
   uint32_t copies = 1;
   if (sector.fixed.get() != nullptr) {
@@ -138,7 +142,7 @@ void recordRelight(const Device& device, VolumeRelight& o, const RelightImages& 
       o.scale == volume.scale && o.open == volume.open_light)
     return;
   writeLight(o, volume, o.staging.mapped + frame * o.frame_bytes);
-  recordPasses(device, o, images, commands, o.sets[frame]);
+  recordPasses(device, o, images, commands, o.sets.sets[frame]);
   o.instant = volume.level->instant;
   o.scale = volume.scale;
   o.open = volume.open_light;

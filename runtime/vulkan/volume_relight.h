@@ -3,6 +3,7 @@
 #pragma once
 
 #include "probes/volume.h"
+#include "vulkan/frame_sets.h"
 #include "vulkan/memory.h"
 
 namespace welkin::vulkan {
@@ -21,9 +22,7 @@ struct VolumeRelight {
   MappedBuffer staging;
   LocalBuffer probes;  ///< the slots
   LocalBuffer relit;   ///< irradiance: probe, channel, direction
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  VkDescriptorSet sets[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT] = {};
+  FrameSets sets;
   VkPipelineLayout pipeline_layout = VK_NULL_HANDLE;
   VkPipeline pipelines[2] = {};  ///< relight, fill
   RelightSlot* slot = nullptr;

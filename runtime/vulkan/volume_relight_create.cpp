@@ -36,41 +36,6 @@ WelkinResult createBuffers(const Device& device, uint32_t frames, VolumeRelight&
                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "welkin volume relit", o.relit, message);
 }
 
-WelkinResult createSets(const Device& device, uint32_t frames, VolumeRelight& o, WelkinMessage* message) {
-  VkDescriptorSetLayoutBinding bindings[kBindingCount] = {};
-  VkDescriptorPoolSize sizes[kBindingCount];
-  for (uint32_t i = 0; i < kBindingCount; ++i) {
-    bindings[i].binding = i;
-    bindings[i].descriptorType = kRelightBound[i].type;
-    bindings[i].descriptorCount = kRelightBound[i].descriptorCount;
-    bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
-    sizes[i] = {kRelightBound[i].type, kRelightBound[i].descriptorCount * frames};
-  }
-  VkDescriptorSetLayoutCreateInfo layout{};
-  layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  layout.bindingCount = kBindingCount;
-  layout.pBindings = bindings;
-  if (const auto r = check(device.fn.CreateDescriptorSetLayout(device.handle, &layout, device.allocator, &o.layout),
-                           "vkCreateDescriptorSetLayout", message))
-    return r;
-  VkDescriptorPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-  pool.maxSets = frames;
-  pool.poolSizeCount = kBindingCount;
-  pool.pPoolSizes = sizes;
-  if (const auto r = check(device.fn.CreateDescriptorPool(device.handle, &pool, device.allocator, &o.pool),
-                           "vkCreateDescriptorPool", message))
-    return r;
-  VkDescriptorSetLayout layouts[WELKIN_VULKAN_MAX_FRAMES_IN_FLIGHT];
-  std::fill_n(layouts, frames, o.layout);
-  VkDescriptorSetAllocateInfo sets{};
-  sets.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-  sets.descriptorPool = o.pool;
-  sets.descriptorSetCount = frames;
-  sets.pSetLayouts = layouts;
-  return check(device.fn.AllocateDescriptorSets(device.handle, &sets, o.sets), "vkAllocateDescriptorSets", message);
-}
-
 void writeSets(const Device& device, const RelightImages& images, uint32_t frames, const VolumeRelight& o) {
   const VkDescriptorImageInfo words{VK_NULL_HANDLE, images.words, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   VkDescriptorImageInfo texels[3];
@@ -82,7 +47,7 @@ void writeSets(const Device& device, const RelightImages& images, uint32_t frame
     VkWriteDescriptorSet writes[kBindingCount] = {};
     for (uint32_t i = 0; i < kBindingCount; ++i) {
       writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = o.sets[frame];
+      writes[i].dstSet = o.sets.sets[frame];
       writes[i].dstBinding = i;
       writes[i].descriptorCount = kRelightBound[i].descriptorCount;
       writes[i].descriptorType = kRelightBound[i].type;
@@ -124,12 +89,13 @@ WelkinResult createRelight(const Device& device, const WelkinVolume& volume, con
   o.slot = new (std::nothrow) RelightSlot[2 * o.slots];
   if (o.slot == nullptr) return fail(message, WELKIN_ERROR_MEMORY, "out of host memory");
   if (const auto r = createBuffers(device, frames, o, message)) return r;
-  if (const auto r = createSets(device, frames, o, message)) return r;
+  if (const auto r = createFrameSets(device, kRelightBound, VK_SHADER_STAGE_COMPUTE_BIT, frames, o.sets, message))
+    return r;
   writeSets(device, images, frames, o);
   VkPipelineLayoutCreateInfo layout{};
   layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   layout.setLayoutCount = 1;
-  layout.pSetLayouts = &o.layout;
+  layout.pSetLayouts = &o.sets.layout;
   if (const auto r = check(device.fn.CreatePipelineLayout(device.handle, &layout, device.allocator, &o.pipeline_layout),
                            "vkCreatePipelineLayout", message))
     return r;
@@ -143,8 +109,7 @@ WelkinResult createRelight(const Device& device, const WelkinVolume& volume, con
 void destroy(const Device& device, VolumeRelight& o) {
   for (VkPipeline pipeline : o.pipelines) device.fn.DestroyPipeline(device.handle, pipeline, device.allocator);
   device.fn.DestroyPipelineLayout(device.handle, o.pipeline_layout, device.allocator);
-  device.fn.DestroyDescriptorPool(device.handle, o.pool, device.allocator);
-  device.fn.DestroyDescriptorSetLayout(device.handle, o.layout, device.allocator);
+  destroy(device, o.sets);
   destroy(device, o.staging);
   destroy(device, o.probes);
   destroy(device, o.relit);

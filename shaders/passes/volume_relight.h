@@ -5,8 +5,14 @@
 #ifndef WELKIN_VOLUME_RELIGHT_H
 #define WELKIN_VOLUME_RELIGHT_H
 
+// Bytes of a block's parts, from its start. The scales come first.
+#define WELKIN_BLOCK_VISIBILITY 64
+#define WELKIN_BLOCK_SKY 112
+#define WELKIN_BLOCK_SIDE 304
+#define WELKIN_BLOCK_SUN 496
+
 #define WELKIN_SLOT_PROBES 256
-#define WELKIN_SLOT_FIXED (32 * (496 + 32 * 16) / 4)  // words of 32 blocks of 16 modes
+#define WELKIN_SLOT_FIXED (32 * (WELKIN_BLOCK_SUN + 32 * 16) / 4)  // words of 32 blocks of 16 modes
 #define WELKIN_SLOT_WORDS (WELKIN_SLOT_FIXED + 12 * WELKIN_SLOT_PROBES)
 
 #ifdef __cplusplus

@@ -51,12 +51,17 @@ void copyBytes(benchmark::State& state) {
 }
 BENCHMARK(copyBytes)->Unit(benchmark::kMicrosecond);
 
-void fillVolume(benchmark::State& state, WelkinVolumeFormat format) {
-  OpenedLevel& opened = talkLevel();
+WelkinVolume* usualVolume(WelkinVolumeFormat format) {
   WelkinVolumeSettings settings{};
   settings.format = format;
   WelkinVolume* volume = nullptr;
   welkin_volume_create(&settings, &volume);
+  return volume;
+}
+
+void fillVolume(benchmark::State& state, WelkinVolumeFormat format) {
+  OpenedLevel& opened = talkLevel();
+  WelkinVolume* volume = usualVolume(format);
   WelkinVolumeUpdate update{};
   float camera[3] = {1600, 20, 32};
   for (auto _ : state) {
@@ -73,10 +78,7 @@ BENCHMARK_CAPTURE(fillVolume, words, WELKIN_VOLUME_DEVICE)->Unit(benchmark::kMic
 /// What a change of the light costs the processor: relighting and filling, or nothing of the two.
 void changeLight(benchmark::State& state, WelkinVolumeFormat format) {
   OpenedLevel& opened = talkLevel();
-  WelkinVolumeSettings settings{};
-  settings.format = format;
-  WelkinVolume* volume = nullptr;
-  welkin_volume_create(&settings, &volume);
+  WelkinVolume* volume = usualVolume(format);
   WelkinVolumeUpdate update{};
   WelkinRelight relit{};
   const float camera[3] = {1600, 20, 32};
