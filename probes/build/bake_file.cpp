@@ -165,6 +165,10 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
   if (read.level)
     if (const auto index = bakeSectors(*read.level, wanted, progress, report, timing))
       certifyBake(*read.level, read.sky.sky, request.folder, *index, request.certify, progress, report);
+  if (read.level) {
+    std::error_code error;
+    timing["level"] = std::filesystem::proximate(request.file, request.folder, error).generic_string();
+  }
   timing["total_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Json& outputs : skyOutputs(report))
     for (const Json& output : outputs)

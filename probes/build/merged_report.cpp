@@ -79,20 +79,34 @@ bool isOf(const Json& sectors, const sectors::LevelIndex& index) {
                     });
 }
 
-}  // namespace
-
-std::optional<Json> earlierReport(const fs::path& folder) {
-  const fs::path path = reportPath(folder, std::nullopt);
+/// An object; nothing where there is none that can be read.
+std::optional<Json> objectIn(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return std::nullopt;
   try {
     const auto bytes = base::readFile(path, kLargestReport);
-    auto report = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (!report || !report->is_object()) return std::nullopt;
-    return report;
+    auto object = base::parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (!object || !object->is_object()) return std::nullopt;
+    return object;
   } catch (const base::Error&) {
     return std::nullopt;  // it is about to be written anew
   }
+}
+
+std::optional<std::string> levelIn(const fs::path& timing) {
+  const std::optional<Json> object = objectIn(timing);
+  if (!object || !object->contains("level") || !(*object)["level"].is_string()) return std::nullopt;
+  return (*object)["level"].get<std::string>();
+}
+
+}  // namespace
+
+std::optional<Json> earlierReport(const fs::path& folder) {
+  return objectIn(reportPath(folder, std::nullopt));
+}
+
+std::optional<std::string> levelOfBake(const fs::path& folder) {
+  return levelIn(timingPath(folder, std::nullopt));
 }
 
 fs::path reportPath(const fs::path& folder, const std::optional<Shard>& shard) {
@@ -105,7 +119,10 @@ fs::path timingPath(const fs::path& folder, const std::optional<Shard>& shard) {
 
 void mergeReports(const fs::path& folder, int count, const sectors::LevelIndex& index) {
   std::error_code error;
-  fs::remove(timingPath(folder, std::nullopt), error);
+  if (const std::optional<std::string> level = levelIn(timingPath(folder, Shard{0, count})))
+    base::writeFile(timingPath(folder, std::nullopt), Json{{"level", *level}}.dump(2) + "\n");
+  else
+    fs::remove(timingPath(folder, std::nullopt), error);
   std::vector<Json> parts;
   for (int i = 0; i < count; ++i) {
     const fs::path path = reportPath(folder, Shard{i, count});

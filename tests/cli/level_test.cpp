@@ -108,6 +108,8 @@ TEST_CASE("Level, SameBytesForAnyThreadsShardsAndOrder") {
   REQUIRE(merged.status == 0);
   REQUIRE(merged.out == level / "shards/level.welkin" + ": 4 sectors\n");
   requireSame(level.path() / "one", level.path() / "shards");
+  for (const char* folder : {"/one", "/shards"})
+    REQUIRE(json::parse(readBytes(level.path().string() + folder + "/timing.json"))["level"] == "../level.toml");
   REQUIRE(readBytes(level / "one/report.json") == readBytes(level / "shards/report.json"));
   for (const char* sector : {"1_0", "2_0", "-1_0", "0_0"}) level.bake("named", {"--sectors", sector});
   requireSame(level.path() / "one", level.path() / "named");

@@ -116,8 +116,9 @@ TEST_CASE("Render, ProbesErrorsHaveTheirStatus") {
   check(level / "empty", 3, "holds the sector 0_0");
   fs::resize_file(sector, fs::file_size(sector) - 9);
   check(level / "out", 3, "sector_0_0.welkin");
-  const Run run =
-      runTool({"render", level / "out", "--probes", level / "out", "--time", "12", "-o", level / "a.png"}, kNoDevice);
+  const Run run = runTool(
+      {"render", level / "out", "--view", "dome", "--probes", level / "out", "--time", "12", "-o", level / "a.png"},
+      kNoDevice);
   CHECK(run.status == 1);
   CHECK(run.said("--probes"));
 }
@@ -148,16 +149,39 @@ TEST_CASE("Render, ProbesAreInThePicture") {
   REQUIRE(draw("d.png", {"--probes", level / "out"}) != with);  // black
 }
 
-TEST_CASE("Render, ABakedLevelAloneSaysHowToDrawIt") {
+TEST_CASE("Render, ABakedLevelFindsItsLevelFile") {
   const SmallLevel level;
   level.bake("out");
-  const Run run = runTool({"render", level / "out", "--time", "12", "-o", level / "a.png"}, kNoDevice);
-  INFO(run.err);
-  CHECK(run.status == 1);
-  CHECK(run.said(level / "out" + " is a baked level: give --level LEVEL.toml"));
-  const Run sky =
-      runTool({"render", level / "out", "--time", "12", "--view", "dome", "-o", level / "a.png"}, kNoDevice);
-  CHECK(sky.status == 2);  // All is well except for the device.
+  const auto draw = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", level / "out", "--time", "12", "-o", level / "a.png"});
+    return runTool(more, kNoDevice);
+  };
+  const std::string other = "is not as it was when " + (level / "out") + " was baked, or is another level";
+  const Run same = draw({});
+  INFO(same.err);
+  CHECK(same.status == 2);  // All is well except for the device.
+  CHECK(same.said("Vulkan"));
+  CHECK_FALSE(same.said(other));
+
+  fs::create_directory(level / "moved");
+  for (const char* name : {"level.toml", "level.gltf", "sky.toml"})
+    if (fs::exists(level / name)) fs::copy_file(level / name, level / "moved/" + name);
+  std::ofstream(level / "moved/level.toml", std::ios::app) << "\n# Another one.\n";
+  CHECK(draw({"--level", level / "moved/level.toml"}).said((level / "moved/level.toml") + " " + other));
+
+  fs::rename(level / "level.toml", level / "renamed.toml");
+  const Run none = draw({});
+  INFO(none.err);
+  CHECK(none.status == 2);
+  CHECK(none.said("its level.toml is not there"));
+  CHECK(none.said("--level names the file"));
+  CHECK_FALSE(draw({"--level", level / "renamed.toml"}).said(other));
+  CHECK(draw({"--view", "dome"}).said("Vulkan"));  // needs no level.toml
+
+  std::ofstream(level / "out/timing.json") << "{\"level\": \"../renamed.toml\"}";
+  CHECK(draw({}).said("Vulkan"));
+  std::ofstream(level / "out/timing.json") << "{\"level\": 3}";
+  CHECK(draw({}).said("its level.toml is not there"));
 }
 
 TEST_CASE("Render, ThePathTracersPictureIsThatOfOpenGround") {

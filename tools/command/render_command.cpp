@@ -10,12 +10,14 @@
 #include <string>
 
 #include "baked/level_folder.h"
+#include "baked/level_source.h"
 #include "baked/welkin_file.h"
 #include "command/arguments.h"
 #include "command/commands.h"
 #include "command/level_picture.h"
 #include "command/render_options.h"
 #include "command/render_picture.h"
+#include "probes/build/level_files.h"
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
 #include "sky/base/error.h"
@@ -53,7 +55,18 @@ void setLights(baked::LevelFolder& baked, const level::Scene& scene, const std::
   warnOfUnseen(baked.setLights(lights, sees), lights.size());
 }
 
-void runRender(const RenderOptions& options) {
+/// The folder of a baked level shows the level, whose file need not be given.
+RenderOptions withLevel(RenderOptions options) {
+  const bool shows_level = options.view.empty() || options.view == "level";
+  if (!shows_level || !build::isLevelFolder(options.sky)) return options;
+  const baked::LevelSource source = baked::levelSource(options.sky, options.level);
+  if (!source.warning.empty()) std::fprintf(stderr, "welkin: warning: %s\n", base::oneLine(source.warning).c_str());
+  options.level = source.file.string();
+  return options;
+}
+
+void runRender(const RenderOptions& given) {
+  const RenderOptions options = withLevel(given);
   checkOptions(options);
   const Sky sky = baked::openSky(baked::skyFileOf(options.sky));
   if (parseSource(options) == WELKIN_VULKAN_CUBEMAP && sky.info().cubemap_count == 0)
@@ -118,7 +131,10 @@ void addRender(CLI::App& app) {
                       "to its right, for a level towards its middle");
   command->add_option("--pitch", options->pitch_deg, "Degrees above the horizon; default: 18, or a level's middle");
   command->add_option("--fov", options->fov_deg, "Vertical field of view, degrees");
-  command->add_option("--level", options->level, "The level.toml whose geometry is drawn under the sky");
+  command->add_option(
+      "--level", options->level,
+      "The level.toml whose geometry is drawn under the sky; default, of the folder of a baked level: the one "
+      "that was baked");
   command->add_option("--probes", options->probes,
                       "The folder that the level was baked into: the probes of its sectors as white spheres, lit by "
                       "level.toml's sky, its bounced sun and moon, and emission at that hour");

@@ -137,10 +137,6 @@ void checkOptions(const RenderOptions& options) {
   if (!level && !options.level.empty()) refuse("--level: --view " + options.view + " shows no level");
   if (!level && !options.probes.empty()) refuse("--probes: only a level has probes; give --level LEVEL.toml");
   if (!level && !options.camera.empty()) refuse("--camera: only a level has places to stand; give --level LEVEL.toml");
-  if (options.view.empty() && options.level.empty() && build::isLevelFolder(options.sky))
-    refuse(options.sky +
-           " is a baked level: give --level LEVEL.toml, the file that it was baked from; or --view dome, horizon, "
-           "spheres or sheet for its sky alone");
   const bool probes = level && parseLevelLight(options) == LevelLight::probes;
   if (probes && !build::isLevelFolder(options.sky))
     refuse("--sky-light probes: " + options.sky + " is not the folder of a baked level (it has no level.welkin)");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "baked/level_source.h"
 #include "probes/build/level_files.h"
 #include "probes/build/sector_warnings.h"
 #include "probes/geometry/sector_name.h"
@@ -42,15 +43,8 @@ LevelFiles levelFiles(const fs::path& folder, const fs::path& level) {
                       fmt::format("{}: not the folder of a baked level: it has no level.welkin; welkin bake LEVEL.toml "
                                   "-o {} makes it",
                                   folder.string(), folder.string()));
-  if (!level.empty()) return {folder, level};
-  std::error_code error;
-  const fs::path whole = fs::absolute(folder, error).lexically_normal();
-  const fs::path up = whole.has_filename() ? whole.parent_path() : whole.parent_path().parent_path();
-  for (const fs::path& place : {whole, up})
-    if (fs::is_regular_file(place / "level.toml", error)) return {folder, place / "level.toml"};
-  throw base::Error(
-      base::ExitStatus::file,
-      fmt::format("no level.toml in {} or in {}; --level names the file that was baked", whole.string(), up.string()));
+  baked::LevelSource source = baked::levelSource(folder, level);
+  return {folder, std::move(source.file), std::move(source.warning)};
 }
 
 Level::Level(const LevelFiles& files)
@@ -59,6 +53,7 @@ Level::Level(const LevelFiles& files)
       subject_(build::readLevel(files.level)),
       scene_(drawnScene(files.level)),
       tracer_(std::make_unique<geometry::Tracer>(subject_.level->surfaces, middleOf(scene_.bounds))) {
+  if (!files.warning.empty()) warnings_.push_back({"stale", files.warning, {}});
   for (const std::string& warning : subject_.level->surfaces.warning) warnings_.push_back({"geometry", warning, {}});
   const sectors::LevelIndex index = build::readIndex(build::indexPath(files.folder));
   const bool has_budget = !subject_.level->section.transfer.rays;

@@ -20,10 +20,10 @@ namespace welkin::view {
 struct LevelFiles {
   std::filesystem::path folder;  ///< of the bake
   std::filesystem::path level;   ///< level.toml
+  std::string warning;           ///< where that is not the file that was baked
 };
 
-/// The files of a command line. Without `level` it is level.toml in the folder or beside it. Throws Error(file) that
-/// says where it was looked for.
+/// The files of a command line, as baked::levelSource finds them. Throws Error(file).
 LevelFiles levelFiles(const std::filesystem::path& folder, const std::filesystem::path& level);
 
 struct SectorCost {
