@@ -43,6 +43,8 @@ placement::PlacementSettings readProbes(Section section) {
   for (const auto& p : table.lists("add", 3, section.rangeOf("add"), kPoint)) probes.add.push_back({p[0], p[1], p[2]});
   for (const auto& box : table.lists("remove", 6, section.rangeOf("remove"), kBox))
     probes.remove.push_back(boxOf(table, "remove", table.node("remove"), box));
+  for (const auto& box : table.lists("within", 6, section.rangeOf("within"), kBox))
+    probes.within.push_back(boxOf(table, "within", table.node("within"), box));
   table.finish();
   return probes;
 }
@@ -162,9 +164,10 @@ std::string settingsText(const BakeSection& section) {
   std::vector<std::string> points;
   for (const Number3& a : p.add) points.push_back(fmt::format("[{}, {}, {}]", a.x, a.y, a.z));
   const std::string probes = fmt::format(
-      R"({{"spacing_m": {}, "vegetation_spacing_m": {}, "minimum_separation_m": {}, "height_m": {}, "headroom_m": {}, "clearance_m": {}, "coverage_m": {}, "walls": "{}", "add": [{}], "remove": {}}})",
+      R"({{"spacing_m": {}, "vegetation_spacing_m": {}, "minimum_separation_m": {}, "height_m": {}, "headroom_m": {}, "clearance_m": {}, "coverage_m": {}, "walls": "{}", "add": [{}], "remove": {}{}}})",
       p.spacing_m, p.vegetation_spacing_m, p.minimum_separation_m, p.height_m, p.headroom_m, p.clearance_m,
-      p.coverage_m, p.walls == placement::Walls::cut ? "cut" : "ignore", fmt::join(points, ", "), boxesText(p.remove));
+      p.coverage_m, p.walls == placement::Walls::cut ? "cut" : "ignore", fmt::join(points, ", "), boxesText(p.remove),
+      p.within.empty() ? "" : ", \"within\": " + boxesText(p.within));
   const std::string transfer =
       fmt::format(R"({{"rays": {}, "bounces": {}, "sun": "{}", "local_lights": {}, "reach_m": {}, "fit": "{}"}})",
                   t.rays ? fmt::format("{}", *t.rays) : "\"auto\"", t.bounces, nameOf(t.sun),

@@ -103,6 +103,7 @@ geometry::Column columnOfBake(geometry::SectorId sector, const TransferSection& 
 
 BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const geometry::Column& column) {
   BakeSection section = level;
+  section.probes.within.clear();  // the sector is one of them
   std::erase_if(section.probes.add, [&](const Number3& p) { return !column.holds(p); });
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
     std::erase_if(*boxes,

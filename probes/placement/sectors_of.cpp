@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -89,11 +90,45 @@ class SectorSet {
   std::set<geometry::SectorId> sectors_;
 };
 
+/// The sectors that get probes: those that one of the boxes touches, seen from above; without boxes all.
+class Allowed {
+ public:
+  explicit Allowed(const std::vector<geometry::Box>& boxes) {
+    for (const geometry::Box& b : boxes) {
+      squares_.push_back({geometry::sectorAt(b.low), geometry::sectorAt(b.high)});
+      low_ = {std::min(low_.x, squares_.back().low.x), std::min(low_.z, squares_.back().low.z)};
+      high_ = {std::max(high_.x, squares_.back().high.x), std::max(high_.z, squares_.back().high.z)};
+    }
+  }
+
+  bool holds(geometry::SectorId id) const {
+    return squares_.empty() || std::any_of(squares_.begin(), squares_.end(), [&](const Square& s) {
+             return id.x >= s.low.x && id.x <= s.high.x && id.z >= s.low.z && id.z <= s.high.z;
+           });
+  }
+
+  /// Narrows a span to one that has all allowed sectors of it.
+  void narrow(geometry::SectorId& low, geometry::SectorId& high) const {
+    if (squares_.empty()) return;
+    low = {std::max(low.x, low_.x), std::max(low.z, low_.z)};
+    high = {std::min(high.x, high_.x), std::min(high.z, high_.z)};
+  }
+
+ private:
+  struct Square {
+    geometry::SectorId low, high;
+  };
+  static constexpr int kMost = std::numeric_limits<int>::max();
+  std::vector<Square> squares_;
+  geometry::SectorId low_{kMost, kMost}, high_{-kMost, -kMost};
+};
+
 }  // namespace
 
 std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const PlacementSettings& settings,
                                           const base::Progress& progress) {
   checkSettings(settings);
+  const Allowed allowed(settings.within);
   SectorSet found;
   std::map<geometry::SectorId, double> between_m2;  // walkable ground of sectors that no line meets
   for (const geometry::Triangle& t : s.triangle) {
@@ -103,15 +138,17 @@ std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const Pla
     const bool two_sides = s.material[t.material].double_sided;
     if (!shadow.ground(two_sides)) continue;
     const bool walkable = isWalkable(corner, two_sides);
-    const geometry::SectorId low = geometry::sectorAt({shadow.low(0), 0, shadow.low(2)});
-    const geometry::SectorId high = geometry::sectorAt({shadow.high(0), 0, shadow.high(2)});
+    geometry::SectorId low = geometry::sectorAt({shadow.low(0), 0, shadow.low(2)});
+    geometry::SectorId high = geometry::sectorAt({shadow.high(0), 0, shadow.high(2)});
+    allowed.narrow(low, high);
+    if (low.x > high.x || low.z > high.z) continue;
     const auto name = [&] { return fmt::format("object \"{}\"", s.object[t.object].name); };
     found.checkSpan(low, high, name);
     for (int x = low.x; x <= high.x; ++x) {
       progress.check();
       for (int z = low.z; z <= high.z; ++z) {
         const geometry::SectorId id{x, z};
-        if (found.contains(id)) continue;
+        if (found.contains(id) || !allowed.holds(id)) continue;
         if (meetsALine(shadow, id, settings.spacing_m))
           found.add(id, name);
         else if (walkable)
@@ -123,11 +160,16 @@ std::vector<geometry::SectorId> sectorsOf(const geometry::Surfaces& s, const Pla
   for (const auto& [id, area_m2] : between_m2)
     if (area_m2 >= kLeastGround_m2) found.add(id, others);
   for (const geometry::Box& box : vegetationBoxes(s)) {
-    found.checkSpan(geometry::sectorAt(box.low), geometry::sectorAt(box.high), [&] {
+    geometry::SectorId low = geometry::sectorAt(box.low);
+    geometry::SectorId high = geometry::sectorAt(box.high);
+    allowed.narrow(low, high);
+    if (low.x > high.x || low.z > high.z) continue;
+    found.checkSpan(low, high, [&] {
       return fmt::format("vegetation from ({}, {}) to ({}, {}) m", box.low.x, box.low.z, box.high.x, box.high.z);
     });
     progress.check();
-    for (const geometry::SectorId& id : sectorsOfVegetation(box, settings)) found.add(id, others);
+    for (const geometry::SectorId& id : sectorsOfVegetation(box, settings))
+      if (allowed.holds(id)) found.add(id, others);
   }
   for (const Number3& p : settings.add) found.add(geometry::sectorAt(p), others);
   return {found.sectors().begin(), found.sectors().end()};

@@ -29,6 +29,7 @@ struct PlacementSettings {
   Walls walls = Walls::cut;
   std::vector<Number3> add;           ///< probes by hand
   std::vector<geometry::Box> remove;  ///< no probes inside, except those by hand
+  std::vector<geometry::Box> within;  ///< only sectors that they touch, seen from above, have probes; none: all
   std::vector<geometry::Box> room;    ///< boxes with separate probes inside and outside
 };
 

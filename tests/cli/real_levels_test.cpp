@@ -71,8 +71,8 @@ json bakeLevel(const std::string& name, const std::string& text, const std::stri
 }
 
 /// The [[geometry]] of every node of a Godot scene whose name begins with `node`. Its transforms have yaw and one
-/// scale.
-std::string placed(const std::string& scene, const std::string& node, const std::string& file,
+/// scale; `metres` is that of the file.
+std::string placed(const std::string& scene, const std::string& node, const std::string& file, double metres,
                    const std::string& more) {
   std::ifstream in(scene);
   std::string text;
@@ -92,7 +92,7 @@ std::string placed(const std::string& scene, const std::string& node, const std:
     const double yaw = std::atan2(m[2], m[0]) * 180.0 / 3.14159265358979;
     std::ostringstream keys;
     keys << "translation = [" << m[9] << ", " << m[10] << ", " << m[11] << "]\nrotation_deg = [0, " << yaw
-         << ", 0]\nscale = " << m[4] << "\n";
+         << ", 0]\nscale = " << metres * m[4] << "\n";
     text += geometry(file, keys.str() + more);
     wanted = false;
   }
@@ -120,8 +120,8 @@ TEST_CASE("RealLevels, TruckTownWithItsTreesAndLamps") {
   if (!folder) return;
   const std::string town = *folder + "truck_town/town/";
   const std::string scene = town + "town_scene.tscn";
-  const std::string trees = placed(scene, "Tree", town + "tree/scene.gltf", "role = \"vegetation\"");
-  const std::string lamps = placed(scene, "Lamp", town + "lamp/scene.gltf", "");
+  const std::string trees = placed(scene, "Tree", town + "tree/scene.gltf", 0.01, "role = \"vegetation\"");
+  const std::string lamps = placed(scene, "Lamp", town + "lamp/scene.gltf", 1.0, "");
   REQUIRE(std::count(trees.begin(), trees.end(), '[') == 5 * 4);
   REQUIRE(std::count(lamps.begin(), lamps.end(), '[') == 10 * 4);
   // The ground around the town is 2 km wide; the town itself lies within 128 m.

@@ -88,6 +88,7 @@ coverage_m = 10
 walls = "ignore"
 add = [[1, 2, 3], [-4.5, 5, 6]]
 remove = [[-1, -2, -3, 1, 2, 3]]
+within = [[-64, 0, -64, 64, 1, 64], [70, 0, 0, 71, 1, 1]]
 [[room]]
 box = [0, 1, 2, 3, 4, 5]
 [[room]]
@@ -115,6 +116,8 @@ sky = 2.5
   REQUIRE(s.probes.remove.size() == 1);
   CHECK(s.probes.remove[0].low == f64::Number3(-1, -2, -3));
   CHECK(s.probes.remove[0].high == f64::Number3(1, 2, 3));
+  REQUIRE(s.probes.within.size() == 2);
+  CHECK(s.probes.within[1].high == f64::Number3(71, 1, 1));
   REQUIRE(s.probes.room.size() == 2);
   CHECK(s.probes.room[1].low == f64::Number3(10, 11, 12));
   CHECK(s.probes.room[1].high == f64::Number3(13, 14, 15));

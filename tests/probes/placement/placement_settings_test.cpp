@@ -116,6 +116,13 @@ TEST_CASE("Placement, SectorsOfALevel") {
   for (std::size_t i = s.triangle.size() - 2; i < s.triangle.size(); ++i) s.triangle[i].object = 1;
   CHECK(placement::sectorsOf(s, settings).back() == geometry::SectorId{7, 0});
   CHECK(placement::sectorsOf({}, {}).empty());
+  settings.within = {{{-70, 0, 0}, {-65, 1, 1}}, {{5, -9, 5}, {6, -8, 6}}};  // any height
+  CHECK(placement::sectorsOf(s, settings) == std::vector<geometry::SectorId>{{-2, 0}, {-1, -16}, {0, 0}});
+  settings.within = {{{450, 0, 0}, {460, 1, 1}}};  // the tree's sector
+  CHECK(placement::sectorsOf(s, settings) == std::vector<geometry::SectorId>{{-1, -16}, {7, 0}});
+  settings.within = {{{900, 0, 0}, {960, 1, 1}}};
+  settings.add.clear();
+  CHECK(placement::sectorsOf(s, settings).empty());
 }
 
 TEST_CASE("Placement, GroundBetweenTheLinesHasASectorAndProbes") {
@@ -155,6 +162,9 @@ TEST_CASE("Placement, LevelsTooWideAreRefused") {
   geometry::Surfaces s = groundOf({0.5, 0.5, 0.5}, 33e3);
   s.object[0].name = "sea floor";
   CHECK_THROWS_WITH(placement::sectorsOf(s, {}), Catch::Contains("\"sea floor\" spans 1065024 sectors"));
+  placement::PlacementSettings harbour;
+  harbour.within = {{{-10, 0, 70}, {10, 1, 80}}};
+  CHECK(placement::sectorsOf(s, harbour) == std::vector<geometry::SectorId>{{-1, 1}, {0, 1}});
   geometry::Surfaces forest = groundOf({0.5, 0.5, 0.5}, 60.0);
   forest.object.push_back({"forest", geometry::Role::vegetation});
   for (const double at : {-40e3, 40e3}) {
