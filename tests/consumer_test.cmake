@@ -53,7 +53,7 @@ foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp includ
     share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
     share/welkin/shaders/welkin/modes_4.hlsl share/welkin/shaders/welkin/modes_8.hlsl share/welkin/shaders/welkin/modes_12.hlsl
     share/welkin/shaders/welkin/modes_4.wgsl share/welkin/shaders/welkin/modes_8.wgsl share/welkin/shaders/welkin/modes_12.wgsl
-    share/welkin/shaders/welkin/sky_constants.h share/welkin/shaders/welkin/volume.glsl share/welkin/shaders/welkin/volume_constants.h
+    share/welkin/shaders/welkin/sky_constants.h share/welkin/shaders/welkin/volume.glsl share/welkin/shaders/welkin/far.glsl share/welkin/shaders/welkin/volume_constants.h
     share/welkin/shaders/shared/formulas.glsl)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "install: ${file} is missing")

@@ -2,18 +2,25 @@
 #include "probes/sectors/occlusion_tile.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "probes/transfer/relight.h"
+#include "shared.h"
 
 namespace welkin::sectors {
 namespace {
 
-/// The share of a uniform sky that a horizontal surface sees, from the probe's visibilities.
+/// The share of a uniform sky's light that a horizontal surface has, direct and bounced.
 double horizontalShare(const transfer::ProbeTransfer& transfer) {
-  const auto basis = transfer::transferBasis();
+  transfer::Relight light;  // radiance 1 over the upper hemisphere
+  light.sky[0] = f64::Number3(std::sqrt(f64::kPi));
+  light.sky[1] = f64::Number3(std::sqrt(3.0 * f64::kPi) / 2.0);
+  light.bounced_sky = light.sky;
+  const auto irradiance = transfer::relit(transfer, {}, light).sky;
   const auto weight = transfer::shadingWeights({0, 1, 0});
-  double share = 0.0;
-  for (std::size_t b = 0; b < transfer::kDirections; ++b)
-    share += weight[b] * transfer.visibility[b] * (1.0 + basis[b].y) / 2.0;
-  return std::clamp(share, 0.0, 1.0);
+  f64::Number3 sum(0.0);
+  for (std::size_t b = 0; b < transfer::kDirections; ++b) sum += irradiance[b] * weight[b];
+  return std::clamp(f64::luminanceOf(sum) / f64::kPi, 0.0, 1.0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sector's sky visibility from above, for vegetation beyond the probe volume.
+// A sector's share of the open sky's light from above, for surfaces beyond the probe volume.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,10 @@
 namespace welkin::sectors {
 
 /// Tile of a sector seen from above: cell x + kCells z, of size kCell_m. For the probe that serves a cell it stores the
-/// share of a uniform sky that a horizontal surface sees, in [0, 1]. It also stores the probe's height, because the
-/// effect fades with height. After Stefanov, GDC 2012 (slides 57-58); one tile per sector.
+/// share of a uniform sky's light that a horizontal surface has, in [0, 1]: from the sky that it sees, and bounced. A
+/// fit moves light between a probe's visibility and its transfer, so visibility alone does not tell it. The tile also
+/// stores the probe's height, because the effect fades with height. After Stefanov, GDC 2012 (slides 57-58); one tile
+/// per sector.
 struct OcclusionTile {
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> sky_visibility{};
   std::array<double, std::size_t{geometry::kCells} * geometry::kCells> probe_y{};

@@ -11,6 +11,7 @@
 #include "core/arguments.h"
 #include "core/open_file.h"
 #include "format/cut_lookup.h"
+#include "probes/far_map.h"
 #include "probes/lamps.h"
 #include "probes/local_light.h"
 #include "probes/packed_probes.h"
@@ -69,8 +70,9 @@ struct WelkinSector {
   std::uint64_t fixed_changes = 0;             ///< counts changes of `fixed`
   welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
   std::array<std::uint8_t, welkin::format::kGridCells> filled{};  ///< the grid, its holes as their nearest cells
-  welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;   ///< the light as texels of the volume
-  welkin::probes::SectorLight now{};                              ///< the light of `pass`
+  welkin::probes::FarTile far_tile{};
+  welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;  ///< the light as texels of the volume
+  welkin::probes::SectorLight now{};                             ///< the light of `pass`
   std::uint64_t pass = 0;      ///< WelkinLevel::instant at which the running pass began; 0: none
   std::uint32_t done = 0;      ///< probes that the running pass has relit
   std::uint64_t arrival = 0;   ///< WelkinLevel::residents when it came

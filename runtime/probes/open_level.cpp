@@ -154,6 +154,9 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
        (!opened.light.allocate(opened.memory, numbers) || !opened.packed.allocate(opened.memory, opened.probes))) ||
       (room = opened.memory.allocate(sizeof(WelkinSector), alignof(WelkinSector))) == nullptr)
     return fail(message, WELKIN_ERROR_MEMORY, "out of memory");
+  relightProbes(opened.blocks.get(), opened.modes, sectorLightOf(uniformSky(), *opened.file), nullptr, 0, opened.probes,
+                opened.light.get());
+  opened.far_tile = farTileOf(*opened.file, opened.light.get());
   if (numbers > 0) std::fill_n(opened.light.get(), numbers, 0.0F);
   fillHoles(opened.grid.grid, opened.filled);
   opened.bytes = sizeof(WelkinSector) + (opened.cut.get() == nullptr ? 0 : format::kGridCells / 8) +

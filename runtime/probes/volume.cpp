@@ -236,6 +236,7 @@ WelkinResult welkin_volume_update(WelkinVolume* volume, WelkinLevel* level, cons
   for (std::size_t a = 0; a < 3; ++a) volume->camera[a] = double{camera[a]};
   WelkinVolumeUpdate out{};
   welkin::probes::update(*volume, *level, take(*sample), first, max_texels, out);
+  volume->far_map.update(*level, volume->camera[0], volume->camera[2], out);
   give(out, update);
   return WELKIN_OK;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "probes/far_map.h"
 #include "probes/level.h"
 #include "probes/volume_cuts.h"
 
@@ -72,4 +73,5 @@ struct WelkinVolume {
   std::array<std::uint32_t, 2> slots{};                      ///< of sectors along x and z, for WELKIN_VOLUME_DEVICE
   const WelkinLevel* level = nullptr;                        ///< of the last update
   welkin::probes::VolumeCuts cuts;
+  welkin::probes::FarMap far_map;
 };

@@ -32,6 +32,13 @@ WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVo
   if (s.bricks > kMostBricks && s.bricks != WELKIN_VOLUME_NO_BRICKS)
     return refuse(__func__, "settings->bricks is %u, must be 0 to %u or WELKIN_VOLUME_NO_BRICKS", s.bricks,
                   kMostBricks);
+  constexpr std::uint32_t kUsualFar = 256;
+  const std::uint32_t far_texels = s.far_texels == 0 ? kUsualFar : s.far_texels;
+  if (far_texels < 2 * kTileEdge || far_texels > FarMap::kMostTiles * kTileEdge || far_texels % kTileEdge != 0)
+    return refuse(__func__, "settings->far_texels is %u, must be 0 or a multiple of 16 in 32 to 1024", s.far_texels);
+  const float fade = s.far_fade_m == 0.0F ? 16.0F : s.far_fade_m;
+  if (!(fade >= 1.0F && fade <= 1e4F))
+    return refuse(__func__, "settings->far_fade_m is %g, must be 0 or 1 to 10000", double{s.far_fade_m});
   if (s.allocator != nullptr) {
     if (const auto r = sized(__func__, "settings->allocator", s.allocator)) return r;
     if (const auto r = nonNull(__func__, {{"settings->allocator->allocate", asPointer(s.allocator->allocate)},
@@ -49,7 +56,8 @@ WelkinResult welkin_volume_create(const WelkinVolumeSettings* settings, WelkinVo
   }
   const std::uint32_t bricks = s.bricks == WELKIN_VOLUME_NO_BRICKS ? 0 : s.bricks == 0 ? kUsualBricks : s.bricks;
   bool room = made.slice.allocate(made.memory, made.count[2]) &&
-              made.cuts.allocate(made.memory, made.count, double{height}, bricks);
+              made.cuts.allocate(made.memory, made.count, double{height}, bricks) &&
+              made.far_map.allocate(made.memory, far_texels / kTileEdge, double{fade});
   made.depth = made.count[2] + 1 + 3 * made.cuts.layers();
   const std::size_t texels = std::size_t{made.count[0]} * made.count[1] * made.depth;
   for (std::size_t c = 0; c < made.channels; ++c)

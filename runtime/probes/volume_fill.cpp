@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -11,22 +10,6 @@ namespace welkin::probes {
 namespace {
 
 constexpr int kSide = format::kCellsAcross;
-
-/// The nearest half, ties to even; beyond the largest it becomes the largest. Giesen (2012),
-/// "float_to_half_fast3_rtne".
-std::uint16_t halfFromFloat(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t sign = bits & 0x80000000U, magnitude = bits ^ sign;
-  std::uint32_t half;
-  if (magnitude >= 0x477ff000U) {
-    half = 0x7bffU;
-  } else if (magnitude < 0x38800000U) {  // a subnormal half: one addition aligns and rounds it
-    half = std::bit_cast<std::uint32_t>(std::bit_cast<float>(magnitude) + 0.5F) - 0x3f000000U;
-  } else {
-    half = (magnitude + 0xc8000fffU + (magnitude >> 13 & 1U)) >> 13;
-  }
-  return static_cast<std::uint16_t>(half | sign >> 16);
-}
 
 /// Writes a texel's words at an index.
 template <typename Word>
@@ -92,7 +75,7 @@ TexelWords packTexel(const float* light, WelkinVolumeFormat format, float scale)
     for (std::size_t b = 0; b < kDirections; ++b) {
       const float value = light[c * kDirections + b] / scale;
       if (format == WELKIN_VOLUME_RGBA16F)
-        words[c] |= std::uint64_t{halfFromFloat(value)} << (16 * b);
+        words[c] |= std::uint64_t{format::halfFromFloat(value)} << (16 * b);
       else
         words[c] |= static_cast<std::uint64_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F)
                     << (8 * b);

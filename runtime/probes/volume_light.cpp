@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "core/floats.h"
@@ -35,6 +36,9 @@ WelkinVolumeConstants constantsOf(const WelkinVolume& volume) {
   set(out.texel, volume.texel_m, 1.0 / (2.0 * *std::max_element(volume.texel_m.begin(), volume.texel_m.end())));
   const auto& mask = volume.cuts.mask();
   set(out.cuts, {1.0 * mask[0], 1.0 * mask[1], kOffWalls_m}, 1.0 / volume.depth);
+  const FarMap& map = volume.far_map;
+  set(out.far_map, {map.low_m(0), map.low_m(1), map.edge_m()}, map.fade_m());
+  set(out.far_share, {map.reach_m(), 1.0 / map.border_m(), 0.0}, 0.0);
   return out;
 }
 
@@ -104,8 +108,11 @@ using namespace welkin::probes;
 
 WelkinResult welkin_volume_constants(const WelkinVolume* volume, WelkinVolumeConstants* constants, size_t size) {
   if (const auto r = nonNull(__func__, {{"volume", volume}, {"constants", constants}})) return r;
-  if (size != sizeof *constants) return refuse(__func__, "size is %zu, must be %zu", size, sizeof *constants);
-  *constants = constantsOf(*volume);
+  constexpr size_t kWithoutFarMap = offsetof(WelkinVolumeConstants, far_map);
+  if (size != sizeof *constants && size != kWithoutFarMap)
+    return refuse(__func__, "size is %zu, must be %zu or %zu", size, sizeof *constants, kWithoutFarMap);
+  const WelkinVolumeConstants all = constantsOf(*volume);
+  std::memcpy(static_cast<void*>(constants), &all, size);
   return WELKIN_OK;
 }
 

@@ -4,10 +4,12 @@
 
 #include <welkin/volume_constants.h>
 
+#include <cstddef>
 #include <cstring>
 #include <new>
 
 #include "vulkan/barriers.h"
+#include "vulkan/far_image.h"
 #include "vulkan/volume_images.h"
 
 namespace welkin::vulkan {
@@ -31,7 +33,7 @@ unsigned char* stage(const WelkinVulkanVolume& o, const std::byte* texels, const
 /// Copies the words of the cuts that changed to the frame's staging memory, after its constants, and records their way.
 void recordCuts(const WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame, const WelkinVolume& volume,
                 const WelkinVolumeUpdate& update) {
-  const VkDeviceSize offset = frame * o.frame_bytes + o.constants_bytes;
+  const VkDeviceSize offset = frame * o.frame_bytes + o.cutStaging();
   const auto* words = reinterpret_cast<const std::byte*>(volume.cuts.words().data());
   std::memcpy(o.staging.mapped + offset, words + update.cut_first, update.cut_bytes);
   recordBarrier(o.device, commands, o.cuts.buffer, o.recorded ? kShaders : VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
@@ -60,7 +62,7 @@ void recordBoxes(WelkinVulkanVolume& o, VkCommandBuffer commands, uint32_t frame
                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   }
   recordBarriers(o.device, commands, before, images);
-  unsigned char* to = o.staging.mapped + frame * o.frame_bytes + o.constants_bytes + o.cut_bytes;
+  unsigned char* to = o.staging.mapped + frame * o.frame_bytes + o.texelStaging();
   // Boxes that overlap hold the same texels, but two copies to one texel must not race: each waits for the one before.
   for (uint32_t b = 0; b < update.box_count; ++b) {
     const WelkinVolumeBox& box = update.box[b];
@@ -108,6 +110,7 @@ WelkinResult welkin_vulkan_volume_create(const WelkinVulkanCreateInfo* info, con
   object->texel_bytes = volume->texel_bytes;
   object->copied = static_cast<uint32_t>(volume->channels);
   object->cut_bytes = volume->cuts.words().size_bytes();
+  object->far_edge = volume->far_map.edge();
   object->format = volume->format == WELKIN_VOLUME_RGBA8 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
   WelkinResult result = createVolumeImages(*object, message);
   if (result == WELKIN_OK && object->relights())
@@ -136,7 +139,8 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
     return refuse(__func__, "frame is %u, must be below frames_in_flight, %u", frame, object->frame_count);
   const VkExtent3D& e = object->extent;
   if (e.width != volume->count[0] || e.height != volume->count[1] || e.depth != volume->depth ||
-      object->texel_bytes != volume->texel_bytes || object->cut_bytes != volume->cuts.words().size_bytes())
+      object->texel_bytes != volume->texel_bytes || object->cut_bytes != volume->cuts.words().size_bytes() ||
+      object->far_edge != volume->far_map.edge())
     return refuse(__func__, "the volume is not the one that this object was created for");
   const WelkinVolumeUpdate changed = core::take(*update);
   if (changed.box_count > WELKIN_VOLUME_MAX_BOXES)
@@ -148,6 +152,11 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
         return refuse(__func__, "update->box[%u] passes the volume", b);
   if (changed.cut_bytes > object->cut_bytes || changed.cut_first > object->cut_bytes - changed.cut_bytes)
     return refuse(__func__, "update->cut_bytes passes the cuts of the volume");
+  if (changed.far_box_count > WELKIN_VOLUME_MAX_FAR_BOXES)
+    return refuse(__func__, "update->far_box_count is %u, must be at most %d", changed.far_box_count,
+                  WELKIN_VOLUME_MAX_FAR_BOXES);
+  for (uint32_t b = 0; b < changed.far_box_count; ++b)
+    if (!fitsFarMap(*object, changed.far_box[b])) return refuse(__func__, "update->far_box[%u] passes the far map", b);
   if (!object->recorded && (changed.box_count == 0 || changed.filled < all))
     return refuse(__func__, "the first update that is recorded must fill the whole volume");
   if (object->relights() && volume->level == nullptr)
@@ -160,6 +169,8 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
     recordBoxes(*object, commands, frame, *volume, changed);
     object->recorded = true;
   }
+  const bool knows_far_map = update->struct_size >= offsetof(WelkinVolumeUpdate, far_box) + sizeof changed.far_box;
+  recordFarMap(*object, commands, frame, *volume, knows_far_map ? &changed : nullptr);
   if (object->relights())
     recordRelight(object->device, object->relight, object->relightImages(), *volume, commands, frame,
                   changed.box_count > 0);

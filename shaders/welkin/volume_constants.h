@@ -18,13 +18,17 @@ struct WelkinVolumeConstants {
   WELKIN_VOLUME_FLOAT4 texel;   // xyz: edges of a texel, metres; w: 1 / width of the border that fades, 1 / metres
   WELKIN_VOLUME_FLOAT4 cuts;  // xy: sectors of the table along x and z, less 1; z: a surface counts as this far off it,
                               // metres; w: 1 / slices of the texture with its bricks
+  WELKIN_VOLUME_FLOAT4 far_map;    // xy: low corner of the far map along x and z, metres; z: its edge, after which
+                                   // coordinates repeat, metres; w: height difference at which its effect ends, metres
+  WELKIN_VOLUME_FLOAT4 far_share;  // x: distance from the camera along x and z at which the map's share is 0, metres;
+                                   // y: 1 / width of the border that fades, 1 / metres; zw: 0
 };
 
 #if defined(__cplusplus) || defined(__STDC__)
 typedef struct WelkinVolumeConstants WelkinVolumeConstants;
 #endif
 #ifdef __cplusplus
-static_assert(sizeof(WelkinVolumeConstants) == 5 * 16, "");
+static_assert(sizeof(WelkinVolumeConstants) == 7 * 16, "");
 #endif
 
 #undef WELKIN_VOLUME_FLOAT4

@@ -150,7 +150,7 @@ static void fill(WelkinLevel* level, const WelkinSkySample* sample, WelkinVolume
          (unsigned)update.value.box[0].size[0], (unsigned)update.value.box[0].size[1],
          (unsigned)update.value.box[0].size[2], (unsigned)update.value.filled, (unsigned)update.value.remaining);
   CALL(constants, welkin_volume_constants(volume, &constants.value, sizeof constants.value));
-  floats("volume constants", &constants.value.low.x, sizeof constants.value / sizeof(float));
+  floats("volume constants", &constants.value.low.x, 20); /* those of the first release */
   CALL(rgb, welkin_volume_irradiance(volume, camera, up, rgb.value, &inside));
   floats("volume irradiance", rgb.value, 3);
   floats("inside", &inside, 1);

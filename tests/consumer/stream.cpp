@@ -186,13 +186,14 @@ class Stream {
     for (const Pixel* p = pixels; p < pixels + kWidth * kHeight; ++p) {
       if (p->position[3] == 0.0F) continue;
       welkin::Float3 light{}, beyond{};
-      float share = 0.0F;
+      float share = 0.0F, free = 0.0F;
       require(welkin_volume_irradiance(volume_.get(), p->position, p->normal, light.data(), &share));
       require(welkin::irradiance(sample_, {p->normal[0], p->normal[1], p->normal[2]}, beyond));
+      require(welkin_volume_far_visibility(volume_.get(), p->position, p->normal, &free));
       ++compared;
       if (share > 0.0F) ++inside;
       for (std::size_t c = 0; c < 3; ++c) {
-        const float expected = share * light[c] + (1.0F - share) * beyond[c];
+        const float expected = share * light[c] + (1.0F - share) * free * beyond[c];
         largest = std::max(largest, double(expected));
         const double error = std::abs(double(p->irradiance[c]) - double(expected));
         if (!(error <= worst)) worst = error;

@@ -18,11 +18,13 @@ struct DeviceVolume {
   WelkinVulkanVolume* textures = nullptr;
 
   DeviceVolume(const render::VulkanDevice& device, WelkinVolumeFormat format,
-               const std::array<std::uint32_t, 3>& texels = {24, 8, 20}, std::uint32_t bricks = 0) {
+               const std::array<std::uint32_t, 3>& texels = {24, 8, 20}, std::uint32_t bricks = 0,
+               std::uint32_t far_texels = 0) {
     WelkinVolumeSettings settings{};
     settings.format = format;
     std::copy(texels.begin(), texels.end(), settings.texels);
     settings.bricks = bricks;
+    settings.far_texels = far_texels;
     render::require(welkin_volume_create(&settings, &volume), "welkin_volume_create");
     const WelkinVulkanCreateInfo info = render::createInfo(device, kFrames);
     render::require(welkin_vulkan_volume_create(&info, volume, &textures, nullptr), "welkin_vulkan_volume_create");

@@ -13,9 +13,14 @@
  * about it as that side sees them: what lies behind a wall has the light of what lies before it. A buffer of words
  * leads the shader from a place to its brick, and the three fetches are of the brick.
  *
- * Every frame: welkin_level_relight, welkin_volume_update, then copy the boxes that changed to the textures and the
- * words that changed to the buffer, and give welkin_volume_constants to the shader. welkin_vulkan_volume.h does all on
- * Vulkan.
+ * Beyond the volume a surface gets the open sky's light, times the sky's visibility in a far map: a texture from above,
+ * with a tile for each resident sector about the camera. A texel is a column of cells of 4 m and holds how much of a
+ * uniform sky is hidden from the probe that serves the surface seen from above, and that probe's height. The effect
+ * fades with the difference of heights. Texels wrap as those of the volume do (shaders/welkin/far.glsl).
+ *
+ * Every frame: welkin_level_relight, welkin_volume_update, then copy the boxes that changed to the textures, the words
+ * that changed to the buffer and the rectangles that changed to the far map, and give welkin_volume_constants to the
+ * shader. welkin_vulkan_volume.h does all on Vulkan.
  */
 #ifndef WELKIN_VOLUME_H
 #define WELKIN_VOLUME_H
@@ -45,6 +50,8 @@ typedef struct WelkinVolumeSettings {
   float texel_height_m;             /* >= 0.5; 0: 4. In x and z texels are the grid's cells of 4 m */
   const WelkinAllocator* allocator; /* null: malloc. Copied */
   uint32_t bricks; /* room for sides of walls, 27 texels each; 0: 4096; WELKIN_VOLUME_NO_BRICKS: none, light leaks */
+  uint32_t far_texels; /* edge of the far map: whole sectors of 16 texels of 4 m, 32..1024; 0: 256, 1024 m */
+  float far_fade_m; /* height difference at which the far map's effect ends, 1..10000; it is whole up to half; 0: 16 */
 } WelkinVolumeSettings;
 
 #define WELKIN_VOLUME_NO_BRICKS UINT32_MAX
@@ -56,17 +63,26 @@ typedef struct WelkinVolumeBox {
 
 #define WELKIN_VOLUME_MAX_BOXES 12
 
+/* A rectangle of texels of the far map that changed, x then z. It does not wrap. */
+typedef struct WelkinFarBox {
+  uint32_t first[2], size[2];
+} WelkinFarBox;
+
+#define WELKIN_VOLUME_MAX_FAR_BOXES 8
+
 /* Result of an update. */
 typedef struct WelkinVolumeUpdate {
   WELKIN_STRUCT_SIZE(WelkinVolumeUpdate);
   uint32_t box_count; /* 0: no texel changed */
   WelkinVolumeBox box[WELKIN_VOLUME_MAX_BOXES];
-  uint32_t filled;    /* texels in the boxes */
-  uint32_t remaining; /* texels that still show earlier light, those of bricks too */
-  uint32_t cut_first; /* first byte of welkin_volume_cuts that changed, a multiple of 16 */
-  uint32_t cut_bytes; /* bytes that changed from there on, a multiple of 16; 0: none */
-  uint32_t cuts_left; /* sectors with walls that found no room, the farthest ones: light leaks there */
-  uint32_t bricks;    /* in use */
+  uint32_t filled;        /* texels in the boxes */
+  uint32_t remaining;     /* texels that still show earlier light, those of bricks too */
+  uint32_t cut_first;     /* first byte of welkin_volume_cuts that changed, a multiple of 16 */
+  uint32_t cut_bytes;     /* bytes that changed from there on, a multiple of 16; 0: none */
+  uint32_t cuts_left;     /* sectors with walls that found no room, the farthest ones: light leaks there */
+  uint32_t bricks;        /* in use */
+  uint32_t far_box_count; /* 0: no texel of the far map changed. They change where sectors come, go or enter the map */
+  WelkinFarBox far_box[WELKIN_VOLUME_MAX_FAR_BOXES]; /* none overlap */
 } WelkinVolumeUpdate;
 
 struct WelkinVolumeConstants;
@@ -99,7 +115,14 @@ WELKIN_API WelkinResult welkin_volume_texels(const WelkinVolume* volume, uint32_
  * border. */
 WELKIN_API WelkinResult welkin_volume_cuts(const WelkinVolume* volume, const void** words, size_t* bytes);
 
-/* Fills the constants that volume.glsl reads (welkin/volume_constants.h). `size` is that of the struct, 80. */
+/* The texels of the far map: x, then z, *edge of each. A texel is 4 bytes, two half floats
+ * (VK_FORMAT_R16G16_SFLOAT): the occlusion of the sky in [0, 1], and the occlusion times the probe's height in metres,
+ * within 0.1 %. 0, 0 where no sector is resident. They live as long as the volume, and welkin_volume_update alone
+ * changes them. */
+WELKIN_API WelkinResult welkin_volume_far_map(const WelkinVolume* volume, const void** texels, uint32_t* edge);
+
+/* Fills the constants that volume.glsl and far.glsl read (welkin/volume_constants.h). `size` is that of the struct,
+ * 112, or 80 for a game without far.glsl. */
 WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, struct WelkinVolumeConstants* constants,
                                                 size_t size);
 
@@ -109,6 +132,13 @@ WELKIN_API WelkinResult welkin_volume_constants(const WelkinVolume* volume, stru
  * WELKIN_ERROR_ARGUMENT for WELKIN_VOLUME_DEVICE. */
 WELKIN_API WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float position[3],
                                                  const float normal[3], float irradiance[3], float* inside);
+
+/* Share of the open sky's irradiance that a surface beyond the volume gets, in [0, 1], as far.glsl computes it from the
+ * far map. 1 where no sector is resident, from half the map's width less 35 m of the camera on along x or z, and at
+ * heights that differ from the map's by far_fade_m or more. `position` is in metres, within 1e7. `normal` is a unit
+ * vector, or null for a place in the air. WELKIN_ERROR_ARGUMENT for other positions and normals. */
+WELKIN_API WelkinResult welkin_volume_far_visibility(const WelkinVolume* volume, const float position[3],
+                                                     const float* normal, float* visibility);
 
 #ifdef __cplusplus
 }

@@ -29,13 +29,14 @@ float lightReaching(vec3 p, vec3 normal) {
   return sum / 9.0;
 }
 
-// Ambient light of a surface: that of the probes, and beyond their volume the open sky's; or without probes the open
+// Ambient light of a surface: that of the probes, and beyond their volume the open sky's where the sky is free; or without probes the open
 // sky's, or one colour.
 #ifdef WELKIN_LIGHT_OF_PROBES
 #define WELKIN_VOLUME_SET 2
-#include "welkin/volume.glsl"
+#include "welkin/far.glsl"
 vec3 ambientIrradiance(vec3 p, vec3 normal) {
-  return mix(skyIrradiance(normal) * level.options.y, welkinVolumeIrradiance(p, normal), welkinVolumeWeight(p));
+  vec3 beyond = skyIrradiance(normal) * (level.options.y * welkinFarVisibility(p, normal));
+  return mix(beyond, welkinVolumeIrradiance(p, normal), welkinVolumeWeight(p));
 }
 #else
 vec3 ambientIrradiance(vec3 p, vec3 normal) {
