@@ -113,7 +113,7 @@ void run(const std::string& file, const std::string& folder, double hour, std::s
       p.want = det::luminanceOf(truth.sky.value);
       p.variance = std::pow(det::luminanceOf(truth.sky.standard_error), 2);
     });
-  constexpr float kFades[] = {8.0F, 16.0F, 32.0F, 64.0F, 1e4F};
+  constexpr float kFades[] = {8.0F, 16.0F, 64.0F};
   fmt::print("| points | no light | open sky |");
   std::vector<std::unique_ptr<Volume>> volumes;
   for (const float fade : kFades) {
@@ -129,7 +129,7 @@ void run(const std::string& file, const std::string& folder, double hour, std::s
                  level.level().info().resident_bytes);
     fmt::print(" {:g} m |", fade);
   }
-  fmt::print(" probes |\n|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(" probes |\n|---|---|---|---|---|---|---|\n");
   for (const Group& group : kGroups) {
     Error nothing, open, probes, with[std::size(kFades)];
     std::size_t number = 0;
