@@ -9,9 +9,10 @@
 
 #define INLINE inline
 #define NUMBER(literal) Number(literal)
-namespace welkin::f64 {
+namespace welkin::probes::far_formulas {
+using namespace f64;
 #include "far.glsl"  // NOLINT(bugprone-suspicious-include)
-}  // namespace welkin::f64
+}  // namespace welkin::probes::far_formulas
 #undef NUMBER
 #undef INLINE
 
@@ -41,6 +42,6 @@ WelkinResult welkin_volume_far_visibility(const WelkinVolume* volume, const floa
   }
   const auto texel = map.at(place[0], place[2]);
   const double share = std::clamp(inside / map.border_m(), 0.0, 1.0);
-  *visibility = toFloat(welkin::f64::farVisibility(texel[0], texel[1], double{position[1]}, map.fade_m(), share));
+  *visibility = toFloat(far_formulas::farVisibility(texel[0], texel[1], double{position[1]}, map.fade_m(), share));
   return WELKIN_OK;
 }
