@@ -79,6 +79,7 @@ struct WelkinSector {
   std::uint64_t complete = 0;  ///< the instant that all probes have, or a later one; 0: none
   std::uint32_t slot = 0;      ///< place among the resident sectors
   bool resident = false;
+  bool fresh = false;  ///< no pass over its probes has ended since it came
   welkin::probes::SectorLights lights;
   welkin::probes::LocalTransfers transfers;
 };

@@ -12,6 +12,7 @@ namespace {
 /// Chooses the probes of a sector that come next, at most `most`. Returns their number.
 std::uint32_t choose(WelkinLevel& level, WelkinSector& sector, std::uint32_t most) {
   if (sector.complete == level.instant) return 0;
+  if (sector.pass != level.instant && most >= sector.probes) sector.done = 0;  // all of it with the newest light
   if (sector.done == 0 || sector.pass != level.instant) {  // the rest of a pass takes the newest light
     if (sector.done == 0) sector.pass = level.instant;
     sector.now = sectorLightOf(level.light, *sector.file);
@@ -23,7 +24,16 @@ std::uint32_t choose(WelkinLevel& level, WelkinSector& sector, std::uint32_t mos
   if (sector.done < sector.probes) return count;
   sector.complete = sector.pass;
   sector.done = 0;
+  sector.fresh = false;
   return count;
+}
+
+/// Chooses the probes of sectors that came since: they have no light yet, or that of long ago.
+void chooseFresh(WelkinLevel& level, std::uint32_t max_probes) {
+  for (std::uint32_t i = 0; i < level.count && level.chosen < max_probes; ++i) {
+    WelkinSector& sector = *level.resident.get()[i];
+    if (sector.fresh) choose(level, sector, max_probes - level.chosen);
+  }
 }
 
 std::uint32_t remainingOf(const WelkinLevel& level) {
@@ -76,12 +86,15 @@ WelkinResult welkin_level_relight_begin(WelkinLevel* level, uint32_t max_probes,
   if (level->instant == 0) return refuse(__func__, "no light is set");
   if (level->piece_count != 0) return refuse(__func__, "a relighting has begun and must end first");
   level->chosen = 0;
-  for (std::uint32_t i = 0; i < level->count && level->chosen < max_probes; ++i) {
+  chooseFresh(*level, max_probes);
+  const RelightPiece* pieces = level->pieces.get();
+  const std::uint32_t fresh = level->piece_count;
+  for (std::uint32_t i = 0; i < level->count && level->chosen < max_probes; ++i, ++level->next) {
     if (level->next >= level->count) level->next = 0;
     WelkinSector& sector = *level->resident.get()[level->next];
+    if (std::any_of(pieces, pieces + fresh, [&](const RelightPiece& p) { return p.sector == &sector; })) continue;
     choose(*level, sector, max_probes - level->chosen);
     if (sector.done != 0) break;  // the budget ends within this sector
-    ++level->next;
   }
   *count = level->chosen;
   return WELKIN_OK;

@@ -52,7 +52,7 @@ WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector) {
   if (level->count == level->capacity) return WELKIN_ERROR_MEMORY;
   const std::uint32_t bucket = bucketOf(*level, sector->x, sector->z);
   sector->slot = level->count++;
-  sector->resident = true;
+  sector->resident = sector->fresh = true;
   sector->complete = sector->pass = 0;
   sector->done = 0;
   level->resident.get()[sector->slot] = sector;

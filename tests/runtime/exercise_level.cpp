@@ -101,6 +101,7 @@ void fillVolume(WelkinLevel* level, const WelkinSkySample& sample, WelkinVolumeF
   settings.format = format;
   settings.texels[0] = 6;
   settings.texels[1] = settings.texels[2] = 4;
+  settings.bricks = 128;  // little memory to clear for each file
   WelkinVolume* made = nullptr;
   succeed(welkin_volume_create(&settings, &made), "volume_create");
   const std::unique_ptr<WelkinVolume, decltype(&welkin_volume_destroy)> volume(made, welkin_volume_destroy);

@@ -163,6 +163,64 @@ TEST_CASE("Level, TheOrderInWhichSectorsStreamDoesNotMatter") {
   }
 }
 
+TEST_CASE("Level, ARelightingWithoutABudgetIsExactInTheMiddleOfAPass") {
+  const RandomLevel baked(3, 37, 10, SunTransfer::directional, true);
+  OpenedLevel whole(baked), between(baked);
+  whole.relight(15.0);
+  between.relight(9.0);
+  for (const double time_h : {9.5, 9.6}) {
+    const WelkinSkySample sample = between.sampleAt(time_h);
+    WelkinLevelLight light{};
+    light.sample = &sample;
+    light.sky = light.sun_bounce = light.local = 1.0F;
+    REQUIRE(welkin_level_set_light(between.level, &light) == WELKIN_OK);
+    REQUIRE(welkin_level_relight(between.level, 50, nullptr) == WELKIN_OK);  // ends within a sector
+  }
+  between.relight(15.0);
+  WelkinRelight result{};
+  REQUIRE(welkin_level_relight(between.level, 0, &result) == WELKIN_OK);
+  CHECK(result.remaining == 0);
+  for (const Point& p : somePoints(500)) {
+    float a[3], b[3];
+    REQUIRE(welkin_level_irradiance(whole.level, 1, &p.position, &p.normal, &a, nullptr) == WELKIN_OK);
+    REQUIRE(welkin_level_irradiance(between.level, 1, &p.position, &p.normal, &b, nullptr) == WELKIN_OK);
+    CHECK(std::memcmp(a, b, sizeof a) == 0);
+  }
+}
+
+TEST_CASE("Level, SectorsThatComeAreRelitFirst") {
+  constexpr std::uint32_t kProbes = 37;
+  const RandomLevel baked(6, kProbes, 10, SunTransfer::directional, true);
+  OpenedLevel whole(baked), streams(baked);
+  const WelkinSkySample sample = whole.relight(15.0);
+  streams.relight(9.0);
+  WelkinSector* away[2] = {};
+  for (int i = 0; i < 2; ++i) REQUIRE(welkin_level_remove(streams.level, 1 + 2 * i, 0, &away[i]) == WELKIN_OK);
+  WelkinLevelLight light{};
+  light.sample = &sample;
+  light.sky = light.sun_bounce = light.local = 1.0F;
+  REQUIRE(welkin_level_set_light(streams.level, &light) == WELKIN_OK);
+  WelkinRelight result{};
+  REQUIRE(welkin_level_relight(streams.level, kProbes / 2, &result) == WELKIN_OK);  // a pass is under way
+  for (WelkinSector* sector : away) REQUIRE(welkin_level_add(streams.level, sector) == WELKIN_OK);
+  const auto isRight = [&](std::int32_t x, bool wanted) {
+    const float position[1][3] = {{64.0F * static_cast<float>(x) + 30.0F, 20.0F, 30.0F}};
+    WelkinColours a[1], b[1];
+    REQUIRE(welkin_level_colours(whole.level, 1, position, a, nullptr) == WELKIN_OK);
+    REQUIRE(welkin_level_colours(streams.level, 1, position, b, nullptr) == WELKIN_OK);
+    INFO("sector " << x);
+    CHECK((std::memcmp(a, b, sizeof a) == 0) == wanted);
+  };
+  REQUIRE(welkin_level_relight(streams.level, kProbes, &result) == WELKIN_OK);
+  REQUIRE(welkin_level_relight(streams.level, kProbes, &result) == WELKIN_OK);
+  CHECK(result.remaining == 4 * kProbes - kProbes / 2);
+  for (const std::int32_t x : {1, 3}) isRight(x, true);
+  for (const std::int32_t x : {0, 2, 4}) isRight(x, false);
+  REQUIRE(welkin_level_relight(streams.level, UINT32_MAX, &result) == WELKIN_OK);
+  CHECK((result.relit == 4 * kProbes - kProbes / 2 && result.remaining == 0));
+  for (std::int32_t x = -1; x < 5; ++x) isRight(x, true);
+}
+
 TEST_CASE("Level, ColoursGiveTheIrradianceOfEveryNormal") {
   const RandomLevel baked(2, 37, 10, SunTransfer::directional, false);
   OpenedLevel opened(baked);

@@ -141,7 +141,8 @@ WELKIN_API void welkin_sector_close(WelkinSector* sector);
 
 /* Makes a sector resident; the level owns it until it is removed. WELKIN_ERROR_ARGUMENT if it is already resident or
  * belongs to another level; WELKIN_ERROR_MEMORY if sector_capacity sectors are resident. Until its probes are relit
- * they have the light of its last residence, at first black. */
+ * they have the light of its last residence, at first black. Relighting begins with such sectors: a budget of at least
+ * their probes shows none of them black. */
 WELKIN_API WelkinResult welkin_level_add(WelkinLevel* level, WelkinSector* sector);
 
 /* Ends the residence of the sector (x, z) and gives it back to the caller. *sector is null if it is not resident. */
@@ -180,8 +181,8 @@ WELKIN_API WelkinResult welkin_level_set_light(WelkinLevel* level, const WelkinL
 WELKIN_API WelkinResult welkin_level_set_lights(WelkinLevel* level, uint32_t count, const WelkinPointLight* lights,
                                                 WelkinSees sees, void* user, WelkinLightsResult* result);
 
-/* Relights at most `max_probes` probes that have the light of an earlier instant, the longest waiting first. With
- * UINT32_MAX all of them, and the result is exact. `result` may be null. */
+/* Relights at most `max_probes` probes that have the light of an earlier instant: those of sectors that came since,
+ * then the longest waiting. With UINT32_MAX all of them, and the result is exact. `result` may be null. */
 WELKIN_API WelkinResult welkin_level_relight(WelkinLevel* level, uint32_t max_probes, WelkinRelight* result);
 
 /* The same work shared among the caller's threads. `begin` chooses the probes and gives their number. Then every index
