@@ -5,10 +5,11 @@
 
 namespace welkin::tests {
 
-RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors) {
+RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors, int bounces) {
   build::BakeSection section;
   section.transfer.rays = 64;
-  section.transfer.bounces = 0;
+  section.transfer.bounces = bounces;
+  if (bounces > 0) section.transfer.fit = build::Fit::none;
   section.transfer.sun = transfer::SunTransfer::none;
   const build::LevelBake bake(surfaces, section, uniformSky(1.0), std::nullopt);
   if (sectors.empty()) sectors = bake.sectors();

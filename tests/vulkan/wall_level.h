@@ -7,8 +7,10 @@
 
 namespace welkin::tests {
 
-/// The sectors, or all if there are none, without bounces and without the sun.
-RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors = {});
+/// The sectors, or all if there are none, without the sun. With bounces probes have the
+/// light of their own places, as the fit to surfaces is no closed form.
+RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors = {},
+                       int bounces = 0);
 
 /// Moves surfaces and points, metres.
 void move(LeakLevel& level, const Number3& by);
