@@ -382,6 +382,9 @@ TEST_CASE("Level, TheFarthestSectorLeavesFirst") {
   CHECK((x == -1 && z == 0));
   REQUIRE(welkin_level_farthest(opened.level, middle, &x, &z) == WELKIN_OK);
   CHECK((x == -1 && z == 0));  // as far as the sector 2: the first one
+  const float beside[3] = {60, 0, 32};
+  REQUIRE(welkin_level_farthest(opened.level, beside, &x, &z) == WELKIN_OK);
+  CHECK((x == 2 && z == 0));  // its middle is at 160 m, that of the first sector at -32 m
 }
 
 }  // namespace welkin::tests
