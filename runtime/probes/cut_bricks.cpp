@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "probes/rooms.h"
+
 namespace welkin::probes {
 namespace {
 
@@ -38,7 +40,7 @@ BrickProbe ownTexel(const BrickSectors& sectors, const CellPlace& home, std::siz
   const auto index = static_cast<std::size_t>(column + 16 * (static_cast<int>(row) + 16 * depth));
   const format::FromCorner middle{static_cast<float>((column + 0.5) * kCell_m), static_cast<float>(y),
                                   static_cast<float>((depth + 0.5) * kCell_m)};
-  const std::uint8_t filled = (*sector.filled)[index];
+  const std::uint8_t filled = sector.sector->filled[index];
   const std::uint8_t own = format::leafOfCell(sector.grid->cuts, index, filled, middle).probe;
   return numbered(sector, own == format::kNoCellProbe ? filled : own);
 }
@@ -65,20 +67,32 @@ void fillBeside(const BrickProbes& texel, BrickProbes& brick) {
   }
 }
 
+/// The leaf of a tree at a point, by its node.
+std::size_t nodeAt(const format::CellCuts& cuts, std::size_t node, const format::FromCorner& p) {
+  while (!format::isLeaf(cuts.node[node]))
+    node = format::aboveBy(cuts.plane[cuts.node[node]], p) > 0.0F ? format::afterTree(cuts.node, node + 1) : node + 1;
+  return node;
+}
+
 }  // namespace
 
-bool brickOf(const BrickSectors& sectors, const CellPlace& cell, const format::CutLeaf& leaf, const InWorld& p,
-             BrickProbes& brick) {
+bool brickOf(const BrickSectors& sectors, const CellPlace& cell, const BrickPart& part, BrickProbes& brick) {
   const auto gridOf = [&](int x, int z) { return sectors.at(x, z).grid; };
   const format::GridView& home = *cell.grid;
+  const BrickSector& middle = sectors.at(cell.sector_x, cell.sector_z);
+  const InWorld& p = part.p;
   const format::FromCorner from = format::fromCorner(cell, p);
   brick.fill(kNoBrickProbe);
   bool is_lit = false;
+  const auto light = [&](std::size_t i, const BrickSector& sector, std::uint8_t probe) {
+    if (probe == format::kNoCellProbe || !isInRoom(*sector.sector, probe, *middle.sector, part.room)) return;
+    brick[i] = numbered(sector, probe);
+    is_lit = true;
+  };
   for (std::size_t i = 0; i < 27; ++i) {
-    if ((leaf.open >> i & 1) == 0) continue;
+    if ((part.leaf.open >> i & 1) == 0) continue;
     if (i == 13) {
-      brick[i] = numbered(sectors.at(cell.sector_x, cell.sector_z), leaf.probe);
-      is_lit = is_lit || brick[i] != kNoBrickProbe;
+      light(i, middle, part.leaf.probe);
       continue;
     }
     const CellPlace other = cellBeside(sectors, cell, i, gridOf);
@@ -90,31 +104,36 @@ bool brickOf(const BrickSectors& sectors, const CellPlace& cell, const format::C
     format::FromCorner beside = format::besideWalls(home.cuts, cell.index(), from, format::fromCorner(cell, nearest));
     beside[0] += static_cast<float>(16 * kCell_m * (cell.sector_x - other.sector_x));
     beside[2] += static_cast<float>(16 * kCell_m * (cell.sector_z - other.sector_z));
-    brick[i] =
-        numbered(sectors.at(other.sector_x, other.sector_z),
-                 format::leafOfCell(other.grid->cuts, other.index(), other.grid->grid[other.index()], beside).probe);
-    is_lit = is_lit || brick[i] != kNoBrickProbe;
+    light(i, sectors.at(other.sector_x, other.sector_z),
+          format::leafOfCell(other.grid->cuts, other.index(), other.grid->grid[other.index()], beside).probe);
   }
-  if (!is_lit) return false;
+  if (!is_lit && part.room == 0) return false;
   BrickProbes texel;
   for (std::size_t i = 0; i < 27; ++i) texel[i] = ownTexel(sectors, cell, i);
-  fillBeside(texel, brick);
+  if (is_lit) {
+    fillBeside(texel, brick);
+  } else {
+    const std::uint8_t own = middle.sector->file->room()->Get(part.room - 1)->probe();
+    brick.fill(own == format::kNoProbe ? kDarkBrickProbe : numbered(middle, own));
+  }
   return brick != texel;
 }
 
-void placesInLeaves(const format::CellCuts& cuts, std::size_t tree, const format::FromCorner& low, float height_m,
+void placesInLeaves(const WelkinSector& sector, std::size_t tree, const RoomPart& part,
                     std::span<format::FromCorner, format::kMostTreeNodes> place) {
   constexpr int kSamples = 4;  // along each axis
-  const std::array<float, 3> size{static_cast<float>(kCell_m), height_m, static_cast<float>(kCell_m)};
+  constexpr int kRounds = 64;
+  const format::CellCuts& cuts = sector.grid.cuts;
+  const format::FromCorner &low = part.low, &size = part.size;
+  const double corner_x = kSector_m * sector.x, corner_z = kSector_m * sector.z;
   std::array<std::uint8_t, format::kMostTreeNodes> count{};
   std::fill(place.begin(), place.end(), format::FromCorner{});
   for (int i = 0; i < kSamples * kSamples * kSamples; ++i) {
     const std::array<int, 3> at{i % kSamples, i / kSamples % kSamples, i / (kSamples * kSamples)};
     format::FromCorner p;
     for (std::size_t a = 0; a < 3; ++a) p[a] = low[a] + size[a] * (static_cast<float>(at[a]) + 0.5F) / kSamples;
-    std::size_t node = tree;
-    while (!format::isLeaf(cuts.node[node]))
-      node = format::aboveBy(cuts.plane[cuts.node[node]], p) > 0.0F ? format::afterTree(cuts.node, node + 1) : node + 1;
+    if (roomAt(sector, {corner_x + double{p[0]}, double{p[1]}, corner_z + double{p[2]}}) != part.room) continue;
+    const std::size_t node = nodeAt(cuts, tree, p);
     for (std::size_t a = 0; a < 3; ++a) place[node - tree][a] += p[a];
     ++count[node - tree];
   }
@@ -126,9 +145,10 @@ void placesInLeaves(const format::CellCuts& cuts, std::size_t tree, const format
       for (float& v : p) v /= count[leaf - tree];
       continue;
     }
-    // Thinner than the samples: from the cell's middle to the leaf's side of each of its planes, in turn.
+    // Thinner than the samples: from the middle to the leaf's side of each of its planes, in turn. In a wedge between a
+    // cell's edge and a wall turned by 17 degrees, a round leaves 91 % of the way.
     for (std::size_t a = 0; a < 3; ++a) p[a] = low[a] + 0.5F * size[a];
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < kRounds && nodeAt(cuts, tree, p) != leaf; ++round) {
       for (std::size_t node = tree; node != leaf;) {
         const std::size_t above = format::afterTree(cuts.node, node + 1);
         p = format::onSideOf(cuts.plane[cuts.node[node]], leaf < above ? -1.0F : 1.0F, p);

@@ -6,21 +6,20 @@
 #include <cstdint>
 #include <span>
 
-#include "format/cut_lookup.h"
-#include "format/sector_check.h"
+#include "probes/level.h"
 
 namespace welkin::probes {
 
 /// A sector that bricks read.
 struct BrickSector {
-  const format::GridView* grid;                                ///< null: no sector there
-  const std::array<std::uint8_t, format::kGridCells>* filled;  ///< the grid, its holes as their nearest cells
+  const format::GridView* grid;  ///< null: no sector there
+  const WelkinSector* sector;
   std::uint32_t number;
 };
 
-/// A probe: 256 times its sector's number and its own; kNoBrickProbe: none.
+/// A probe: 256 times its sector's number and its own; kNoBrickProbe: none; kDarkBrickProbe: no light.
 using BrickProbe = std::uint32_t;
-inline constexpr BrickProbe kNoBrickProbe = ~0U;
+inline constexpr BrickProbe kNoBrickProbe = ~0U, kDarkBrickProbe = ~1U;
 
 /// In the order of the bits of format::openBit.
 using BrickProbes = std::array<BrickProbe, 27>;
@@ -36,14 +35,26 @@ struct BrickSectors {
   }
 };
 
-/// The brick of a part of a cell of the middle sector. `p` is a place in the part. A cell that must not light it has
-/// the probe of one beside it. False if the brick would be the volume's own texels, or no cell may light it.
-bool brickOf(const BrickSectors& sectors, const format::CellPlace& cell, const format::CutLeaf& leaf,
-             const format::InWorld& p, BrickProbes& brick);
+/// A part of a cell of the middle sector.
+struct BrickPart {
+  format::CutLeaf leaf;
+  std::uint32_t room = 0;  ///< of the sector; 0: outside of all
+  format::InWorld p;       ///< a place in the part
+};
 
-/// A place in each leaf of a cut cell's tree, as far from its ends as some samples show. `place[i]` is for the node
-/// `tree` + i; those of planes are unspecified.
-void placesInLeaves(const format::CellCuts& cuts, std::size_t tree, const format::FromCorner& low, float height_m,
+/// The brick of a part. A cell that must not light it has the probe of one beside it, and in a room that no cell may
+/// light, the room's own probe. False if the brick would be the volume's own texels, or no cell may light it.
+bool brickOf(const BrickSectors& sectors, const format::CellPlace& cell, const BrickPart& part, BrickProbes& brick);
+
+/// A box in a cell, metres from the sector's corner, and the room that its places are in.
+struct RoomPart {
+  format::FromCorner low, size;
+  std::uint32_t room = 0;
+};
+
+/// A place in each leaf of a cut cell's tree, as far from the ends of the leaf and of the part as some samples show.
+/// `place[i]` is for the node `tree` + i; those of planes are unspecified.
+void placesInLeaves(const WelkinSector& sector, std::size_t tree, const RoomPart& part,
                     std::span<format::FromCorner, format::kMostTreeNodes> place);
 
 }  // namespace welkin::probes

@@ -4,58 +4,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "format/domain_check.h"
+#include "probes/rooms.h"
 
 namespace welkin::probes {
 namespace {
-
-using format::spanOf;
-
-/// A box of a room in the world, metres.
-struct Box {
-  double low[3], high[3];
-};
-
-Box boxOf(const WelkinSector& sector, const format::Room& room) {
-  const double x = kSector_m * sector.x, z = kSector_m * sector.z;
-  return {{double{room.low_x()} + x, double{room.low_y()}, double{room.low_z()} + z},
-          {double{room.high_x()} + x, double{room.high_y()}, double{room.high_z()} + z}};
-}
-
-/// Whether two boxes are one that two sectors have stored, each as floats from its own corner.
-bool isSame(const Box& a, const Box& b) {
-  constexpr double kFloats = 0x1p-22;  // twice the rounding of a float
-  for (int axis = 0; axis < 3; ++axis) {
-    const double from_corner =
-        axis == 1 ? std::max(std::abs(a.low[1]), std::abs(a.high[1])) : kSector_m + a.high[axis] - a.low[axis];
-    if (std::abs(a.low[axis] - b.low[axis]) > kFloats * from_corner) return false;
-    if (std::abs(a.high[axis] - b.high[axis]) > kFloats * from_corner) return false;
-  }
-  return true;
-}
-
-/// 1 + the first of the sector's rooms that contains a point, or 0.
-std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p) {
-  if (sector.file->room() == nullptr) return 0;
-  std::uint32_t number = 0;
-  for (const format::Room* room : *sector.file->room()) {
-    ++number;
-    const Box box = boxOf(sector, *room);
-    bool inside = true;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      inside = inside && p[axis] >= box.low[axis] && p[axis] <= box.high[axis];
-    if (inside) return number;
-  }
-  return 0;
-}
-
-/// Whether a probe is in room `number` of the sector `home`, or outside all rooms if that is 0.
-bool isIn(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number) {
-  const auto in_room = spanOf(sector.file->in_room());
-  const std::uint32_t own = in_room.empty() ? 0 : in_room[probe];
-  if (own == 0 || number == 0 || &sector == &home) return own == number;
-  return isSame(boxOf(sector, *sector.file->room()->Get(own - 1)), boxOf(home, *home.file->room()->Get(number - 1)));
-}
 
 /// The grid of a resident sector, for format::probesAbout.
 auto gridsOf(const WelkinLevel& level) {
@@ -175,7 +127,7 @@ PointProbes probesFor(const WelkinLevel& level, const format::InWorld& p) {
     const format::WeightedProbe& found = about.probe[i];
     const bool is_home = found.sector_x == home->x && found.sector_z == home->z;
     const WelkinSector& sector = is_home ? *home : *residentAt(level, found.sector_x, found.sector_z);
-    if (!isIn(sector, found.probe, *home, room)) continue;
+    if (!isInRoom(sector, found.probe, *home, room)) continue;
     total += found.weight;
     out.share[out.count++] = {sector.light.get() + kColours * found.probe, static_cast<float>(found.weight)};
   }

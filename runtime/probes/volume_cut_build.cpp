@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the trees and bricks of one sector's cells along walls.
+// Makes the trees and bricks of one sector's cells along walls and about rooms.
 #include <algorithm>
 #include <bit>
 #include <bitset>
 #include <cmath>
+#include <optional>
 
 #include "probes/volume_cuts.h"
 
@@ -17,27 +18,49 @@ constexpr std::uint32_t kDownBit = 0x100;        ///< of a node: its plane's nor
 
 using Cells4096 = std::bitset<format::kGridCells>;
 
-/// Marks the cells of the middle sector that are cut or touch a cut cell.
+/// Marks the cells of the middle sector that touch a box, in cells from its corner.
+void markCells(const std::array<double, 3>& low, const std::array<double, 3>& high, Cells4096& near) {
+  int first[3], end[3];
+  for (std::size_t a = 0; a < 3; ++a) {
+    first[a] = static_cast<int>(std::clamp(std::floor(low[a]) - 1.0, 0.0, 16.0));
+    end[a] = static_cast<int>(std::clamp(std::ceil(high[a]) + 1.0, 0.0, 16.0));
+  }
+  for (int k = first[2]; k < end[2]; ++k)
+    for (int j = first[1]; j < end[1]; ++j)
+      for (int i = first[0]; i < end[0]; ++i) near.set(static_cast<std::size_t>(i + 16 * (j + 16 * k)));
+}
+
+/// Marks the cells of the middle sector that are cut or in a room, or touch such a cell.
 Cells4096 cellsNearCuts(const BrickSectors& sectors) {
   Cells4096 near;
   const format::GridView& home = *sectors.sector[4].grid;
+  const auto rows = [&](double y) { return (y - home.low_y) / home.cell_height_m; };
   for (int s = 0; s < 9; ++s) {
-    const format::GridView* grid = sectors.sector[static_cast<std::size_t>(s)].grid;
-    if (grid == nullptr) continue;
-    for (const std::uint16_t cell : grid->cuts.cell) {
-      const int x = cell % 16 + 16 * (s % 3 - 1), z = cell / 256 + 16 * (s / 3 - 1);
-      if (x < -1 || x > 16 || z < -1 || z > 16) continue;
-      const double low = (grid->low_y + grid->cell_height_m * (cell / 16 % 16) - home.low_y) / home.cell_height_m;
-      const double high = low + grid->cell_height_m / home.cell_height_m;
-      const int first = static_cast<int>(std::clamp(std::floor(low) - 1.0, 0.0, 16.0));
-      const int end = static_cast<int>(std::clamp(std::ceil(high) + 1.0, 0.0, 16.0));
-      for (int k = std::max(z - 1, 0); k <= std::min(z + 1, 15); ++k)
-        for (int j = first; j < end; ++j)
-          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, 15); ++i)
-            near.set(static_cast<std::size_t>(i + 16 * (j + 16 * k)));
+    const BrickSector& sector = sectors.sector[static_cast<std::size_t>(s)];
+    if (sector.grid == nullptr) continue;
+    const int x0 = 16 * (s % 3 - 1), z0 = 16 * (s / 3 - 1);
+    for (const std::uint16_t cell : sector.grid->cuts.cell) {
+      const double x = x0 + cell % 16, z = z0 + cell / 256;
+      const double y = sector.grid->low_y + sector.grid->cell_height_m * (cell / 16 % 16);
+      markCells({x, rows(y), z}, {x + 1.0, rows(y + sector.grid->cell_height_m), z + 1.0}, near);
+    }
+    for (std::uint32_t r = 1; r <= roomsOf(*sector.sector); ++r) {
+      const format::Room& room = *sector.sector->file->room()->Get(r - 1);
+      constexpr double kCell_m = format::kCellWidth_m;
+      markCells(
+          {x0 + double{room.low_x()} / kCell_m, rows(double{room.low_y()}), z0 + double{room.low_z()} / kCell_m},
+          {x0 + double{room.high_x()} / kCell_m, rows(double{room.high_y()}), z0 + double{room.high_z()} / kCell_m},
+          near);
     }
   }
   return near;
+}
+
+/// Low corner of a cell, metres from the sector's.
+format::FromCorner cornerOf(const format::CellPlace& cell) {
+  return {static_cast<float>(format::kCellWidth_m * (cell.x & 15)),
+          static_cast<float>(cell.grid->low_y + cell.grid->cell_height_m * cell.row),
+          static_cast<float>(format::kCellWidth_m * (cell.z & 15))};
 }
 
 }  // namespace
@@ -61,42 +84,56 @@ bool VolumeCuts::addBrick(std::uint32_t slot, const BrickProbes& probes, std::ui
   return false;
 }
 
-/// Writes a cut cell's tree after the slot's `nodes` nodes, with a brick for each leaf. `word` becomes the cell's.
-bool VolumeCuts::addTree(std::uint32_t slot, const BrickSectors& sectors, const format::CellPlace& cell,
-                         std::uint32_t& nodes, std::uint32_t& word) {
-  const format::CellCuts& cuts = cell.grid->cuts;
-  const std::size_t first = *format::treeOf(cuts, cell.index()), end = format::afterTree(cuts.node, first);
-  if (nodes + (end - first) > kMostCutNodesPlaced) return false;
-  const double side_m = 16 * format::kCellWidth_m;
-  const format::FromCorner low{static_cast<float>(format::kCellWidth_m * (cell.x & 15)),
-                               static_cast<float>(cell.grid->low_y + cell.grid->cell_height_m * cell.row),
-                               static_cast<float>(format::kCellWidth_m * (cell.z & 15))};
+std::uint32_t* VolumeCuts::nodeOf(const BrickCell& cell, std::uint32_t node) const {
+  return blockOf(cell.slot) + kCellWords + kNodeWords * node;
+}
+
+/// The word of a part's brick: 0 where the volume's own texels serve.
+bool VolumeCuts::addLeaf(BrickCell& cell, const BrickPart& part, std::uint32_t& word) {
+  BrickProbes probes;
+  word = 0;
+  if (!brickOf(cell.sectors, cell.place, part, probes)) return true;
+  cell.has_brick = true;
+  const auto last = cell.brick.begin() + static_cast<std::ptrdiff_t>(cell.bricks);
+  const auto same = std::find_if(cell.brick.begin(), last, [&](std::uint32_t b) { return brick_.get()[b] == probes; });
+  if (same != last) {
+    word = brickWord(*same);
+    return true;
+  }
+  if (!addBrick(cell.slot, probes, word)) return false;
+  if (cell.bricks < cell.brick.size()) cell.brick[cell.bricks++] = next_brick_ - 1;
+  return true;
+}
+
+/// Adds the nodes of a part of a cell: its walls' tree, or one leaf.
+bool VolumeCuts::addTree(BrickCell& cell, const RoomPart& part) {
+  const WelkinSector& sector = *slot_.get()[cell.slot].sector;
+  const format::CellCuts& cuts = sector.grid.cuts;
+  const double x = kSector_m * sector.x, z = kSector_m * sector.z;
+  const auto inWorld = [&](const format::FromCorner& p) {
+    return format::InWorld{double{p[0]} + x, double{p[1]}, double{p[2]} + z};
+  };
+  const std::optional<std::size_t> tree = cuts.empty() ? std::nullopt : format::treeOf(cuts, cell.place.index());
+  if (!tree) {
+    if (cell.nodes == kMostCutNodesPlaced) return false;
+    std::uint32_t* node = nodeOf(cell, cell.nodes++);
+    std::fill_n(node, kNodeWords, 0U);
+    format::FromCorner middle;
+    for (std::size_t a = 0; a < 3; ++a) middle[a] = part.low[a] + 0.5F * part.size[a];
+    return addLeaf(cell, {{sector.grid.grid[cell.place.index()], format::kAllOpen}, part.room, inWorld(middle)}, *node);
+  }
+  const std::size_t first = *tree, end = format::afterTree(cuts.node, first);
+  if (cell.nodes + (end - first) > kMostCutNodesPlaced) return false;
   std::array<format::FromCorner, format::kMostTreeNodes> place;
-  placesInLeaves(cuts, first, low, static_cast<float>(cell.grid->cell_height_m), place);
-  std::uint32_t* to = blockOf(slot) + kCellWords;
+  placesInLeaves(sector, first, part, place);
   std::array<std::uint8_t, format::kMostTreeNodes> size{};
-  std::array<std::uint32_t, format::kMostTreeNodes> own{};  // bricks of this cell
-  std::size_t count = 0;
-  bool has_brick = false;
   for (std::size_t i = end; i-- > first;) {
-    std::uint32_t* node = to + kNodeWords * (nodes + (i - first));
+    std::uint32_t* node = nodeOf(cell, cell.nodes + static_cast<std::uint32_t>(i - first));
     std::fill_n(node, kNodeWords, 0U);
     if (format::isLeaf(cuts.node[i])) {
       size[i - first] = 1;
-      const format::FromCorner& p = place[i - first];
-      const format::InWorld at{double{p[0]} + side_m * cell.sector_x, double{p[1]},
-                               double{p[2]} + side_m * cell.sector_z};
-      BrickProbes probes;
-      if (!brickOf(sectors, cell, format::leafOf(cuts, cuts.node[i]), at, probes)) continue;
-      has_brick = true;
-      const auto last = own.begin() + static_cast<std::ptrdiff_t>(count);
-      const auto same = std::find_if(own.begin(), last, [&](std::uint32_t b) { return brick_.get()[b] == probes; });
-      if (same != last) {
-        node[0] = brickWord(*same);
-        continue;
-      }
-      if (!addBrick(slot, probes, node[0])) return false;
-      own[count++] = next_brick_ - 1;
+      if (!addLeaf(cell, {format::leafOf(cuts, cuts.node[i]), part.room, inWorld(place[i - first])}, node[0]))
+        return false;
       continue;
     }
     const std::uint8_t below = size[i - first + 1];
@@ -108,10 +145,46 @@ bool VolumeCuts::addTree(std::uint32_t slot, const BrickSectors& sectors, const 
     node[2] = std::bit_cast<std::uint32_t>(plane.offset());
     node[3] = 1U + below + (n[1] < 0.0F ? kDownBit : 0U);
   }
-  if (!has_brick) return true;
-  word = kTreeBit | nodes;
-  nodes += static_cast<std::uint32_t>(end - first);
+  cell.nodes += static_cast<std::uint32_t>(end - first);
   return true;
+}
+
+/// Adds the nodes of a cell: for each room in it the faces that cross it, then the room's part, then what is outside.
+/// A place above a face, looking out of the room, is outside.
+bool VolumeCuts::addParts(BrickCell& cell) {
+  const WelkinSector& sector = *slot_.get()[cell.slot].sector;
+  const format::FromCorner low = cornerOf(cell.place);
+  const format::FromCorner size{static_cast<float>(format::kCellWidth_m), static_cast<float>(sector.grid.cell_height_m),
+                                static_cast<float>(format::kCellWidth_m)};
+  for (std::uint32_t r = 1; r <= roomsOf(sector); ++r) {
+    const format::Room& room = *sector.file->room()->Get(r - 1);
+    const format::FromCorner room_low{room.low_x(), room.low_y(), room.low_z()};
+    const format::FromCorner room_high{room.high_x(), room.high_y(), room.high_z()};
+    RoomPart part{low, {}, r};
+    bool touches = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      part.low[a] = std::max(low[a], room_low[a]);
+      part.size[a] = std::min(low[a] + size[a], room_high[a]) - part.low[a];
+      touches = touches && part.size[a] > 0.0F;
+    }
+    if (!touches) continue;
+    const std::uint32_t first = cell.nodes;
+    for (std::size_t a = 0; a < 3; ++a)
+      for (const bool is_high : {false, true}) {
+        if (is_high ? room_high[a] >= low[a] + size[a] : room_low[a] <= low[a]) continue;
+        if (cell.nodes == kMostCutNodesPlaced) return false;
+        std::uint32_t* node = nodeOf(cell, cell.nodes++);
+        node[0] = std::bit_cast<std::uint32_t>(a != 0 ? 0.0F : is_high ? 1.0F : -1.0F);
+        node[1] = std::bit_cast<std::uint32_t>(a != 2 ? 0.0F : is_high ? 1.0F : -1.0F);
+        node[2] = std::bit_cast<std::uint32_t>(is_high ? room_high[a] : -room_low[a]);
+        node[3] = a == 1 && !is_high ? kDownBit : 0U;
+      }
+    const std::uint32_t inside = cell.nodes;
+    if (!addTree(cell, part)) return false;
+    if (inside == first) return true;  // all of the cell is in the room
+    for (std::uint32_t face = first; face < inside; ++face) nodeOf(cell, face)[3] += cell.nodes - face;
+  }
+  return addTree(cell, {low, size, 0});
 }
 
 /// Makes the bricks and trees of a slot's sector. False where there is no room; then it has none, for a lack of bricks
@@ -126,32 +199,22 @@ bool VolumeCuts::build(std::uint32_t slot, bool& lacks_bricks) {
   std::uint32_t nodes = 0;
   for (std::uint32_t i = 0; i < format::kGridCells; ++i) {
     if (!near[i]) continue;
-    format::CellPlace cell;
-    cell.sector_x = s.sector->x;
-    cell.sector_z = s.sector->z;
-    cell.x = static_cast<int>(i % 16) + 16 * s.sector->x;
-    cell.row = static_cast<int>(i / 16 % 16);
-    cell.z = static_cast<int>(i / 256) + 16 * s.sector->z;
-    cell.grid = &s.sector->grid;
-    std::uint32_t word = 0;
-    bool fits = true;
-    if (hasCuts(s.sector) && (s.sector->cut.get()[i / 64] >> (i % 64) & 1) != 0) {
-      fits = addTree(slot, sectors, cell, nodes, word);
-    } else {
-      const format::InWorld middle{format::kCellWidth_m * (cell.x + 0.5),
-                                   cell.grid->low_y + cell.grid->cell_height_m * (cell.row + 0.5),
-                                   format::kCellWidth_m * (cell.z + 0.5)};
-      BrickProbes probes;
-      if (brickOf(sectors, cell, {cell.grid->grid[i], format::kAllOpen}, middle, probes))
-        fits = addBrick(slot, probes, word);
-    }
-    if (!fits) {
+    BrickCell cell{sectors, {}, slot, nodes};
+    cell.place.sector_x = s.sector->x;
+    cell.place.sector_z = s.sector->z;
+    cell.place.x = static_cast<int>(i % 16) + 16 * s.sector->x;
+    cell.place.row = static_cast<int>(i / 16 % 16);
+    cell.place.z = static_cast<int>(i / 256) + 16 * s.sector->z;
+    cell.place.grid = &s.sector->grid;
+    if (!addParts(cell)) {
       lacks_bricks = next_brick_ == brick_count_;
       clear(slot);
       s.failed = true;
       return false;
     }
-    cells[i] = word;
+    if (!cell.has_brick) continue;
+    cells[i] = cell.nodes - nodes == 1 ? *nodeOf(cell, nodes) : kTreeBit | nodes;
+    if (cell.nodes - nodes > 1) nodes = cell.nodes;
   }
   return true;
 }

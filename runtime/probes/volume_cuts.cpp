@@ -112,7 +112,7 @@ void VolumeCuts::release(std::uint32_t slot) {
   s = {};
 }
 
-/// Gives slots to the sectors about the volume that have walls or lie beside one that has.
+/// Gives slots to the sectors about the volume that have walls or rooms, or lie beside one that has.
 void VolumeCuts::follow(const WelkinLevel& level) {
   wanted_count_ = 0;
   left_ = 0;
@@ -121,10 +121,10 @@ void VolumeCuts::follow(const WelkinLevel& level) {
       const WelkinSector* sector = residentAt(level, x, z);
       bool needed = false;
       for (int i = 0; i < 9 && sector != nullptr; ++i)
-        needed = needed || hasCuts(residentAt(level, x + i % 3 - 1, z + i / 3 - 1));
+        needed = needed || isParted(residentAt(level, x + i % 3 - 1, z + i / 3 - 1));
       if (!needed) continue;
       if (!isPlaced(sector->grid)) {
-        left_ += hasCuts(sector) ? 1U : 0U;
+        left_ += isParted(sector) ? 1U : 0U;
         continue;
       }
       const double dx = x - 0.5 * (window_.low_x + window_.high_x), dz = z - 0.5 * (window_.low_z + window_.high_z);
@@ -135,7 +135,7 @@ void VolumeCuts::follow(const WelkinLevel& level) {
     if (a.away != b.away) return a.away < b.away;
     return a.sector->x != b.sector->x ? a.sector->x < b.sector->x : a.sector->z < b.sector->z;
   });
-  for (; wanted_count_ > slot_count_; --wanted_count_) left_ += hasCuts(wanted[wanted_count_ - 1].sector) ? 1U : 0U;
+  for (; wanted_count_ > slot_count_; --wanted_count_) left_ += isParted(wanted[wanted_count_ - 1].sector) ? 1U : 0U;
   for (std::uint32_t s = 0; s < slot_count_; ++s) {
     slot_.get()[s].wanted = false;
     slot_.get()[s].stale = slot_.get()[s].stale || slot_.get()[s].failed;
@@ -174,7 +174,7 @@ BrickSectors VolumeCuts::sectorsAbout(const WelkinSector& sector) const {
   for (int i = 0; i < 9; ++i) {
     const Slot* slot = slotAt(sector.x + i % 3 - 1, sector.z + i / 3 - 1);
     if (slot == nullptr) continue;
-    about.sector[static_cast<std::size_t>(i)] = {&slot->sector->grid, &slot->sector->filled,
+    about.sector[static_cast<std::size_t>(i)] = {&slot->sector->grid, slot->sector,
                                                  static_cast<std::uint32_t>(slot - slot_.get())};
   }
   return about;
@@ -218,7 +218,7 @@ std::uint32_t VolumeCuts::remaining() const {
 std::uint32_t VolumeCuts::left() const {
   std::uint32_t count = left_;
   for (std::uint32_t s = 0; s < slot_count_; ++s)
-    count += slot_.get()[s].failed && hasCuts(slot_.get()[s].sector) ? 1U : 0U;
+    count += slot_.get()[s].failed && isParted(slot_.get()[s].sector) ? 1U : 0U;
   return count;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells along walls inside a volume: their trees as words for shaders/shared/cuts.glsl, and for each side of their
-// walls a brick of 3 x 3 x 3 texels.
+// The cells along walls and faces of rooms inside a volume: their trees as words for shaders/shared/cuts.glsl, and for
+// each side of these a brick of 3 x 3 x 3 texels.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <span>
 
 #include "probes/cut_bricks.h"
-#include "probes/level.h"
+#include "probes/rooms.h"
 
 namespace welkin::probes {
 
@@ -16,15 +16,26 @@ namespace welkin::probes {
 inline constexpr std::uint32_t kCellWords = format::kGridCells, kMostCutNodesPlaced = 1024;
 inline constexpr std::uint32_t kBlockWords = kCellWords + 4 * kMostCutNodesPlaced;
 
-/// Whether cells of a sector, which may be null, are cut.
-inline bool hasCuts(const WelkinSector* sector) {
-  return sector != nullptr && sector->cut.get() != nullptr;
+/// Whether walls or rooms part cells of a sector, which may be null.
+inline bool isParted(const WelkinSector* sector) {
+  return sector != nullptr && (sector->cut.get() != nullptr || roomsOf(*sector) > 0);
 }
 
 /// Words and layers of bricks that an update changed.
 struct CutChange {
   std::uint32_t first_word = 0, words = 0;
   std::uint32_t first_layer = 0, layers = 0;  ///< of which the texels are to be filled
+};
+
+/// A cell whose words are made.
+struct BrickCell {
+  const BrickSectors& sectors;
+  format::CellPlace place;
+  std::uint32_t slot;
+  std::uint32_t nodes;                    ///< of the slot, so far
+  std::array<std::uint32_t, 64> brick{};  ///< some of its own
+  std::size_t bricks = 0;
+  bool has_brick = false;  ///< else the volume's own texels serve all of it
 };
 
 class VolumeCuts {
@@ -45,7 +56,7 @@ class VolumeCuts {
   const std::array<std::uint32_t, 2>& across() const { return across_; }
   std::uint32_t layers() const { return layers_; }
   std::uint32_t perLayer() const { return across_[0] * across_[1]; }
-  /// Sectors with walls that found no room.
+  /// Sectors with walls or rooms that found no place.
   std::uint32_t left() const;
   std::uint32_t bricks() const { return used_; }
   /// Texels of bricks that show earlier light, or none yet.
@@ -55,8 +66,10 @@ class VolumeCuts {
   const BrickProbes* probesOf(std::uint32_t brick) const {
     return brick < brick_count_ && owner_.get()[brick] != 0 ? brick_.get() + brick : nullptr;
   }
-  /// The sector of one of them; null where it has gone.
-  const WelkinSector* holderOf(BrickProbe probe) const { return slot_.get()[probe / 256].sector; }
+  /// The sector of one of them; null where it has gone or has no light.
+  const WelkinSector* holderOf(BrickProbe probe) const {
+    return probe == kDarkBrickProbe ? nullptr : slot_.get()[probe / 256].sector;
+  }
 
  private:
   struct Slot {
@@ -88,8 +101,10 @@ class VolumeCuts {
   BrickSectors sectorsAbout(const WelkinSector& sector) const;
   bool build(std::uint32_t slot, bool& lacks_bricks);
   bool buildOrYield(std::uint32_t wanted);
-  bool addTree(std::uint32_t slot, const BrickSectors& sectors, const format::CellPlace& cell, std::uint32_t& nodes,
-               std::uint32_t& word);
+  bool addParts(BrickCell& cell);
+  bool addTree(BrickCell& cell, const RoomPart& part);
+  bool addLeaf(BrickCell& cell, const BrickPart& part, std::uint32_t& word);
+  std::uint32_t* nodeOf(const BrickCell& cell, std::uint32_t node) const;
   bool addBrick(std::uint32_t slot, const BrickProbes& probes, std::uint32_t& word);
   void chooseLayers(std::uint64_t version, std::uint32_t max_texels, CutChange& change);
 

@@ -4,7 +4,9 @@
 //   volume_bench LEVEL.toml X,Y,Z YAW PITCH [RUNS]        a level, baked with few rays
 // Also the share of the pixels that the walls concern. What thin walls let through on the device, in eight places of
 // each shape, as docs/probes.md has it:
-//   volume_bench leaks [SHAPE]
+//   volume_bench leaks [SHAPE]                            by walls = "cut"
+//   volume_bench rooms [SHAPE]                            by walls = "ignore" and a [[room]]
+//   volume_bench door                                     the step of the light at a room's open face
 #include <fmt/format.h>
 
 #include <chrono>
@@ -128,13 +130,14 @@ void run(const geometry::Surfaces& surfaces, const Number3& eye, const render::C
 }
 
 /// Light at surfaces above that of the query, over the open ground's: mean and worst, without walls and with.
-void printLeaks(render::VulkanDevice& device, const std::string& shape) {
+void printLeaks(render::VulkanDevice& device, const std::string& shape, bool rooms) {
   constexpr std::uint64_t kPlaces = 8;
   double mean[2] = {}, worst[2] = {}, below = 0.0;
   std::uint32_t bricks = 0;
   for (std::uint64_t seed = 0; seed < kPlaces; ++seed) {
     const tests::LeakLevel place = tests::leakLevel(shape, seed);
-    tests::OpenedLevel opened(tests::bakedLevel(place.surfaces, {{0, 0}}));
+    const placement::PlacementSettings settings = rooms ? tests::roomsOnly(place) : placement::PlacementSettings();
+    tests::OpenedLevel opened(tests::bakedLevel(place.surfaces, {{0, 0}}, 0, settings));
     const tests::DeviceVolume v(device, WELKIN_VOLUME_RGBA16F);
     const WelkinSkySample sample = opened.relight(12.0);
     const float camera[3] = {30, 4, 40};
@@ -174,6 +177,39 @@ void printLeaks(render::VulkanDevice& device, const std::string& shape) {
   std::fflush(stdout);
 }
 
+/// The largest step of the light within 1 cm on a way through a door, over the open ground's: by a room, and by walls.
+void printDoor(render::VulkanDevice& device) {
+  constexpr int kPoints = 600;
+  constexpr double kStep_m = 0.01;
+  for (const bool rooms : {true, false}) {
+    double most = 0.0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      const tests::LeakLevel place = tests::leakLevel("room with a door", seed);
+      const placement::PlacementSettings settings = rooms ? tests::roomsOnly(place) : placement::PlacementSettings();
+      tests::OpenedLevel opened(tests::bakedLevel(place.surfaces, {{0, 0}}, 0, settings));
+      const tests::DeviceVolume v(device, WELKIN_VOLUME_RGBA16F);
+      const float camera[3] = {30, 4, 40};
+      v.update(device, opened.level, opened.relight(12.0), camera, 0);
+      const Number3 middle = 0.5 * (place.room[0].low + place.room[0].high);
+      std::vector<float> points;
+      const auto add = [&](const Number3& p) {
+        points.insert(points.end(), {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 0.0F});
+        points.insert(points.end(), {0.0F, 1.0F, 0.0F, 0.0F});
+      };
+      for (int i = 0; i < kPoints; ++i)
+        add(Number3(middle.x, place.room[0].low.y + 0.1, place.room[0].high.z + kStep_m * (i - kPoints / 2)));
+      add(Number3(4.0, 0.0, 4.0));
+      const auto found = tests::runCompute(device, kVolumeCut, points, points.size() / 2, 4,
+                                           welkin_vulkan_volume_descriptor_set_layout(v.textures),
+                                           welkin_vulkan_volume_descriptor_set(v.textures, 0));
+      for (std::size_t i = 1; i < kPoints; ++i)
+        most = std::max(most,
+                        std::abs(double{found[4 * i + 1]} - double{found[4 * i - 3]}) / double{found[4 * kPoints + 1]});
+    }
+    fmt::print("through a door, by {}: {:.3f} in {} m at most\n", rooms ? "a room" : "walls", most, kStep_m);
+  }
+}
+
 /// The middle of the points of a shape.
 Number3 middleOf(const tests::LeakLevel& level) {
   Number3 sum(0.0);
@@ -190,10 +226,14 @@ int main(int count, char** arguments) {
   };
   Number3 eye;
   try {
-    if (count >= 2 && std::string(arguments[1]) == "leaks") {
+    if (count >= 2 && (arguments[1] == std::string("leaks") || arguments[1] == std::string("rooms"))) {
       render::VulkanDevice device(false);
       for (const std::string& shape : tests::leakShapes())
-        if (count < 3 || shape.find(arguments[2]) != std::string::npos) printLeaks(device, shape);
+        if (count < 3 || shape.find(arguments[2]) != std::string::npos)
+          printLeaks(device, shape, arguments[1] == std::string("rooms"));
+    } else if (count == 2 && arguments[1] == std::string("door")) {
+      render::VulkanDevice device(false);
+      printDoor(device);
     } else if (count == 2 || count == 3) {
       const tests::LeakLevel level = tests::leakLevel(arguments[1], 0);
       run(level.surfaces, middleOf(level), camera(60.0, -10.0), static_cast<int>(number(2, 20)));
@@ -201,7 +241,8 @@ int main(int count, char** arguments) {
       geometry::Surfaces surfaces = build::readLevel(arguments[1]).level->surfaces;
       run(surfaces, eye, camera(number(3, 0.0), number(4, 0.0)), static_cast<int>(number(5, 20)));
     } else {
-      fmt::print(stderr, "volume_bench SHAPE [RUNS], or LEVEL.toml X,Y,Z YAW PITCH [RUNS], or leaks [SHAPE]\n");
+      fmt::print(stderr,
+                 "volume_bench SHAPE [RUNS], or LEVEL.toml X,Y,Z YAW PITCH [RUNS], or leaks|rooms [SHAPE], or door\n");
       return 1;
     }
   } catch (const base::Error& e) {

@@ -121,6 +121,20 @@ void addShell(LeakLevel& level, const Prism& prism, geometry::Random& random, co
   }
 }
 
+/// The box of a prism and half of its walls.
+geometry::Box roomOf(const Prism& prism) {
+  geometry::Box box{prism.place(prism.corner[0], 0.0), prism.place(prism.corner[0], 0.0)};
+  for (const Corner& c : prism.corner)
+    for (const double along : {0.0, prism.length_m}) {
+      const Number3 p = prism.place(c, along);
+      for (int a = 0; a < 3; ++a) {
+        box.low[a] = std::min(box.low[a], p[a]);
+        box.high[a] = std::max(box.high[a], p[a]);
+      }
+    }
+  return {box.low - Number3(0.5 * kLeakWall_m), box.high + Number3(0.5 * kLeakWall_m)};
+}
+
 std::vector<Corner> rectangle(double width, double depth) {
   return {{0, 0}, {width, 0}, {width, depth}, {0, depth}};
 }
@@ -183,10 +197,19 @@ LeakLevel leakLevel(const std::string& shape, std::uint64_t seed) {
   if (has("door")) {
     prism.corner = rectangle(7, 6);
     addRoomWithDoor(level, prism, random);
+    level.room = {roomOf(prism)};
     return level;
   }
   if (has("below")) prism.corner = rectangle(11, 9);
   addShell(level, prism, random);
+  level.room = {roomOf(prism)};
+  if (has("L of")) {  // a box a leg
+    Prism leg = prism;
+    leg.corner = rectangle(14, 2);
+    level.room = {roomOf(leg)};
+    leg.corner = rectangle(2, 12);
+    level.room.push_back(roomOf(leg));
+  }
   if (has("below")) {  // an upper storey, open to one side, on the same slab
     prism.at.y += prism.length_m + kLeakWall_m;
     addShell(level, prism, random, {0}, false);

@@ -22,7 +22,8 @@ struct LeakPoint {
 struct LeakLevel {
   geometry::Surfaces surfaces;
   std::vector<LeakPoint> point;
-  bool sealed = true;  ///< if false, light comes in through a door
+  std::vector<geometry::Box> room;  ///< from the middle of wall to wall, about a turned place too
+  bool sealed = true;               ///< if false, light comes in through a door
 };
 
 /// Names of the shapes that leakLevel makes.

@@ -151,6 +151,82 @@ TEST_CASE("VolumeBricks, TheyFollowCameraAndSectors", "[vulkan]") {
   CHECK(device.messageCount() == 0);
 }
 
+TEST_CASE("VolumeBricks, NoLightPassesFacesOfRooms", "[vulkan]") {
+  for (const char* shape : {"hut 2.3 x 2.3 m", "corridor 0.8 m", "L of corridors 2 m"}) {
+    LeakLevel place = leakLevel(shape, 2);
+    for (const double by : {0.0, -30.0}) {  // then across the border at x = 0
+      move(place, Number3(by, 0.0, 0.0));
+      OpenedLevel opened(bakedLevel(place.surfaces, {{-1, 0}, {0, 0}}, 0, roomsOnly(place)));
+      render::VulkanDevice device(true);
+      {
+        const DeviceVolume v(device, WELKIN_VOLUME_RGBA16F);
+        const float camera[3] = {30.0F + static_cast<float>(by), 4, 40};
+        const WelkinVolumeUpdate update = v.update(device, opened.level, opened.relight(12.0), camera, 0);
+        CHECK(update.cuts_left == 0);
+        INFO(shape << ", moved by " << by << ", " << update.bricks << " bricks");
+        const Points inside = innerSurfaces(place);
+        const double open = brightest(lightOf(device, v, airOf({4, 1, 4}, {16, 2, 16}, 100)));
+        CHECK(brightest(lightOf(device, v, inside)) == 0.0);
+        CHECK(brightest(lightOf(device, v, inside, kVolumeUncutComp)) > 0.4 * open);
+      }
+      CHECK(device.messageCount() == 0);
+    }
+  }
+}
+
+TEST_CASE("VolumeBricks, RoomsAreThoseOfTheQuery", "[vulkan]") {
+  for (const char* shape : {"hut 3 x 3 m", "hut, turned by 17", "room with a door"})
+    for (const placement::Walls walls : {placement::Walls::ignore, placement::Walls::cut}) {
+      const LeakLevel place = leakLevel(shape, 3);
+      placement::PlacementSettings settings = roomsOnly(place);
+      settings.walls = walls;
+      OpenedLevel opened(bakedLevel(place.surfaces, {{0, 0}}, 0, settings));
+      render::VulkanDevice device(true);
+      {
+        const DeviceVolume v(device, WELKIN_VOLUME_RGBA16F);
+        const float camera[3] = {30, 4, 40};
+        v.update(device, opened.level, opened.relight(12.0), camera, 0);
+        const geometry::Box& room = place.room[0];
+        const Number3 middle = 0.5 * (room.low + room.high);
+        const Points about = airOf(room.low - Number3(5.0, -0.1, 5.0), room.high + Number3(5.0), 4000);
+        Points points = airOf(room.low, room.high, 2000);
+        points.insert(points.end(), about.begin(), about.end());
+        for (const double side : {-0.01, 0.01})  // off a face that is open or a wall, and along it
+          for (int i = 0; i < 50; ++i)
+            addPoint(points, Number3(room.high.x + side, middle.y, room.low.z + 0.02 * i), Number3(0.0, 1.0, 0.0));
+        const auto found = lightOf(device, v, points);
+        const double open = brightest(lightOf(device, v, airOf({4, 1, 4}, {16, 2, 16}, 100)));
+        std::size_t count[2] = {};
+        double mean[2] = {}, worst[2] = {}, most = 0.0;
+        for (std::size_t i = 0; i < points.size() / 8; ++i) {
+          const float* p = &points[8 * i];
+          const auto isInside = [&](double way_m) {
+            return geometry::contains(room, Number3(p[0], p[1], p[2]) + Number3(p[4], p[5], p[6]) * way_m);
+          };
+          const bool inside = isInside(0.0);
+          // The device has the room of a place 0.25 m off the surface, the query that of 1 m.
+          if (inside != isInside(1.0) || inside != isInside(0.25)) continue;
+          float at[2][1][3] = {{{p[0], p[1], p[2]}}, {{p[4], p[5], p[6]}}}, query[1][3];
+          REQUIRE(welkin_level_irradiance(opened.level, 1, at[0], at[1], query, nullptr) == WELKIN_OK);
+          const double off = std::abs(double{query[0][1]} - double{found[4 * i + 1]}) / open;
+          ++count[inside];
+          mean[inside] += off;
+          worst[inside] = std::max(worst[inside], off);
+          if (inside) most = std::max(most, double{found[4 * i + 1]} / open);
+        }
+        INFO(shape << ", walls " << (walls == placement::Walls::cut ? "cut" : "ignored") << ": outside " << count[0]
+                   << " points, mean " << mean[0] / static_cast<double>(count[0]) << ", worst " << worst[0]
+                   << "; inside " << count[1] << " points, worst " << worst[1] << ", brightest " << most);
+        REQUIRE(count[0] > 3000);
+        REQUIRE(count[1] > 500);
+        CHECK(worst[1] < 1e-3);  // the rounding of halves
+        CHECK(mean[0] < 0.01 * static_cast<double>(count[0]));
+        CHECK(worst[0] < 0.3);
+      }
+      CHECK(device.messageCount() == 0);
+    }
+}
+
 TEST_CASE("VolumeBricks, WithoutRoomTheTexelsServe", "[vulkan]") {
   const LeakLevel place = leakLevel("hall 20 x 12 m", 0);
   OpenedLevel opened(bakedLevel(place.surfaces, {{0, 0}}));

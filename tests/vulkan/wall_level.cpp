@@ -5,8 +5,10 @@
 
 namespace welkin::tests {
 
-RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors, int bounces) {
+RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry::SectorId> sectors, int bounces,
+                       const placement::PlacementSettings& probes) {
   build::BakeSection section;
+  section.probes = probes;
   section.transfer.rays = 64;
   section.transfer.bounces = bounces;
   if (bounces > 0) section.transfer.fit = build::Fit::none;
@@ -20,10 +22,18 @@ RandomLevel bakedLevel(const geometry::Surfaces& surfaces, std::vector<geometry:
   return level;
 }
 
+placement::PlacementSettings roomsOnly(const LeakLevel& level) {
+  placement::PlacementSettings settings;
+  settings.walls = placement::Walls::ignore;
+  settings.room = level.room;
+  return settings;
+}
+
 void move(LeakLevel& level, const Number3& by) {
   for (auto& p : level.surfaces.position)
     for (int a = 0; a < 3; ++a) p[static_cast<std::size_t>(a)] += by[a];
   for (LeakPoint& p : level.point) p.position += by;
+  for (geometry::Box& box : level.room) box = {box.low + by, box.high + by};
 }
 
 }  // namespace welkin::tests

@@ -49,7 +49,8 @@ typedef struct WelkinVolumeSettings {
   uint32_t texels[3];               /* along x, y, z, each 2..512; 0: 96, 16, 96 */
   float texel_height_m;             /* >= 0.5; 0: 4. In x and z texels are the grid's cells of 4 m */
   const WelkinAllocator* allocator; /* null: malloc. Copied */
-  uint32_t bricks; /* room for sides of walls, 27 texels each; 0: 4096; WELKIN_VOLUME_NO_BRICKS: none, light leaks */
+  uint32_t bricks; /* room for sides of walls and rooms, 27 texels each; 0: 4096; WELKIN_VOLUME_NO_BRICKS: none, light
+                      leaks */
   uint32_t far_texels; /* edge of the far map: whole sectors of 16 texels of 4 m, 32..1024; 0: 256, 1024 m */
   float far_fade_m; /* height difference at which the far map's effect ends, 1..10000; it is whole up to half; 0: 16 */
 } WelkinVolumeSettings;
@@ -79,7 +80,7 @@ typedef struct WelkinVolumeUpdate {
   uint32_t remaining;     /* texels that still show earlier light, those of bricks too */
   uint32_t cut_first;     /* first byte of welkin_volume_cuts that changed, a multiple of 16 */
   uint32_t cut_bytes;     /* bytes that changed from there on, a multiple of 16; 0: none */
-  uint32_t cuts_left;     /* sectors with walls that found no room, the farthest ones: light leaks there */
+  uint32_t cuts_left;     /* sectors with walls or rooms that found no place, the farthest: light leaks there */
   uint32_t bricks;        /* in use */
   uint32_t far_box_count; /* 0: no texel of the far map changed. They change where sectors come, go or enter the map */
   WelkinFarBox far_box[WELKIN_VOLUME_MAX_FAR_BOXES]; /* none overlap */

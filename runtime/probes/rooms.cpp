@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probes/rooms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "format/domain_check.h"
+
+namespace welkin::probes {
+namespace {
+
+/// Whether two boxes are one that two sectors have stored, each as floats from its own corner.
+bool isSameRoom(const RoomBox& a, const RoomBox& b) {
+  constexpr double kFloats = 0x1p-22;  // twice the rounding of a float
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double from_corner =
+        axis == 1 ? std::max(std::abs(a.low[1]), std::abs(a.high[1])) : kSector_m + a.high[axis] - a.low[axis];
+    if (std::abs(a.low[axis] - b.low[axis]) > kFloats * from_corner) return false;
+    if (std::abs(a.high[axis] - b.high[axis]) > kFloats * from_corner) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+RoomBox roomBox(const WelkinSector& sector, std::uint32_t number) {
+  const format::Room& room = *sector.file->room()->Get(number - 1);
+  const double x = kSector_m * sector.x, z = kSector_m * sector.z;
+  return {{double{room.low_x()} + x, double{room.low_y()}, double{room.low_z()} + z},
+          {double{room.high_x()} + x, double{room.high_y()}, double{room.high_z()} + z}};
+}
+
+std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p) {
+  for (std::uint32_t number = 1; number <= roomsOf(sector); ++number) {
+    const RoomBox box = roomBox(sector, number);
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      inside = inside && p[axis] >= box.low[axis] && p[axis] <= box.high[axis];
+    if (inside) return number;
+  }
+  return 0;
+}
+
+bool isInRoom(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number) {
+  const auto in_room = format::spanOf(sector.file->in_room());
+  const std::uint32_t own = in_room.empty() ? 0 : in_room[probe];
+  if (own == 0 || number == 0 || &sector == &home) return own == number;
+  return isSameRoom(roomBox(sector, own), roomBox(home, number));
+}
+
+}  // namespace welkin::probes
