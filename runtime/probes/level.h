@@ -69,6 +69,7 @@ struct WelkinSector {
   welkin::core::HostArray<float> fixed;        ///< light that does not follow the day, as `light`; null without
   std::uint64_t fixed_changes = 0;             ///< counts changes of `fixed`
   welkin::core::HostArray<float> light;        ///< [probe][channel][direction], relit
+  bool has_rooms = false;
   std::array<std::uint8_t, welkin::format::kGridCells> filled{};  ///< the grid, its holes as their nearest cells
   welkin::probes::FarTile far_tile{};
   welkin::core::HostArray<std::array<std::uint64_t, 3>> packed;  ///< the light as texels of the volume

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/look_up.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "probes/open_cells.h"
 #include "probes/rooms.h"
 
 namespace welkin::probes {
@@ -33,123 +35,67 @@ const WelkinSector* sectorAt(const WelkinLevel& level, const format::InWorld& p)
   return residentAt(level, floorOf(p[0] / kSector_m), floorOf(p[2] / kSector_m));
 }
 
-/// A place in cells from the sector's corner and the bottom of its grid.
-format::InWorld inCells(const WelkinSector& sector, const format::InWorld& p) {
-  constexpr double kCell_m = format::kCellWidth_m;
-  return {(p[0] - kSector_m * sector.x) / kCell_m, (p[1] - sector.grid.low_y) / sector.grid.cell_height_m,
-          (p[2] - kSector_m * sector.z) / kCell_m};
+/// The probes of a place beside walls.
+void probesBesideWalls(const WelkinLevel& level, const WelkinSector& home, const format::InWorld& p, PointProbes& out) {
+  const std::uint32_t room = roomAt(home, p);
+  const format::EightProbes about = format::probesAbout(p, gridsOf(level));
+  float weight[8] = {};
+  std::fill_n(out.light, 8, kDark);
+  for (std::size_t i = 0; i < about.count; ++i) {
+    const format::WeightedProbe& found = about.probe[i];
+    const bool is_home = found.sector_x == home.x && found.sector_z == home.z;
+    const WelkinSector& sector = is_home ? home : *residentAt(level, found.sector_x, found.sector_z);
+    if (!isInRoom(sector, found.probe, home, room)) continue;
+    weight[i] = static_cast<float>(found.weight);
+    out.light[i] = sector.light.get() + kColours * found.probe;
+  }
+  Directions half[2];
+  std::memcpy(half, weight, sizeof weight);
+  normalise(half[0], half[1], out);
+  if (!out.serve) serveFromRoom(home, room, out);
 }
 
-/// A box of at most 2 x 2 x 2 cells, all in the sector's grid, that no wall parts.
-struct OpenBox {
-  bool is_open = true;
-  int first[3], count[3];
-
-  /// The cells from `low` to `high`, in cells of the sector.
-  OpenBox(const WelkinSector& sector, const format::InWorld& low, const format::InWorld& high) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!(low[axis] >= 0.0 && high[axis] < format::kCellsAcross)) {
-        is_open = false;
-        return;
-      }
-      first[axis] = static_cast<int>(low[axis]);
-      count[axis] = static_cast<int>(high[axis]) - first[axis] + 1;
+PointLight lightOf(const PointProbes& probes) {
+  PointLight sum{{}, probes.serve};
+  for (int i = 0; i < 8; ++i) {
+    const float weight = probes.weight[i / 4][i % 4];
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      Directions light;
+      std::memcpy(&light, probes.light[i] + c * kDirections, sizeof light);
+      sum.channel[c] += weight * light;
     }
-    if (sector.cut.get() == nullptr) return;
-    for (int z = 0; z < count[2]; ++z)
-      for (int y = 0; y < count[1]; ++y)
-        for (int x = 0; x < count[0]; ++x) {
-          const auto cell = static_cast<unsigned>(first[0] + x + 16 * (first[1] + y + 16 * (first[2] + z)));
-          if ((sector.cut.get()[cell / 64] >> (cell % 64) & 1) != 0) is_open = false;
-        }
   }
-};
-
-/// The probes of a place whose eight cells no wall parts, in a sector without rooms. False if it is no such place.
-bool openProbes(const WelkinSector& sector, const format::InWorld& place, PointProbes& out) {
-  if (sector.file->room() != nullptr) return false;
-  const format::InWorld p = inCells(sector, place);
-  int first[3];
-  double share[3][2];  // axis; of the first cell and of the second
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double low = p[axis] - 0.5;
-    if (!(low >= 0.0 && low < format::kCellsAcross - 1)) return false;
-    first[axis] = static_cast<int>(low);
-    share[axis][1] = low - first[axis];
-    share[axis][0] = 1.0 - share[axis][1];
-  }
-  const int corner = first[0] + 16 * (first[1] + 16 * first[2]);
-  double weight[8], total = 0.0;
-  std::size_t count = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const unsigned dx = i & 1, dy = i >> 1 & 1, dz = i >> 2;
-    const auto cell = static_cast<unsigned>(corner) + dx + 16 * (dy + 16 * dz);
-    if (sector.cut.get() != nullptr && (sector.cut.get()[cell / 64] >> (cell % 64) & 1) != 0) return false;
-    const std::uint8_t probe = sector.grid.grid[cell];
-    if (probe == format::kNoProbe) continue;
-    total += weight[count] = share[0][dx] * share[1][dy] * share[2][dz];
-    out.share[count++].light = sector.light.get() + kColours * probe;
-  }
-  if (!(total > 0.0)) return true;
-  const double inverse = 1.0 / total;
-  out.count = count;
-  for (std::size_t i = 0; i < out.count; ++i) out.share[i].weight = static_cast<float>(weight[i] * inverse);
-  return true;
+  return sum;
 }
 
 }  // namespace
 
-format::InWorld pushedOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal) {
-  if (!isNear(position)) return position;
+PointLight lightAt(const WelkinLevel& level, const format::InWorld& p) {
+  if (!isNear(p)) return {};
+  const WelkinSector* home = sectorAt(level, p);
+  if (home == nullptr) return {};
+  PointProbes probes;
+  if (!innerProbes(*home, inCells(*home, p[0], p[1], p[2]), probes) && !openProbes(level, *home, p, probes))
+    probesBesideWalls(level, *home, p, probes);
+  return lightOf(probes);
+}
+
+PointLight lightOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal) {
+  if (!isNear(position)) return {};
+  const auto along = [&](double way_m) {
+    return format::InWorld{position[0] + normal[0] * way_m, position[1] + normal[1] * way_m,
+                           position[2] + normal[2] * way_m};
+  };
   const WelkinSector* home = sectorAt(level, position);
   if (home != nullptr) {
-    format::InWorld low, high;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double end = position[axis] + 2.0 * kPush_m * normal[axis];
-      low[axis] = std::min(position[axis], end);
-      high[axis] = std::max(position[axis], end);
+    const format::InWorld end = along(2.0 * kPush_m), place = along(kPush_m);
+    if (isOpen(*home, inCells(*home, position[0], position[1], position[2]), inCells(*home, end[0], end[1], end[2]))) {
+      PointProbes probes;
+      if (innerProbes(*home, inCells(*home, place[0], place[1], place[2]), probes)) return lightOf(probes);
+      return lightAt(level, place);
     }
-    if (OpenBox(*home, inCells(*home, low), inCells(*home, high)).is_open)
-      return {position[0] + normal[0] * kPush_m, position[1] + normal[1] * kPush_m, position[2] + normal[2] * kPush_m};
   }
-  return format::pushedPlace(position, normal, kPush_m, gridsOf(level));
-}
-
-PointProbes probesFor(const WelkinLevel& level, const format::InWorld& p) {
-  PointProbes out;
-  if (!isNear(p)) return out;
-  const WelkinSector* home = sectorAt(level, p);
-  if (home == nullptr || openProbes(*home, p, out)) return out;
-  const std::uint32_t room = roomAt(*home, p);
-  const format::EightProbes about = format::probesAbout(p, gridsOf(level));
-  double total = 0.0;
-  for (std::size_t i = 0; i < about.count; ++i) {
-    const format::WeightedProbe& found = about.probe[i];
-    const bool is_home = found.sector_x == home->x && found.sector_z == home->z;
-    const WelkinSector& sector = is_home ? *home : *residentAt(level, found.sector_x, found.sector_z);
-    if (!isInRoom(sector, found.probe, *home, room)) continue;
-    total += found.weight;
-    out.share[out.count++] = {sector.light.get() + kColours * found.probe, static_cast<float>(found.weight)};
-  }
-  if (out.count == 0) {
-    const std::uint8_t probe = room == 0 ? format::kNoProbe : home->file->room()->Get(room - 1)->probe();
-    if (probe != format::kNoProbe) out.share[out.count++] = {home->light.get() + kColours * probe, 1.0F};
-    return out;
-  }
-  for (std::size_t i = 0; i < out.count; ++i)
-    out.share[i].weight = static_cast<float>(double{out.share[i].weight} / total);
-  return out;
-}
-
-void addLight(const PointProbes& probes, float* out) {
-  using Directions [[gnu::vector_size(kDirections * sizeof(float))]] = float;
-  Directions sum[kChannels] = {};
-  for (std::size_t s = 0; s < probes.count; ++s) {
-    Directions light[kChannels];
-    std::memcpy(light, probes.share[s].light, sizeof light);
-    for (std::size_t c = 0; c < kChannels; ++c) sum[c] += probes.share[s].weight * light[c];
-  }
-  std::memcpy(out, sum, sizeof sum);
+  return lightAt(level, format::pushedPlace(position, normal, kPush_m, gridsOf(level)));
 }
 
 }  // namespace welkin::probes

@@ -3,31 +3,32 @@
 // rooms.
 #pragma once
 
-#include <array>
-
 #include "probes/level.h"
 
 namespace welkin::probes {
 
-/// A probe's share of a point's light. The shares of a point sum to 1.
-struct ProbeShare {
-  const float* light;  ///< of the probe: [channel][direction]
-  float weight;
-};
+/// A number for each of the four directions, or each of four cells.
+using Directions [[gnu::vector_size(kDirections * sizeof(float))]] = float;
 
-/// The probes of a point, at most eight.
+inline constexpr float kDark[kColours] = {};  ///< light of a cell without a probe
+
+/// The probes of the eight cells about a point and their weights, which sum to 1.
 struct PointProbes {
-  std::array<ProbeShare, 8> share;
-  std::size_t count = 0;
+  Directions weight[2];   ///< of cells by x, then y, then z; 0: the probe does not count
+  const float* light[8];  ///< of a probe: [channel][direction]
+  bool serve;             ///< false: no probe serves the point, and the weights are 0
 };
 
-/// The probes for a place, metres, as pushedOff gives it.
-PointProbes probesFor(const WelkinLevel& level, const format::InWorld& place);
+/// The light at a place.
+struct PointLight {
+  Directions channel[kChannels];
+  bool is_served;
+};
 
-/// The place from where a point of a surface with a unit normal looks up its light (format::pushedPlace).
-format::InWorld pushedOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal);
+/// The light at a place, metres, as format::pushedPlace gives it; 0 where it is not served.
+PointLight lightAt(const WelkinLevel& level, const format::InWorld& place);
 
-/// The light at a point: [channel][direction]; 0 without probes.
-void addLight(const PointProbes& probes, float* out);
+/// The light for a point of a surface with a unit normal.
+PointLight lightOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal);
 
 }  // namespace welkin::probes

@@ -146,6 +146,7 @@ WelkinResult openSector(const WelkinLevel& level, std::span<const std::byte> byt
   const format::Probes& probes = *opened.file->probes();
   opened.probes = format::probesOf(*opened.file);
   opened.modes = spanOf(probes.mode_scale()).size();
+  opened.has_rooms = opened.file->room() != nullptr;
   void* room = nullptr;
   const std::size_t numbers = kColours * opened.probes;
   if (!markCuts(opened.grid.cuts, opened.memory, opened.cut) || !packProbes(probes, opened.memory, opened.blocks) ||

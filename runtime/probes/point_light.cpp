@@ -12,11 +12,10 @@ namespace {
 static_assert(sizeof(WelkinColours) == kColours * sizeof(float));
 
 /// Weights of the directions for a normal, as floats.
-std::array<float, kDirections> weightsFor(const float normal[3]) {
+Directions weightsFor(const float normal[3]) {
   const f64::TransferWeights weight = f64::transferWeights(core::load(normal));
-  std::array<float, kDirections> out;
-  for (std::size_t b = 0; b < kDirections; ++b) out[b] = static_cast<float>(weight.v[b]);
-  return out;
+  return Directions{static_cast<float>(weight.v[0]), static_cast<float>(weight.v[1]), static_cast<float>(weight.v[2]),
+                    static_cast<float>(weight.v[3])};
 }
 
 format::InWorld inWorld(const float v[3]) {
@@ -45,16 +44,13 @@ WelkinResult welkin_level_irradiance(const WelkinLevel* level, size_t count, con
     if (unit(__func__, "normal", n) != WELKIN_OK)
       return refuse(__func__, "normal %zu has the length %g, must be a unit vector", i,
                     std::sqrt(double{n[0]} * double{n[0]} + double{n[1]} * double{n[1]} + double{n[2]} * double{n[2]}));
-    const PointProbes probes = probesFor(*level, pushedOff(*level, inWorld(position[i]), inWorld(normal[i])));
-    float light[kColours];
-    addLight(probes, light);
-    const auto weight = weightsFor(normal[i]);
+    const PointLight light = lightOff(*level, inWorld(position[i]), inWorld(normal[i]));
+    const Directions weight = weightsFor(normal[i]);
     for (std::size_t c = 0; c < kChannels; ++c) {
-      float sum = 0.0F;
-      for (std::size_t b = 0; b < kDirections; ++b) sum += weight[b] * light[c * kDirections + b];
-      irradiance[i][c] = std::max(sum, 0.0F);
+      const Directions part = weight * light.channel[c];
+      irradiance[i][c] = std::max((part[0] + part[1]) + (part[2] + part[3]), 0.0F);
     }
-    if (served != nullptr) served[i] = probes.count > 0 ? 1 : 0;
+    if (served != nullptr) served[i] = light.is_served ? 1 : 0;
   }
   return WELKIN_OK;
 }
@@ -66,12 +62,10 @@ WelkinResult welkin_level_colours(const WelkinLevel* level, size_t count, const 
   if (const auto r = nonNull(__func__, {{"position", position}, {"colours", colours}})) return r;
   for (std::size_t i = 0; i < count; ++i) {
     if (!isFinite(position[i])) return refuse(__func__, "position %zu is not finite", i);
-    const PointProbes probes = probesFor(*level, inWorld(position[i]));
-    float light[kColours];
-    addLight(probes, light);
+    const PointLight light = lightAt(*level, inWorld(position[i]));
     for (std::size_t c = 0; c < kChannels; ++c)
-      for (std::size_t b = 0; b < kDirections; ++b) colours[i].irradiance[b][c] = light[c * kDirections + b];
-    if (served != nullptr) served[i] = probes.count > 0 ? 1 : 0;
+      for (std::size_t b = 0; b < kDirections; ++b) colours[i].irradiance[b][c] = light.channel[c][b];
+    if (served != nullptr) served[i] = light.is_served ? 1 : 0;
   }
   return WELKIN_OK;
 }

@@ -42,10 +42,19 @@ std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p) {
 }
 
 bool isInRoom(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number) {
+  if (!sector.has_rooms && number == 0) return true;
   const auto in_room = format::spanOf(sector.file->in_room());
   const std::uint32_t own = in_room.empty() ? 0 : in_room[probe];
   if (own == 0 || number == 0 || &sector == &home) return own == number;
   return isSameRoom(roomBox(sector, own), roomBox(home, number));
+}
+
+void serveFromRoom(const WelkinSector& home, std::uint32_t number, PointProbes& out) {
+  const std::uint8_t probe = number == 0 ? format::kNoProbe : home.file->room()->Get(number - 1)->probe();
+  if (probe == format::kNoProbe) return;
+  out.light[0] = home.light.get() + kColours * probe;
+  out.weight[0][0] = 1.0F;
+  out.serve = true;
 }
 
 }  // namespace welkin::probes

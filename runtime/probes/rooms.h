@@ -2,7 +2,7 @@
 // The boxes whose insides their own probes light alone.
 #pragma once
 
-#include "probes/level.h"
+#include "probes/look_up.h"
 
 namespace welkin::probes {
 
@@ -24,5 +24,8 @@ std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p);
 
 /// Whether a probe is in room `number` of the sector `home`, or outside all rooms if that is 0.
 bool isInRoom(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number);
+
+/// The room's own probe, for a point in room `number` that no other serves. Nothing if that is 0 or the room has none.
+void serveFromRoom(const WelkinSector& home, std::uint32_t number, PointProbes& out);
 
 }  // namespace welkin::probes
