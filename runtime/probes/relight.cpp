@@ -74,7 +74,7 @@ WelkinResult welkin_level_set_light(WelkinLevel* level, const WelkinLevelLight* 
   if (const auto r = check(__func__, wanted)) return r;
   const WelkinSkySample sample = take(*wanted.sample);
   wanted.sample = &sample;
-  const LevelLight now = levelLightOf(wanted, level->index->sky_scale(), level->index->sun_bounce_scale());
+  const LevelLight now = levelLightOf(wanted, *level->index);
   if (level->instant != 0 && std::memcmp(&now, &level->light, sizeof now) == 0) return WELKIN_OK;
   level->light = now;
   ++level->instant;

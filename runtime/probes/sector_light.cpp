@@ -39,28 +39,48 @@ void writeModes(const format::Probes& probes, std::span<const float> knot_h, std
                 const std::array<double, 3>& irradiance, float (*out)[3]) {
   if (knot_h.empty()) return;
   const format::KeySegment s = segmentOf(knot_h, time_h);
-  const std::size_t modes = spanOf(probes.mode_scale()).size();
+  const auto mode_scale = spanOf(probes.mode_scale()), coefficient_scale = spanOf(probes.coefficient_scale());
   const std::size_t knots = spanOf(probes.sun_time_h()).size() + spanOf(probes.moon_time_h()).size();
-  for (std::size_t m = 0; m < modes; ++m) {
-    const std::int8_t* row = probes.mode()->data() + 3 * (m * knots + first_knot);
-    const double scale = double{(*probes.mode_scale())[static_cast<std::uint32_t>(m)]} *
-                         double{(*probes.coefficient_scale())[static_cast<std::uint32_t>(m)]} / (127.0 * 127.0);
+  const std::int8_t* first = probes.mode()->data() + 3 * (first_knot + s.first);
+  const std::int8_t* second = probes.mode()->data() + 3 * (first_knot + s.second);
+  const double of_second = s.weight / (127.0 * 127.0), of_first = (1.0 - s.weight) / (127.0 * 127.0);
+  for (std::size_t m = 0; m < mode_scale.size(); ++m) {
+    const double scale = double{mode_scale[m]} * double{coefficient_scale[m]};
     for (std::size_t c = 0; c < 3; ++c) {
-      const double value = row[3 * s.first + c] * (1.0 - s.weight) + row[3 * s.second + c] * s.weight;
+      const double value = first[3 * m * knots + c] * of_first + second[3 * m * knots + c] * of_second;
       out[m][c] = saturated(value * scale * irradiance[c]);
     }
   }
 }
 
+/// What all sectors share of it.
+CommonLight commonOf(const LevelLight& light, bool sh) {
+  CommonLight out{};
+  out.local = saturated(light.local);
+  const f64::TransferBasis basis = f64::transferBasis();
+  for (std::size_t b = 0; b < 3; ++b) {
+    const f64::ShBasis at = f64::shBasis(basis.v[b]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      double open = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) open += light.sky[k][c] * f64::cosineLobe(k == 0 ? 0 : 1) * at.v[k];
+      out.open[b][c] = saturated(open / 65535.0);
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      out.sky[k][c] = saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
+  return out;
+}
+
 }  // namespace
 
-LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double sun_bounce_scale) {
+LevelLight levelLightOf(const WelkinLevelLight& light, const format::Level& level) {
   const WelkinSkySample& sample = *light.sample;
   LevelLight out;
   out.time_h = sample.time_h;
   out.local = double{light.local};
-  const double of_sky = out.sky_factor = sky_scale * double{light.sky};
-  const double of_sun = sun_bounce_scale * double{light.sun_bounce};
+  const double of_sky = out.sky_factor = level.sky_scale() * double{light.sky};
+  const double of_sun = level.sun_bounce_scale() * double{light.sun_bounce};
   const f64::ShBasis up = f64::shBasis({0.0, 1.0, 0.0});
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -79,25 +99,12 @@ LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double 
     }
     ++i;
   }
+  out.common = commonOf(out, level.sun() == format::SunTransfer::sh);
   return out;
 }
 
 SectorLight sectorLightOf(const LevelLight& light, const format::Sector& sector) {
-  SectorLight out{};
-  out.local = saturated(light.local);
-  const f64::TransferBasis basis = f64::transferBasis();
-  for (std::size_t b = 0; b < 3; ++b) {
-    const f64::ShBasis at = f64::shBasis(basis.v[b]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      double open = 0.0;
-      for (std::size_t k = 0; k < 4; ++k) open += light.sky[k][c] * f64::cosineLobe(k == 0 ? 0 : 1) * at.v[k];
-      out.open[b][c] = saturated(open / 65535.0);
-    }
-  }
-  const bool sh = sector.sun() == format::SunTransfer::sh;
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t c = 0; c < 3; ++c)
-      out.sky[k][c] = saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
+  SectorLight out{light.common, {}, 0};
   if (sector.sun() != format::SunTransfer::directional) return out;
   const format::Probes& probes = *sector.probes();
   const auto sun_h = spanOf(probes.sun_time_h());

@@ -19,6 +19,13 @@ inline constexpr std::size_t kDirections = 4;  ///< of the transfer basis (shade
 inline constexpr double kMostLight = 1e18;
 inline constexpr float kMostScale = 1e15F;
 
+/// The part of a SectorLight that is one for all sectors.
+struct CommonLight {
+  float open[3][3];  ///< upper direction, channel: by a step of visibility
+  float sky[4][3];   ///< coefficient, channel: by a step of the sky's transfer
+  float local;       ///< factor on light that does not follow the day
+};
+
 /// Light of one instant that all sectors share. It has no padding, so its bytes tell whether it changed.
 struct LevelLight {
   double time_h = 0.0;
@@ -27,17 +34,15 @@ struct LevelLight {
   std::array<std::array<double, 3>, 2> light_irradiance{};  ///< of sun and moon, times visible share and factor
   double sky_factor = 1.0;                                  ///< on the light of the sky, in `sky` as well
   double local = 1.0;                                       ///< factor on local light
+  CommonLight common{};
 };
 
-/// The light of a sample for a level whose factors are `sky_scale` and `sun_bounce_scale`.
-LevelLight levelLightOf(const WelkinLevelLight& light, double sky_scale, double sun_bounce_scale);
+/// The light of a sample for a level.
+LevelLight levelLightOf(const WelkinLevelLight& light, const format::Level& level);
 
 /// That light in the steps of a sector's numbers.
-struct SectorLight {
-  float open[3][3];                         ///< upper direction, channel: by a step of visibility
-  float sky[4][3];                          ///< coefficient, channel: by a step of the sky's transfer
+struct SectorLight : CommonLight {
   float mode[2][format::kMostSunModes][3];  ///< light that is up, mode, channel
-  float local;                              ///< factor on light that does not follow the day
   std::uint32_t lights;                     ///< lights that are up and have a transfer of their own, 0..2
 };
 SectorLight sectorLightOf(const LevelLight& light, const format::Sector& sector);

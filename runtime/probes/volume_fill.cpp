@@ -53,8 +53,10 @@ void fill(WelkinVolume& volume, const WelkinLevel& level, const Cells& low, cons
                                       ? 0
                                       : static_cast<std::size_t>(kSide * (rowOf(sector->grid, middle) +
                                                                           kSide * static_cast<int>(z - sz * kSide)));
+        std::size_t in_row = remainder(x, 0);
         for (std::int64_t i = x; i < end; ++i) {
-          const std::size_t at = row + remainder(i, 0);
+          const std::size_t at = row + in_row;
+          in_row = in_row + 1 == volume.count[0] ? 0 : in_row + 1;
           const auto column = static_cast<std::size_t>(i - sx * kSide);
           const std::uint8_t probe = sector == nullptr
                                          ? format::kNoProbe

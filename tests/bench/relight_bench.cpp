@@ -2,19 +2,60 @@
 // Costs of probes in a frame, for the talk's 51 sectors of 70 probes: relighting beside reading the bytes that it
 // reads, and look-ups.
 #include <benchmark/benchmark.h>
+#include <hwy/highway.h>
 #include <welkin/volume.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "tests/runtime/random_level.h"
 
 namespace welkin::tests {
 namespace {
 
+/// Memory of a level, so that the bytes can be put out of the caches.
+class Memory {
+ public:
+  WelkinAllocator allocator() {
+    WelkinAllocator out{};
+    out.user = this;
+    out.allocate = [](void* user, std::size_t size, std::size_t) {
+      void* block = std::aligned_alloc(kLine, (size + kLine - 1) / kLine * kLine);
+      static_cast<Memory*>(user)->block_.emplace_back(static_cast<const char*>(block), size);
+      return block;
+    };
+    out.free = [](void*, void* block, std::size_t) { std::free(block); };
+    return out;
+  }
+  /// As after a frame's other work: every byte comes from memory again.
+  void evict() const {
+    for (const auto& [block, size] : block_) evictBytes(block, size);
+  }
+  static void evictBytes([[maybe_unused]] const char* bytes, [[maybe_unused]] std::size_t size) {
+#ifdef __x86_64__
+    for (std::size_t at = 0; at < size; at += kLine) __builtin_ia32_clflush(bytes + at);
+    __builtin_ia32_mfence();
+#endif
+  }
+
+ private:
+  static constexpr std::size_t kLine = 64;
+  std::vector<std::pair<const char*, std::size_t>> block_;
+};
+
+Memory& talkMemory() {
+  static Memory memory;
+  return memory;
+}
+
 OpenedLevel& talkLevel() {
   static const RandomLevel baked(51, 70, 10, transfer::SunTransfer::directional, false);
-  static OpenedLevel opened(baked);
+  static const WelkinAllocator allocator = talkMemory().allocator();
+  static OpenedLevel opened(baked, &allocator);
   return opened;
 }
 
@@ -23,33 +64,71 @@ WelkinSkySample& sampleOfTurn(int turn) {
   return samples[turn % 2];
 }
 
-void relightAll(benchmark::State& state) {
+/// Calls `evict`, if the caches are to be cold, and `work`, of which the thread's own time counts.
+template <typename Evict, typename Work>
+void timed(benchmark::State& state, bool is_cold, const Evict& evict, const Work& work) {
+  const auto now_s = [] {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  for (auto _ : state) {
+    if (is_cold) evict();
+    const double start_s = now_s();
+    work();
+    state.SetIterationTime(now_s() - start_s);
+  }
+}
+
+/// Relights the level. At 9 h sun and moon are up, at 12 h the sun alone. `targets`: of Highway, 0 for the best.
+void relightAll(benchmark::State& state, double hour, bool is_cold, std::int64_t targets) {
   OpenedLevel& opened = talkLevel();
+  const WelkinSkySample samples[2] = {opened.sampleAt(hour), opened.sampleAt(hour + 0.001)};
+  hwy::SetSupportedTargetsForTest(targets);
   int turn = 0;
   WelkinRelight result{};
-  for (auto _ : state) {
-    WelkinLevelLight light{};
-    light.sample = &sampleOfTurn(turn++);
-    light.sky = light.sun_bounce = light.local = 1.0F;
-    welkin_level_set_light(opened.level, &light);
-    welkin_level_relight(opened.level, UINT32_MAX, &result);
-  }
+  timed(
+      state, is_cold, [] { talkMemory().evict(); },
+      [&] {
+        WelkinLevelLight light{};
+        light.sample = &samples[turn++ % 2];
+        light.sky = light.sun_bounce = light.local = 1.0F;
+        welkin_level_set_light(opened.level, &light);
+        welkin_level_relight(opened.level, UINT32_MAX, &result);
+      });
+  hwy::SetSupportedTargetsForTest(0);
   state.SetItemsProcessed(state.iterations() * result.relit);
 }
-BENCHMARK(relightAll)->Unit(benchmark::kMicrosecond);
+#define WELKIN_RELIGHT(name, ...) \
+  BENCHMARK_CAPTURE(relightAll, name, __VA_ARGS__)->Unit(benchmark::kMicrosecond)->UseManualTime()
+WELKIN_RELIGHT(sunAndMoon, 9.0, false, 0);
+WELKIN_RELIGHT(sun, 12.0, false, 0);
+WELKIN_RELIGHT(sunAndMoonCold, 9.0, true, 0);
+WELKIN_RELIGHT(sunCold, 12.0, true, 0);
+#ifdef __x86_64__
+WELKIN_RELIGHT(sunAndMoonAvx2, 9.0, false, HWY_AVX2);
+WELKIN_RELIGHT(sunAvx2, 12.0, false, HWY_AVX2);
+WELKIN_RELIGHT(sunAndMoonColdAvx2, 9.0, true, HWY_AVX2);
+#endif
+#undef WELKIN_RELIGHT
 
 /// The limit: as many bytes as relighting reads and writes, copied.
-void copyBytes(benchmark::State& state) {
+void copyBytes(benchmark::State& state, bool is_cold) {
   constexpr std::size_t kRead = 3570 * 102, kWritten = 3570 * 48;
   std::vector<char> from(kRead, 1), to(kRead);
-  for (auto _ : state) {
+  const auto evict = [&] {
+    Memory::evictBytes(from.data(), kRead);
+    Memory::evictBytes(to.data(), kRead);
+  };
+  timed(state, is_cold, evict, [&] {
     std::memcpy(to.data(), from.data(), kRead);
     benchmark::DoNotOptimize(to.data());
     std::memset(to.data(), static_cast<int>(state.iterations()), kWritten);
     benchmark::ClobberMemory();
-  }
+  });
 }
-BENCHMARK(copyBytes)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(copyBytes, warm, false)->Unit(benchmark::kMicrosecond)->UseManualTime();
+BENCHMARK_CAPTURE(copyBytes, cold, true)->Unit(benchmark::kMicrosecond)->UseManualTime();
 
 WelkinVolume* usualVolume(WelkinVolumeFormat format) {
   WelkinVolumeSettings settings{};
