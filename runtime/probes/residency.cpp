@@ -10,7 +10,7 @@ namespace {
 
 /// Bucket of the sector (x, z), or the free one where it would be.
 std::uint32_t bucketOf(const WelkinLevel& level, std::int32_t x, std::int32_t z) {
-  // A step in z goes on by the golden ratio of the table, so that sectors near each other never share a bucket.
+  // A step in z goes on by the golden ratio of the table, so that sectors near each other seldom share a bucket.
   const std::uint32_t step = static_cast<std::uint32_t>((level.table_mask * std::uint64_t{0x9e3779b9U}) >> 32) | 1U;
   std::uint32_t bucket = (static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(z) * step) & level.table_mask;
   for (;; bucket = (bucket + 1) & level.table_mask) {
