@@ -67,6 +67,7 @@ LevelLight uniformSky() {
     light.sky[1][c] = std::sqrt(3.0 * f64::kPi) / 2.0;
   }
   light.local = 0.0;
+  light.common = commonOf(light, false);
   return light;
 }
 

@@ -53,7 +53,8 @@ void writeModes(const format::Probes& probes, std::span<const float> knot_h, std
   }
 }
 
-/// What all sectors share of it.
+}  // namespace
+
 CommonLight commonOf(const LevelLight& light, bool sh) {
   CommonLight out{};
   out.local = saturated(light.local);
@@ -71,8 +72,6 @@ CommonLight commonOf(const LevelLight& light, bool sh) {
       out.sky[k][c] = saturated((light.sky[k][c] + (sh ? light.light_sh[k][c] : 0.0)) / (k < 2 ? 255.0 : 127.0));
   return out;
 }
-
-}  // namespace
 
 LevelLight levelLightOf(const WelkinLevelLight& light, const format::Level& level) {
   const WelkinSkySample& sample = *light.sample;

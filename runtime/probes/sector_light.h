@@ -37,6 +37,8 @@ struct LevelLight {
   CommonLight common{};
 };
 
+/// What all sectors share of a light; `sh`: the sun's light goes by the transfer of the sky.
+CommonLight commonOf(const LevelLight& light, bool sh);
 /// The light of a sample for a level.
 LevelLight levelLightOf(const WelkinLevelLight& light, const format::Level& level);
 
