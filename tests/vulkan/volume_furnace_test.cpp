@@ -31,15 +31,15 @@ geometry::Surfaces roomOf(const Number3& albedo, const Number3& emission) {
 
 /// Pixels of all six surfaces, eight floats each: position, 0, normal, 0.
 std::vector<float> pixelsOfRoom() {
-  constexpr int kAcross = 24;
+  constexpr int kPixelsAcross = 24;
   std::vector<float> pixels;
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {0.0, 1.0})
-      for (int i = 0; i < kAcross * kAcross; ++i) {
+      for (int i = 0; i < kPixelsAcross * kPixelsAcross; ++i) {
         Number3 share(0.0), normal(0.0);
         share[axis] = side;
-        share[(axis + 1) % 3] = (i % kAcross + 0.5) / kAcross;
-        share[(axis + 2) % 3] = (i / kAcross + 0.5) / kAcross;
+        share[(axis + 1) % 3] = (i % kPixelsAcross + 0.5) / kPixelsAcross;
+        share[(axis + 2) % 3] = (i / kPixelsAcross + 0.5) / kPixelsAcross;
         normal[axis] = 1.0 - 2.0 * side;
         const Number3 place = kRoomLow + share * (kRoomHigh - kRoomLow);
         for (const Number3& v : {place, normal})
