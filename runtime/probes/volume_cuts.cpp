@@ -225,13 +225,13 @@ std::uint32_t VolumeCuts::left() const {
 CutChange VolumeCuts::update(const WelkinLevel& level, std::int64_t x, std::int64_t z, std::uint64_t version,
                              std::uint32_t max_texels) {
   CutChange change;
-  if (slot_count_ == 0) return change;
   const Window window{sectorOf(x), sectorOf(z), sectorOf(x + texels_[0] - 1), sectorOf(z + texels_[2] - 1)};
   touched_first_ = touched_end_ = 0;
+  if (residents_ == 0) touch(0, word_count_);  // the caller's copy of them holds anything
   if (residents_ != level.residents + 1 || !(window == window_)) {
     window_ = window;
     residents_ = level.residents + 1;
-    follow(level);
+    if (slot_count_ > 0) follow(level);
   }
   version_ = version;
   std::uint32_t builds = std::max(1U, max_texels / kSectorTexels);
@@ -240,7 +240,7 @@ CutChange VolumeCuts::update(const WelkinLevel& level, std::int64_t x, std::int6
     buildOrYield(i);
     --builds;
   }
-  chooseLayers(version, max_texels, change);
+  if (slot_count_ > 0) chooseLayers(version, max_texels, change);
   change.first_word = touched_first_ / kFour * kFour;
   change.words = (touched_end_ + kFour - 1) / kFour * kFour - change.first_word;
   return change;

@@ -157,7 +157,7 @@ WelkinResult welkin_vulkan_volume_record(WelkinVulkanVolume* object, VkCommandBu
                   WELKIN_VOLUME_MAX_FAR_BOXES);
   for (uint32_t b = 0; b < changed.far_box_count; ++b)
     if (!fitsFarMap(*object, changed.far_box[b])) return refuse(__func__, "update->far_box[%u] passes the far map", b);
-  if (!object->recorded && (changed.box_count == 0 || changed.filled < all))
+  if (!object->recorded && (changed.box_count == 0 || changed.filled < all || changed.cut_bytes < object->cut_bytes))
     return refuse(__func__, "the first update that is recorded must fill the whole volume");
   if (object->relights() && volume->level == nullptr)
     return refuse(__func__, "the volume was not updated, and its format is WELKIN_VOLUME_DEVICE");

@@ -143,6 +143,32 @@ TEST_CASE("Volume, BytesAreOffByHalfAStepOfTheScale") {
   }
 }
 
+TEST_CASE("Volume, TheFirstUpdateHoldsAllWords") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  for (const std::uint32_t bricks : {0U, 64U, WELKIN_VOLUME_NO_BRICKS}) {
+    WelkinVolumeSettings settings{};
+    settings.texels[0] = settings.texels[2] = 24;
+    settings.texels[1] = 8;
+    settings.bricks = bricks;
+    WelkinVolume* volume = nullptr;
+    REQUIRE(welkin_volume_create(&settings, &volume) == WELKIN_OK);
+    const float camera[3] = {0, 10, 30};
+    WelkinVolumeUpdate update{};
+    REQUIRE(welkin_volume_update(volume, opened.level, &sample, camera, UINT32_MAX, &update) == WELKIN_OK);
+    const void* words = nullptr;
+    std::size_t bytes = 0;
+    REQUIRE(welkin_volume_cuts(volume, &words, &bytes) == WELKIN_OK);
+    CHECK(update.cut_first == 0);
+    CHECK(update.cut_bytes == bytes);  // a buffer of the caller's may hold anything before
+    CHECK(bytes % 16 == 0);
+    REQUIRE(welkin_volume_update(volume, opened.level, &sample, camera, UINT32_MAX, &update) == WELKIN_OK);
+    CHECK(update.cut_bytes == 0);
+    welkin_volume_destroy(volume);
+  }
+}
+
 TEST_CASE("Volume, ItMovesAsIfFilledAtOnce") {
   const RandomLevel baked = wholeLevel();
   OpenedLevel opened(baked);

@@ -95,6 +95,9 @@ TEST_CASE("VolumeOnTheDevice, RefusesUpdatesThatAreNotItsOwn", "[vulkan]") {
       WelkinVolumeUpdate none{};
       CHECK(welkin_vulkan_volume_record(v.textures, commands, 0, v.volume, &none) == WELKIN_ERROR_ARGUMENT);
       CHECK_THAT(welkin_argument_error(), Catch::Contains("must fill the whole volume"));
+      WelkinVolumeUpdate wordless = first;
+      wordless.cut_bytes = 0;
+      CHECK(welkin_vulkan_volume_record(v.textures, commands, 0, v.volume, &wordless) == WELKIN_ERROR_ARGUMENT);
       WelkinVolumeUpdate past = first;
       past.box[0].size[1] += 1;
       CHECK(welkin_vulkan_volume_record(v.textures, commands, 0, v.volume, &past) == WELKIN_ERROR_ARGUMENT);

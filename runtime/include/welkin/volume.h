@@ -79,7 +79,7 @@ typedef struct WelkinVolumeUpdate {
   uint32_t filled;        /* texels in the boxes */
   uint32_t remaining;     /* texels that still show earlier light, those of bricks too */
   uint32_t cut_first;     /* first byte of welkin_volume_cuts that changed, a multiple of 16 */
-  uint32_t cut_bytes;     /* bytes that changed from there on, a multiple of 16; 0: none */
+  uint32_t cut_bytes;     /* bytes that changed from there on, a multiple of 16; at first all; 0: none */
   uint32_t cuts_left;     /* sectors with walls or rooms that found no place, the farthest: light leaks there */
   uint32_t bricks;        /* in use */
   uint32_t far_box_count; /* 0: no texel of the far map changed. They change where sectors come, go or enter the map */
