@@ -140,6 +140,9 @@ TEST_CASE("LevelLocal, SampleShowsDynamicLights") {
   const Run far = sample({"0,900,0,1,1,1"});
   REQUIRE(localOf(far) == std::vector<double>{0, 0, 0});
   REQUIRE(far.said("welkin: warning: 1 of 1 lights are left out: no virtual light is within 64 m"));
+  const Run sphere = sample({place + ",1,1,1,0.5"});
+  REQUIRE(sphere.said("welkin: warning: the RADIUS of 1 lights is left out: to probes a light is a point"));
+  REQUIRE(localOf(sphere) == localOf(sample({place + ",1,1,1"})));
   REQUIRE(sample({"1,2,3"}).status == 1);
   const Run nowhere = runTool({"sample", level / "out", "--time", "12", "--light", place + ",1,1,1"});
   REQUIRE(nowhere.status == 1);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "command/arguments.h"
 #include "sky/base/error.h"
@@ -46,6 +47,12 @@ void warnOfUnseen(std::size_t unseen, std::size_t lights) {
              "welkin: warning: {} of {} lights are left out: no virtual light is within 64 m of them; [transfer] "
              "local_lights of level.toml names the sectors that have some\n",
              unseen, lights);
+}
+
+void warnOfRadii(const std::vector<reference::LocalLight>& lights) {
+  const auto spheres = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.radius_m > 0.0; });
+  if (spheres > 0)
+    fmt::print(stderr, "welkin: warning: the RADIUS of {} lights is left out: to probes a light is a point\n", spheres);
 }
 
 }  // namespace welkin::command

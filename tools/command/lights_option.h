@@ -25,4 +25,7 @@ struct LightsOption {
 /// Warns of lights that no virtual light of the level sees.
 void warnOfUnseen(std::size_t unseen, std::size_t lights);
 
+/// Warns of lights with a radius, which only the path tracer honours.
+void warnOfRadii(const std::vector<reference::LocalLight>& lights);
+
 }  // namespace welkin::command

@@ -42,6 +42,7 @@ void sampleLevel(const Options& options) {
   const double time_h = parseTime(options.time);
   const std::vector<SurfacePoint> points = options.points.points();
   const std::vector<reference::LocalLight> lamps = options.lights.lights();
+  warnOfRadii(lamps);
   baked::LevelFolder level(options.path, lamps.size());
   warnOfUnseen(level.setLights(lamps), lamps.size());
   const auto lights = level.at(points, time_h);
