@@ -162,10 +162,9 @@ Json bakeFile(const BakeRequest& request, const base::Progress& progress) {
     read.level->setSpreads(read.choice->spread);
     report["surface_budget"] = choiceJson(*read.level, *read.choice);
   }
-  if (read.level)
+  if (read.level) {
     if (const auto index = bakeSectors(*read.level, wanted, progress, report, timing))
       certifyBake(*read.level, read.sky.sky, request.folder, *index, request.certify, progress, report);
-  if (read.level) {
     std::error_code error;
     timing["level"] = std::filesystem::proximate(request.file, request.folder, error).generic_string();
   }

@@ -12,7 +12,6 @@ namespace welkin::build {
 
 /// DIR/report.json, or of a shard DIR/report.i-of-n.json; timing.json alike.
 std::filesystem::path reportPath(const std::filesystem::path& folder, const std::optional<Shard>& shard);
-
 std::filesystem::path timingPath(const std::filesystem::path& folder, const std::optional<Shard>& shard);
 
 /// The report of an earlier bake of all of a folder; nothing where there is none that can be read.
@@ -23,8 +22,8 @@ std::optional<nlohmann::ordered_json> earlierReport(const std::filesystem::path&
 std::optional<std::string> levelOfBake(const std::filesystem::path& folder);
 
 /// Writes the report that one process would have written, of those of `count` shards; where one of them is not in the
-/// folder, or of other sectors than the index, none. What an earlier bake by one process has left is removed. Throws
-/// Error(content) for a file that is no report.
+/// folder, or of other sectors than the index, none. What an earlier bake by one process has left is removed, and
+/// timing.json names the level file alone. Throws Error(content) for a file that is no report.
 void mergeReports(const std::filesystem::path& folder, int count, const sectors::LevelIndex& index);
 
 }  // namespace welkin::build

@@ -35,8 +35,7 @@ void addView(CLI::App& app) {
   auto* command =
       app.add_subcommand("view", "Look at a baked level: pick points, compare with the truth, change light");
   command->add_option("LEVEL_DIR", options->view.folder, "The folder of a baked level")->required();
-  command->add_option("--level", options->view.level,
-                      "The level.toml that was baked; default: the one that was baked");
+  command->add_option("--level", options->view.level, "The level.toml that was baked; default: the one that was baked");
   command->add_option("--script", options->view.script, "A file of commands to perform, one a line (docs/viewer.md)");
   command->add_option("--screenshot", options->view.screenshot, "A PNG to write at the end");
   command->add_option("--state", options->view.state,
