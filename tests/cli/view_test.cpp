@@ -203,6 +203,46 @@ TEST_CASE("View, ScriptErrorsNameFileLineAndWord") {
   CHECK(idle.said("--headless has nothing to do: give --script, --screenshot or --state"));
 }
 
+TEST_CASE("View, WithoutALevelTheIslandIsBakedOnce") {
+  if (noLavapipe()) return;
+  const Folder folder;
+  Setting cached = kLavapipe;
+  cached.environment.emplace_back("XDG_CACHE_HOME", folder.path().string());
+  const std::vector<std::string> arguments = {"view",  "--headless", "--size",
+                                              "64x36", "--state",    folder / "state.json"};
+  const Run first = runTool(arguments, cached);
+  INFO(first.err);
+  REQUIRE(first.status == 0);
+  CHECK(first.said("sectors: 16/16"));
+  const std::string state = readBytes(folder / "state.json");
+  CHECK(json::parse(state)["cost"]["sectors"].size() == 16);
+  const Run second = runTool(arguments, cached);
+  INFO(second.err);
+  REQUIRE(second.status == 0);
+  CHECK(!second.said("sectors:"));
+  CHECK(readBytes(folder / "state.json") == state);
+  cached.environment.back().second = "nowhere";
+  cached.environment.emplace_back("HOME", "");
+  const Run homeless = runTool(arguments, cached);
+  CHECK(homeless.status == 2);
+  CHECK(homeless.said("set XDG_CACHE_HOME or HOME"));
+}
+
+TEST_CASE("View, RatesAreMeasuredAndLeaveTheStateAsItIs") {
+  if (noLavapipe()) return;
+  const SmallLevel level;
+  level.bake("out");
+  const std::string at = "time 9\ncamera 160 4 52 20 -10\n";
+  json state = stateOf(level, at + "rates 3\n");
+  CHECK(double{state["rates"]["moving"]} > 0.0);
+  CHECK(double{state["rates"]["still"]} > 0.0);
+  CHECK(state["rates"]["pictures"] == 3);
+  CHECK(double{state["rates"]["still_pass_ms"]["light"]} > 0.0);
+  CHECK(!state["rates"]["moving_pass_ms"].contains("mirror image"));
+  state["rates"] = nullptr;
+  CHECK(state == stateOf(level, at));
+}
+
 TEST_CASE("View, ASessionOfRandomActions") {
   if (noLavapipe()) return;
   const SmallLevel level;
@@ -236,6 +276,7 @@ TEST_CASE("View, ASessionOfRandomActions") {
         "exposure auto",
         "overview"};
     script += choices[below(std::size(choices))] + "\n";
+    if (i % 50 == 9) script += "rates 1\n";
     if (i % 10 == 9) script += "screenshot " + level / "a.png" + "\n";
   }
   const Run run = viewed(level, script, {"--state", level / "state.json"});

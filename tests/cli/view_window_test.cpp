@@ -33,7 +33,11 @@ TEST_CASE("ViewWindow, MouseAndKeysDoWhatTheScriptDoes") {
   level.bake("out");
   const std::string start = "time 9.25\ntruth 64\ncamera 160 4 52 20 -10\n";
   const Setting windowed = {
-      {{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}, {"DISPLAY", display.name()}}, "", "", 0, kDeadline_s};
+      {{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}, {"DISPLAY", display.name()}, {"XDG_CONFIG_HOME", level / "config"}},
+      "",
+      "",
+      0,
+      kDeadline_s};
   // The screenshot of F12 cannot be written there, for a folder has its name.
   std::filesystem::create_directory(level / "welkin_view.png");
   const std::filesystem::path here = std::filesystem::current_path();
@@ -57,6 +61,8 @@ TEST_CASE("ViewWindow, MouseAndKeysDoWhatTheScriptDoes") {
   INFO(run.err);
   REQUIRE(run.status == 0);
   CHECK(run.said("pictures a second: "));
+  const json kept = json::parse(readBytes(level / "config/welkin/view.json"));
+  CHECK((kept["width"] == 960 && kept["bounds"] == true && kept["truth_paths"] == 64));
   json window = json::parse(readBytes(level / "window.json"));
 
   std::vector<std::string> headless =

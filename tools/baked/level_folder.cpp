@@ -84,6 +84,7 @@ std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lig
       lamp.intensity[c] = static_cast<float>(light.intensity[c]);
     }
   }
+  ++light_changes_;
   WelkinLightsResult result{};
   const auto count = static_cast<std::uint32_t>(lamps.size());
   const auto number = [](const Float3& v) { return f64::Number3(double{v[0]}, double{v[1]}, double{v[2]}); };
@@ -95,6 +96,7 @@ std::size_t LevelFolder::setLights(const std::vector<reference::LocalLight>& lig
 }
 
 std::vector<std::optional<PointLight>> LevelFolder::at(const std::vector<SurfacePoint>& points, double time_h) {
+  ++light_changes_;
   WelkinSkySample sample{};
   sky_.sample(time_h, sample);
   std::vector<Float3> position, normal, total(points.size()), sky = total, sun = total, local = total;

@@ -39,6 +39,9 @@ class LevelFolder {
   /// The light at each point, nothing where no probe serves.
   std::vector<std::optional<PointLight>> at(const std::vector<SurfacePoint>& points, double time_h);
 
+  /// Rises whenever a call has changed the light of the probes.
+  std::size_t lightChanges() const { return light_changes_; }
+
   const Sky& sky() const { return sky_; }
   Level& level() { return level_; }
 
@@ -49,6 +52,7 @@ class LevelFolder {
     std::size_t size = 0;
   };
 
+  std::size_t light_changes_ = 0;
   Sky sky_;
   std::vector<Bytes> files_;
   Level level_;  ///< last: it reads the files

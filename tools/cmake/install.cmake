@@ -26,6 +26,8 @@ if(TARGET welkin)
     INSTALL_RPATH "$ORIGIN/${bin_to_modules}")  # stays right when the installation moves
   install(TARGETS welkin_image welkin_chart welkin_window LIBRARY DESTINATION ${modules_folder} COMPONENT bake)
   install(TARGETS welkin EXPORT WelkinTargets-bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
+  install(DIRECTORY examples/island DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/welkin/examples COMPONENT bake  # what `welkin view` shows
+    FILES_MATCHING PATTERN "*.toml" PATTERN "*.png" PATTERN "*.gltf" PATTERN "*.bin" PATTERN generate EXCLUDE)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/WelkinBake.cmake DESTINATION ${config_folder} COMPONENT bake)
   file(RELATIVE_PATH lib_to_modules /prefix/${CMAKE_INSTALL_LIBDIR} /prefix/${modules_folder})
   set_target_properties(welkin_baker PROPERTIES EXPORT_NAME baker INSTALL_RPATH "$ORIGIN/${lib_to_modules}")

@@ -19,11 +19,13 @@ struct LevelOptions {
   bool tint = true;             ///< the dome's polarising tint
   bool occlusion = true;        ///< occlusion in screen space darkens ambient light
   bool waves = true;            ///< false: the sea is a mirror
+  bool reflections = true;      ///< false: the sea mirrors the sky alone
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   bool direct = true;           ///< false: sun, moon, lamps and emission light nothing; their bounced light stays
   bool probes = false;          ///< the ambient light is that of a baked level's probes
   ProbeParts parts{};           ///< factors on the light of probes
   double mist_per_m = 1.2e-4;   ///< extinction of the air; 0: none
+  double coarse = 0.0;          ///< error of simplified meshes, pixels of the picture; 0: meshes as they are
   uint32_t shadow_size = 4096;  ///< edge of the shadow map, texels
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 
 #include "render/shaders/level_glass_push.h"
 
@@ -46,13 +47,15 @@ std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double lumina
 }  // namespace
 
 LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit, bool emits)
-    : scene_(scene),
+    : device_(device),
+      scene_(scene),
+      spheres_(instanceSpheres(scene)),
       vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
-      indices_(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
+      indices_(std::make_unique<Buffer>(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
       instances_(device, std::max<std::size_t>(scene.instances.size(), 1) * sizeof(PlacedInstance),
                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
   fill(vertices_, scene.vertices);
-  fill(indices_, scene.indices);
+  fill(*indices_, scene.indices);
   fill(instances_, instancesOf(scene, luminance_unit, emits));
 }
 
@@ -76,7 +79,7 @@ void LevelMesh::bind(VkCommandBuffer commands) const {
   const VkDeviceSize offset = 0;
   const VkBuffer vertices = vertices_.handle();
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
-  vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdBindIndexBuffer(commands, indices_->handle(), 0, VK_INDEX_TYPE_UINT32);
 }
 
 void LevelMesh::recordGlass(VkCommandBuffer commands, VkPipelineLayout layout) const {
@@ -92,18 +95,57 @@ void LevelMesh::recordGlass(VkCommandBuffer commands, VkPipelineLayout layout) c
   }
 }
 
-void LevelMesh::record(VkCommandBuffer commands, bool cull, bool mirrored) const {
+void LevelMesh::simplify() {
+  if (!coarse_.empty()) return;
+  CoarseMesh mesh = coarseMesh(scene_);
+  std::vector<uint32_t> all = scene_.indices;
+  const auto own = static_cast<uint32_t>(all.size());
+  all.insert(all.end(), mesh.indices.begin(), mesh.indices.end());
+  for (auto& levels : mesh.draw)
+    for (CoarseDraw& draw : levels) draw.first_index += own;
+  indices_ = std::make_unique<Buffer>(device_, bytesOf(all), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  fill(*indices_, all);
+  coarse_ = std::move(mesh.draw);
+}
+
+std::optional<std::size_t> LevelMesh::levelOf(std::size_t draw, uint32_t instance, const ViewCone* cone,
+                                              double coarse) const {
+  if (cone == nullptr) return 0;
+  const Sphere& sphere = spheres_[instance];
+  if (!cone->sees(sphere)) return std::nullopt;
+  if (coarse <= 0.0) return 0;
+  const double metre = cone->heightOfMetre(sphere);
+  if (sphere.radius * metre < coarse) return std::nullopt;
+  for (std::size_t i = kCoarseLevels; i > 0; --i)
+    if (coarse_[draw][i - 1].error_m * sphere.scale * metre < coarse) return i;
+  return 0;
+}
+
+void LevelMesh::record(VkCommandBuffer commands, const float (*view)[16], bool mirrored, double coarse) const {
   bind(commands);
-  for (const level::Draw& draw : scene_.draws) {
+  const std::optional<ViewCone> cone = view == nullptr ? std::nullopt : std::optional<ViewCone>(*view);
+  for (std::size_t d = 0; d < scene_.draws.size(); ++d) {
+    const level::Draw& draw = scene_.draws[d];
     if (draw.role == geometry::Role::water || isGlass(draw)) continue;
-    if (cull) {
+    if (cone) {
       // Device coordinates are y-down, so glTF's counter-clockwise front stays counter-clockwise on the screen.
       vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
       vkCmdSetFrontFace(commands,
                         draw.mirrored != mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     }
-    vkCmdDrawIndexed(commands, draw.index_count, draw.instance_count, draw.first_index, draw.vertex_offset,
-                     draw.first_instance);
+    const uint32_t end = draw.first_instance + draw.instance_count;
+    const auto level = [&](uint32_t i) { return levelOf(d, i, cone ? &*cone : nullptr, coarse); };
+    for (uint32_t from = draw.first_instance; from < end;) {
+      const std::optional<std::size_t> now = level(from);
+      uint32_t to = from + 1;
+      while (to < end && level(to) == now) ++to;
+      if (now == std::size_t{0})
+        vkCmdDrawIndexed(commands, draw.index_count, to - from, draw.first_index, draw.vertex_offset, from);
+      else if (now)
+        vkCmdDrawIndexed(commands, coarse_[d][*now - 1].index_count, to - from, coarse_[d][*now - 1].first_index,
+                         draw.vertex_offset, from);
+      from = to;
+    }
   }
 }
 

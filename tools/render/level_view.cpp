@@ -35,6 +35,24 @@ struct LevelView::Target {
   VkDescriptorSet set;
 };
 
+/// All that a picture of one size is drawn into.
+struct LevelView::Frame {
+  Frame(VulkanDevice& device, VkExtent2D extent, const VkDescriptorSet (&sets)[2])
+      : half{std::max(extent.width / 2, 1U), std::max(extent.height / 2, 1U)},
+        radiance(device, extent.width, extent.height),
+        target(device, extent, sets[0], {}),
+        mirror(device, half, sets[1], {}),
+        copy(device, Offscreen::kFormat, extent, kUsage),
+        reflection(device, Offscreen::kFormat, half, kUsage) {}
+
+  static constexpr VkImageUsageFlags kUsage =
+      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  VkExtent2D half;
+  Offscreen radiance;
+  Target target, mirror;
+  Image copy, reflection;
+};
+
 namespace {
 
 VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
@@ -71,6 +89,13 @@ void recordCopy(VkCommandBuffer commands, Image& from, Image& to) {
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
+void recordClear(VkCommandBuffer commands, Image& image) {
+  image.use(commands, kDrawnColour, true);
+  const VkRenderingAttachmentInfo colour = attachmentOf(image, kDrawnColour.layout, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  beginRendering(commands, image.extent(), 1, &colour, nullptr);
+  vkCmdEndRendering(commands);
+}
+
 }  // namespace
 
 LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& scene, const LevelOptions& options,
@@ -86,9 +111,8 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
       pipelines_(device, sky_.layout(), volume_ ? volume_->layout() : VkDescriptorSetLayout{VK_NULL_HANDLE},
                  sky.info().mode_count > 0),
       occlusion_(device, pipelines_.layout()),
-      shadow_(device, LevelPipelines::kDepthFormat, {options.shadow_size, options.shadow_size},
-              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT),
-      untraced_(device, {1, 1, {0.0F, 0.0F, 0.0F, 0.0F}}) {
+      untraced_(device, {1, 1, {0.0F, 0.0F, 0.0F, 0.0F}}),
+      times_(device) {
   options_.probes = volume_ != nullptr;
   pool_ = createSets(device.device(), pipelines_.setLayout(), sets_);
 }
@@ -99,10 +123,9 @@ LevelView::~LevelView() {
 
 void LevelView::setOptions(const LevelOptions& options) {
   const bool probes = options_.probes;
-  const uint32_t shadow_size = options_.shadow_size;
   options_ = options;
   options_.probes = probes;
-  options_.shadow_size = shadow_size;
+  if (options.coarse > 0.0) mesh_.simplify();
   if (volume_) volume_->setParts(options.parts);
 }
 
@@ -123,18 +146,46 @@ void LevelView::beginOver(VkCommandBuffer commands, Target& target, const ImageU
   bind(commands, pipeline, target);
 }
 
+LevelView::ShadowMap::ShadowMap(const VulkanDevice& device, uint32_t size)
+    : image(device, LevelPipelines::kDepthFormat, {size, size},
+            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT) {}
+
+LevelView::ShadowMap& LevelView::shadow() {
+  const auto found = shadows_.find(options_.shadow_size);
+  if (found != shadows_.end()) return found->second;
+  return shadows_
+      .emplace(std::piecewise_construct, std::forward_as_tuple(options_.shadow_size),
+               std::forward_as_tuple(device_, options_.shadow_size))
+      .first->second;
+}
+
+LevelView::Frame& LevelView::frameOf(uint32_t width, uint32_t height) {
+  const auto fits = [&](const VkExtent2D& extent) { return extent.width == width && extent.height == height; };
+  if (!frame_ || !fits(frame_->copy.extent())) {
+    frame_.reset();  // first, so that both are never there at once
+    frame_ = std::make_unique<Frame>(device_, VkExtent2D{width, height}, sets_);
+  }
+  return *frame_;
+}
+
 void LevelView::recordShadow(VkCommandBuffer commands, const Target& target) {
-  shadow_.use(commands, kDrawnDepth, true);
+  ShadowMap& map = shadow();
+  const WelkinLight* light = lightOf(sample());
+  std::array<float, 3> towards{};
+  if (light != nullptr) std::copy_n(light->direction, 3, towards.begin());
+  if (map.drawn_for == towards) return;
+  map.drawn_for = towards;
+  map.image.use(commands, kDrawnDepth, true);
   VkRenderingAttachmentInfo depth =
-      attachmentOf(shadow_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+      attachmentOf(map.image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
   depth.clearValue.depthStencil.depth = 1.0F;
-  beginRendering(commands, shadow_.extent(), 0, nullptr, &depth);
-  if (lightOf(sample()) != nullptr) {
+  beginRendering(commands, map.image.extent(), 0, nullptr, &depth);
+  if (light != nullptr) {
     bind(commands, pipelines_.shadow, target);
-    mesh_.record(commands, false, false);
+    mesh_.record(commands, nullptr, false);
   }
   vkCmdEndRendering(commands);
-  shadow_.use(commands, kSampledDepth);
+  map.image.use(commands, kSampledDepth);
 }
 
 void LevelView::recordSurface(VkCommandBuffer commands, Target& target, bool mirrored) {
@@ -151,7 +202,8 @@ void LevelView::recordSurface(VkCommandBuffer commands, Target& target, bool mir
       attachmentOf(target.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
   beginRendering(commands, target.depth.extent(), 3, surface, &depth);
   bind(commands, pipelines_.surface, target);
-  mesh_.record(commands, true, mirrored);
+  mesh_.record(commands, &target.constants.as<render::shaders::LevelConstants>()->view_projection, mirrored,
+               options_.coarse / target.depth.extent().height);
   vkCmdEndRendering(commands);
   target.albedo.use(commands, kSampled);
   target.normal.use(commands, kSampled);
@@ -161,13 +213,22 @@ void LevelView::recordSurface(VkCommandBuffer commands, Target& target, bool mir
 void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                             const WelkinVulkanView* dome) {
   recordSurface(commands, target, mirrored);
+  passed(commands, "surfaces", mirrored);
   occlusion_.record(commands, target.set, target.depth, target.occlusion, options_.occlusion);
+  passed(commands, "occlusion", mirrored);
   beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
   vkCmdDraw(commands, 3, 1, 0, 0);
-  if (dome != nullptr) sky_.recordDome(commands, *dome);
   vkCmdEndRendering(commands);
+  passed(commands, "light", mirrored);
+  if (dome != nullptr) {
+    beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_LOAD, pipelines_.light);
+    sky_.recordDome(commands, *dome);
+    vkCmdEndRendering(commands);
+    passed(commands, "dome", mirrored);
+  }
   recordProbes(commands, target, radiance);
   recordGlass(commands, target, radiance);
+  passed(commands, "probes, glass", mirrored);
 }
 
 void LevelView::recordGlass(VkCommandBuffer commands, Target& target, Image& radiance) {
@@ -203,7 +264,7 @@ void LevelView::recordWater(VkCommandBuffer commands, Target& target, Image& rad
   vkCmdEndRendering(commands);
 }
 
-void LevelView::describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced) const {
+void LevelView::describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced) {
   SetWriter writer(target.set);
   const auto sampled = [&](uint32_t binding, const Image& image) {
     writer.image(binding, pipelines_.sampler(), image, kSampled.layout);
@@ -213,7 +274,7 @@ void LevelView::describe(const Target& target, const Image& copy, const Image& r
   writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
   writer.buffer(WELKIN_LEVEL_BOXES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.boxes());
   writer.buffer(WELKIN_LEVEL_TRIANGLES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.triangles());
-  writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow_, kSampledDepth.layout);
+  writer.image(WELKIN_LEVEL_SHADOW, pipelines_.shadowSampler(), shadow().image, kSampledDepth.layout);
   writer.image(WELKIN_LEVEL_DEPTH, pipelines_.sampler(), target.depth, kTestedDepth.layout);
   sampled(WELKIN_LEVEL_ALBEDO, target.albedo);
   sampled(WELKIN_LEVEL_NORMAL, target.normal);
@@ -273,33 +334,32 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
                            const FloatImage* traced) {
   if (volume_) volume_->update(sample(), position);
   const bool sea = seaBelow(scene_, position).has_value();
-  const VkExtent2D extent{width, height};
-  const VkExtent2D half{std::max(width / 2, 1U), std::max(height / 2, 1U)};
-  Offscreen radiance(device_, width, height);
-  const auto constants = [&](bool mirrored) {
-    return levelConstants(scene_, sample(), camera, position, width, height, options_, mirrored);
-  };
-  Target target(device_, extent, sets_[0], constants(false));
-  Target mirror(device_, half, sets_[1], constants(sea));
-  constexpr VkImageUsageFlags kUsage =
-      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  Image copy(device_, Offscreen::kFormat, extent, kUsage);
-  Image reflection(device_, Offscreen::kFormat, half, kUsage);
+  const bool mirrors = sea && options_.reflections;
+  Frame& frame = frameOf(width, height);
+  Target& target = frame.target;
+  for (Target* one : {&target, &frame.mirror})
+    *one->constants.as<render::shaders::LevelConstants>() =
+        levelConstants(scene_, sample(), camera, position, width, height, options_, sea && one == &frame.mirror);
   std::optional<FloatTexture> uploaded;
   if (traced != nullptr) uploaded.emplace(device_, *traced);
-  describe(target, copy, reflection, uploaded ? uploaded->image() : untraced_.image());
-  describe(mirror, copy, reflection, untraced_.image());
+  describe(target, frame.copy, frame.reflection, uploaded ? uploaded->image() : untraced_.image());
+  describe(frame.mirror, frame.copy, frame.reflection, untraced_.image());
   WelkinVulkanView dome{};
   dome.source = options_.cubemaps ? WELKIN_VULKAN_CUBEMAP : WELKIN_VULKAN_ANALYTIC;
   dome.projection = WELKIN_VULKAN_PERSPECTIVE;
   std::copy_n(target.constants.as<render::shaders::LevelConstants>()->rays, 16, dome.inverse_view_projection);
   dome.depth = 0.0F;
   dome.discs = 1;
-  return radiance.read([&](VkCommandBuffer commands) {
+  return frame.radiance.read([&](VkCommandBuffer commands) {
+    times_.begin(commands);
     recordShadow(commands, target);
-    if (sea) recordScene(commands, mirror, reflection, true, nullptr);
-    recordScene(commands, target, radiance.image(), false, &dome);
-    if (sea) recordWater(commands, target, radiance.image(), copy, reflection);
+    times_.end(commands, "shadow map");
+    if (mirrors) recordScene(commands, frame.mirror, frame.reflection, true, nullptr);
+    if (mirrors) times_.end(commands, "mirror image");
+    if (sea && !mirrors) recordClear(commands, frame.reflection);
+    recordScene(commands, target, frame.radiance.image(), false, &dome);
+    if (sea) recordWater(commands, target, frame.radiance.image(), frame.copy, frame.reflection);
+    times_.end(commands, "sea");
   });
 }
 

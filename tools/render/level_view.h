@@ -3,7 +3,10 @@
 // units.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "render/camera.h"
@@ -16,6 +19,7 @@
 #include "render/level_pipelines.h"
 #include "render/level_volume.h"
 #include "render/offscreen.h"
+#include "render/pass_times.h"
 #include "render/probe_sphere.h"
 #include "render/runtime_sky.h"
 
@@ -37,8 +41,14 @@ class LevelView {
   /// Sets the light of the following pictures.
   void setSample(const WelkinSkySample& sample) { sky_.setSample(sample); }
 
-  /// Changes how the following pictures are drawn, except for `direct` of emissive surfaces, `probes` and
-  /// `shadow_size`. A change of the tint counts from the next setTime().
+  /// The baked level has had another light than that of the pictures meanwhile, or other lamps.
+  void forgetLight() {
+    if (volume_) volume_->forgetLight();
+  }
+
+  /// Changes how the following pictures are drawn, except for `direct` of emissive surfaces and `probes`. A change of
+  /// the tint counts from the next setTime(). The shadow map of each size is kept, and drawn anew where the light has
+  /// moved.
   void setOptions(const LevelOptions& options);
 
   /// Sets the probes of the following pictures and replaces earlier ones. They are spheres of radius
@@ -50,6 +60,9 @@ class LevelView {
   /// is 1, but not in the sea's mirror and behind glass.
   FloatImage draw(uint32_t width, uint32_t height, const Camera& camera, const f64::Number3& position,
                   const FloatImage* traced = nullptr);
+
+  /// The device's time of each pass of the last draw().
+  std::vector<PassTime> passTimes() const { return times_.read(); }
 
   /// The irradiance of the surfaces alone, with alpha 1, as draw() lights them. Where there is no surface all is 0. Sea
   /// and glass are not there.
@@ -65,10 +78,23 @@ class LevelView {
 
  private:
   struct Target;
+  struct Frame;
+  struct ShadowMap {
+    ShadowMap(const VulkanDevice& device, uint32_t size);
+    Image image;
+    std::optional<std::array<float, 3>> drawn_for;  ///< towards the light; 0 0 0 without one
+  };
+  /// The images of a picture of this size: those of the last picture, if it had the size.
+  Frame& frameOf(uint32_t width, uint32_t height);
+  ShadowMap& shadow();
   /// Points the target's set at its images, and at those that the sea reads.
-  void describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced) const;
+  void describe(const Target& target, const Image& copy, const Image& reflection, const Image& traced);
   /// Draws albedo, normal, emission and depth.
   void recordSurface(VkCommandBuffer commands, Target& target, bool mirrored);
+  /// Ends a pass of the picture, or with `mirrored` leaves it to that of the whole mirror image.
+  void passed(VkCommandBuffer commands, const char* name, bool mirrored) {
+    if (!mirrored) times_.end(commands, name);
+  }
   /// Records the level without the sea. With `dome` the sky is drawn where there is no surface.
   void recordScene(VkCommandBuffer commands, Target& target, Image& radiance, bool mirrored,
                    const WelkinVulkanView* dome);
@@ -76,6 +102,7 @@ class LevelView {
   void recordGlass(VkCommandBuffer commands, Target& target, Image& radiance);
   /// Draws the probes over a scene.
   void recordProbes(VkCommandBuffer commands, Target& target, Image& radiance);
+  /// Draws the shadow map, unless it is that of the light already.
   void recordShadow(VkCommandBuffer commands, const Target& target);
   void recordWater(VkCommandBuffer commands, Target& target, Image& radiance, Image& copy, Image& reflection);
   /// Begins to draw into `radiance` over a scene. Its depth is tested, and written as `depth_use` says.
@@ -93,9 +120,11 @@ class LevelView {
   std::unique_ptr<LevelVolume> volume_;  ///< null without probes' light
   LevelPipelines pipelines_;
   LevelOcclusion occlusion_;
-  std::unique_ptr<Buffer> probes_;  ///< null without probes
-  Image shadow_;
+  std::unique_ptr<Buffer> probes_;         ///< null without probes
+  std::map<uint32_t, ShadowMap> shadows_;  ///< by size
   FloatTexture untraced_;
+  std::unique_ptr<Frame> frame_;
+  PassTimes times_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet sets_[2] = {};  ///< sets of the picture and of its mirror image
 };

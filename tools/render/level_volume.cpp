@@ -2,6 +2,7 @@
 #include "render/level_volume.h"
 
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "render/runtime_sky.h"
@@ -24,13 +25,19 @@ LevelVolume::LevelVolume(VulkanDevice& device, WelkinLevel& level, const ProbePa
 }
 
 void LevelVolume::update(const WelkinSkySample& sample, const f64::Number3& position) {
-  WelkinLevelLight light{};
-  light.sample = &sample;
-  light.sky = parts_.sky;
-  light.sun_bounce = parts_.sun_bounce;
-  light.local = parts_.local;
-  require(welkin_level_set_light(&level_, &light), "welkin_level_set_light");
-  require(welkin_level_relight(&level_, UINT32_MAX, nullptr), "welkin_level_relight");
+  const Lit wanted{sample, parts_};
+  if (!lit_ || std::memcmp(&lit_->sample, &wanted.sample, sizeof(wanted.sample)) != 0 ||
+      std::memcmp(&lit_->parts, &wanted.parts, sizeof(wanted.parts)) != 0) {
+    lit_.reset();
+    WelkinLevelLight light{};
+    light.sample = &sample;
+    light.sky = parts_.sky;
+    light.sun_bounce = parts_.sun_bounce;
+    light.local = parts_.local;
+    require(welkin_level_set_light(&level_, &light), "welkin_level_set_light");
+    require(welkin_level_relight(&level_, UINT32_MAX, nullptr), "welkin_level_relight");
+    lit_ = wanted;
+  }
   const float camera[3] = {static_cast<float>(position.x), static_cast<float>(position.y),
                            static_cast<float>(position.z)};
   WelkinVolumeUpdate update{};

@@ -5,6 +5,7 @@
 #include <welkin/welkin_vulkan_volume.h>
 
 #include <memory>
+#include <optional>
 
 #include "render/vulkan_device.h"
 #include "shared.h"
@@ -23,7 +24,11 @@ class LevelVolume {
 
   void setParts(const ProbeParts& parts) { parts_ = parts; }
 
-  /// Relights all probes and centres the volume on a position. Throws Error.
+  /// The level has had another light meanwhile: the next update() relights it.
+  void forgetLight() { lit_.reset(); }
+
+  /// Relights all probes, if the light is not that of the last call, and centres the volume on a position. Throws
+  /// Error.
   void update(const WelkinSkySample& sample, const f64::Number3& position);
 
   VkDescriptorSetLayout layout() const { return welkin_vulkan_volume_descriptor_set_layout(textures_.get()); }
@@ -38,6 +43,11 @@ class LevelVolume {
   VulkanDevice& device_;
   WelkinLevel& level_;
   ProbeParts parts_;
+  struct Lit {
+    WelkinSkySample sample;
+    ProbeParts parts;
+  };
+  std::optional<Lit> lit_;  ///< what the level was last lit by, here
   std::unique_ptr<WelkinVolume, Destroy> volume_;
   std::unique_ptr<WelkinVulkanVolume, Destroy> textures_;
 };

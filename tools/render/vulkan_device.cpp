@@ -91,11 +91,11 @@ void require(VkResult result, const char* call) {
                       std::string("Vulkan: ") + call + " failed: VkResult " + std::to_string(result));
 }
 
-VulkanDevice::VulkanDevice(bool validate, std::span<const char* const> for_window) {
+VulkanDevice::VulkanDevice(bool validate, const WindowNeeds& window) {
   try {
-    createInstance(validate, for_window);
-    chooseDevice();
-    createDevice(!for_window.empty());
+    createInstance(validate, window.extensions);
+    chooseDevice(window);
+    createDevice(!window.extensions.empty());
   } catch (...) {
     destroy();
     throw;
@@ -167,7 +167,7 @@ void VulkanDevice::createInstance(bool validate, std::span<const char* const> ex
           "vkCreateDebugUtilsMessengerEXT");
 }
 
-void VulkanDevice::chooseDevice() {
+void VulkanDevice::chooseDevice(const WindowNeeds& window) {
   uint32_t count = 0;
   require(vkEnumeratePhysicalDevices(instance_, &count, nullptr), "vkEnumeratePhysicalDevices");
   std::vector<VkPhysicalDevice> devices(count);
@@ -177,7 +177,10 @@ void VulkanDevice::chooseDevice() {
   for (VkPhysicalDevice device : devices) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device, &properties);
-    const std::string why = refusal(device, properties);
+    std::string why = refusal(device, properties);
+    uint32_t families = 0;
+    if (why.empty() && window.presents && !window.presents(instance_, device, graphicsFamily(device, families)))
+      why = "cannot show pictures in this window";
     if (!why.empty()) {
       reasons += std::string("\n  ") + properties.deviceName + " " + why;
     } else if (rankOf(properties.deviceType) < best) {

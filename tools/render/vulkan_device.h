@@ -15,6 +15,13 @@ namespace welkin::render {
 /// Throws Error(file), naming the call, when `result` is not success.
 void require(VkResult result, const char* call);
 
+/// What a device needs to show pictures in a window.
+struct WindowNeeds {
+  std::vector<const char*> extensions;  ///< of the instance, for the window's surface; empty: no window
+  /// Whether a queue family of a device can show pictures in the window.
+  std::function<bool(VkInstance, VkPhysicalDevice, uint32_t family)> presents;
+};
+
 /// Instance, device, one graphics queue and one command pool. It uses volk's global function pointers, so only one may
 /// exist at a time.
 class VulkanDevice {
@@ -22,8 +29,8 @@ class VulkanDevice {
   /// `validate` enables Khronos' validation layer with core and synchronisation checks. Its messages go to stderr and
   /// are counted. Throws Error(file) when there is no loader, driver, layer or device; the message says why each was
   /// refused.
-  /// `for_window` are the instance extensions that a window's surface needs; with them the device can present.
-  explicit VulkanDevice(bool validate, std::span<const char* const> for_window = {});
+  /// `window`: only a device that can show pictures in it is chosen.
+  explicit VulkanDevice(bool validate, const WindowNeeds& window = {});
   ~VulkanDevice();
   VulkanDevice(const VulkanDevice&) = delete;
   VulkanDevice& operator=(const VulkanDevice&) = delete;
@@ -46,7 +53,7 @@ class VulkanDevice {
 
  private:
   void createInstance(bool validate, std::span<const char* const> extensions);
-  void chooseDevice();
+  void chooseDevice(const WindowNeeds& window);
   void createDevice(bool presents);
   void destroy();
 

@@ -223,6 +223,12 @@ void fly(Session& s, Words& w) {
   }
 }
 
+void rates(Session& s, Words& w) {
+  const std::size_t pictures = w.done() ? 20 : w.count("the number of pictures", 1, 10000);
+  w.end();
+  s.setRates(measureRates(s, pictures));
+}
+
 void screenshot(Session& s, Words& w) {
   const std::string path = w.text("the file");
   w.end();
@@ -261,6 +267,7 @@ constexpr Action kActions[] = {
     {"undo", "", "takes the last change back", undo},
     {"redo", "", "makes it again", redo},
     {"bounds", "on | off", "the sectors' bounds", bounds},
+    {"rates", "[PICTURES]", "measures pictures a second, while moving and when still", rates},
     {"screenshot", "FILE", "writes the picture and the panels as a PNG", screenshot},
     {"state", "FILE", "writes what the panels say as JSON", state},
     {"wait", "", "until everything is computed", wait},

@@ -18,7 +18,8 @@ namespace {
 /// Draws pictures where they are asked for.
 class Headless : public Host {
  public:
-  Headless(render::VulkanDevice& device, Session& session) : session_(session), panels_(session), canvas_(device) {
+  Headless(render::VulkanDevice& device, Session& session)
+      : device_(device), session_(session), panels_(session), canvas_(device) {
     session.setHost(this);
   }
 
@@ -27,7 +28,15 @@ class Headless : public Host {
     render::writePng(canvas_.read(picture, panels_.settled()), path);
   }
 
+  void show(const render::Picture& picture) override {
+    const ImDrawData& drawn = panels_.build();
+    device_.execute([&](VkCommandBuffer commands) {
+      canvas_.record(commands, picture, session_.width(), session_.height(), drawn);
+    });
+  }
+
  private:
+  render::VulkanDevice& device_;
   Session& session_;
   Panels panels_;
   Canvas canvas_;

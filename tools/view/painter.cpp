@@ -9,11 +9,13 @@
 #include "sky/base/error.h"
 #include "view/beside.h"
 #include "view/probes.h"
+#include "view/quick_tone.h"
 
 namespace welkin::view {
 namespace {
 
 constexpr uint32_t kQuickShadow = 1024;
+constexpr double kQuickError_pixels = 1.0;  // of a picture that moves, and is 2 to 4 times smaller than the window
 
 void desaturate(float rgb[3], double saturation) {
   const f64::Number3 c = f64::desaturate({double{rgb[0]}, double{rgb[1]}, double{rgb[2]}}, saturation);
@@ -59,24 +61,26 @@ render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
   options.tint = c.tint;
   options.occlusion = c.occlusion;
   options.direct = c.direct;
+  options.reflections = !is_quick_;
+  if (is_quick_) options.shadow_size = kQuickShadow;
+  if (is_quick_) options.coarse = kQuickError_pixels;
   options.parts = {static_cast<float>(c.sky), static_cast<float>(c.sun_bounce), static_cast<float>(c.local)};
   return options;
 }
 
 render::LevelView& Painter::viewOf(Light light) {
   const bool baked = light == Light::baked || light == Light::reference;
-  const bool quick = baked && is_quick_;
-  std::unique_ptr<render::LevelView>& view = quick ? quick_ : baked ? baked_ : open_;
-  if (!view) {
-    render::LevelOptions options = optionsOf({}, light);
-    if (quick) options.shadow_size = kQuickShadow;
-    view = std::make_unique<render::LevelView>(device_, level_.sky(), level_.scene(), options,
+  std::unique_ptr<render::LevelView>& view = baked ? baked_ : open_;
+  if (!view)
+    view = std::make_unique<render::LevelView>(device_, level_.sky(), level_.scene(), optionsOf({}, light),
                                                baked ? level_.baked().level().get() : nullptr);
-  }
   return *view;
 }
 
 void Painter::prepare(render::LevelView& view, const State& state, Light light) {
+  const std::size_t changes = level_.baked().lightChanges();
+  if (changes != light_changes_ && baked_) baked_->forgetLight();
+  light_changes_ = changes;
   view.setOptions(optionsOf(state, light));
   view.setSample(sampleOf(level_.sky(), state.time_h, state.changes));
 }
@@ -134,7 +138,7 @@ render::Picture Painter::paint(const State& state, uint32_t width, uint32_t heig
   error.reset();
   if (!state.compare) {
     const render::FloatImage image = draw(state, state.light, size);
-    return render::tonemap(image, exposure(state, image));
+    return quickTone(image, exposure(state, image));
   }
   const Comparison& compare = *state.compare;
   const render::FloatImage drawn = irradiance(state, compare.first, size);
@@ -150,8 +154,8 @@ render::Picture Painter::paint(const State& state, uint32_t width, uint32_t heig
     return withoutGap(render::differencePicture(drawn, against, 1, *error), height);
   const render::FloatImage first = draw(state, compare.first, size);
   const double factor = exposure(state, first);
-  const render::Picture a = render::tonemap(first, factor);
-  const render::Picture b = render::tonemap(draw(state, compare.second, size), factor);
+  const render::Picture a = quickTone(first, factor);
+  const render::Picture b = quickTone(draw(state, compare.second, size), factor);
   return compare.beside == Beside::wipe ? wiped(a, b, compare.at) : sideBySide(a, b);
 }
 

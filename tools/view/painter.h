@@ -23,9 +23,15 @@ class Painter {
   /// All must outlive the object.
   Painter(render::VulkanDevice& device, Level& level);
 
-  /// A picture of this size. Fills `error` where two lights are compared. With `quick` shadows are coarser.
+  /// A picture of this size. Fills `error` where two lights are compared. With `quick` shadows are coarser, and the sea
+  /// mirrors the sky alone.
   render::Picture paint(const State& state, uint32_t width, uint32_t height, bool quick,
                         std::optional<render::IrradianceError>& error);
+
+  /// The device's time of each pass of the last picture of the baked level; none before one is drawn.
+  std::vector<render::PassTime> passTimes() const {
+    return baked_ ? baked_->passTimes() : std::vector<render::PassTime>{};
+  }
 
  private:
   struct Size {
@@ -52,9 +58,10 @@ class Painter {
 
   render::VulkanDevice& device_;
   Level& level_;
-  double brightest_;                                         // render::brightestLuminance of the level's sky
-  std::unique_ptr<render::LevelView> baked_, quick_, open_;  ///< made when first drawn
+  double brightest_;                                 // render::brightestLuminance of the level's sky
+  std::unique_ptr<render::LevelView> baked_, open_;  ///< made when first drawn
   bool is_quick_ = false;
+  std::size_t light_changes_ = 0;  ///< of the level's folder, when a picture was last drawn
   std::optional<TracedFor> traced_for_;
   render::TracedImage traced_;
   std::optional<std::pair<double, Changes>> spheres_for_;

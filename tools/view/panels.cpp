@@ -237,7 +237,7 @@ void Panels::compare() {
 void Panels::point() {
   if (!header("What lights this point?")) return;
   const Answer* a = session_.answer();
-  if (a == nullptr) return say("Click a surface.");
+  if (a == nullptr) return say(session_.state().point ? "Computed when the picture is still." : "Click a surface.");
   row("at", rgbText(a->point.position));
   row("normal", rgbText(a->point.normal));
   if (a->light) {

@@ -15,6 +15,7 @@ struct ViewOptions {
   std::string screenshot;        ///< PNG to write at the end; empty: none
   std::string state;             ///< JSON to write at the end; empty: none
   uint32_t width = 1280, height = 720;
+  bool has_size = false;  ///< the size is asked for; else a window has that of the last run
   bool validate = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/session.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,13 @@
 namespace welkin::view {
 
 using f64::Number3;
+
+namespace {
+
+constexpr uint32_t kLeastDivisor = 2, kMostDivisor = 4;
+constexpr double kSlow_s = 0.040, kFast_s = 0.015;  // a step of the divisor changes the time by 2.25 at most
+
+}  // namespace
 
 Session::Session(render::VulkanDevice& device, Level& level, uint32_t width, uint32_t height)
     : device_(device),
@@ -41,9 +49,8 @@ void Session::replace(const State& state) {
   const auto same_point = [](const std::optional<baked::SurfacePoint>& a, const std::optional<baked::SurfacePoint>& b) {
     return a.has_value() == b.has_value() && (!a || (a->position == b->position && a->normal == b->normal));
   };
-  if (state.time_h != state_.time_h || state.truth_paths != state_.truth_paths ||
-      !same_point(state.point, state_.point))
-    answer_.reset();
+  if (!same_point(state.point, state_.point)) answer_.reset();
+  if (state.time_h != state_.time_h || state.truth_paths != state_.truth_paths) answer_fits_ = false;
   picture_.reset();
   error_.reset();
   state_ = state;
@@ -81,8 +88,10 @@ const WelkinSkySample& Session::sample() {
 }
 
 const Answer* Session::answer() {
-  if (state_.point && !answer_)
+  if (state_.point && !hurry_ && !(answer_ && answer_fits_)) {
     answer_ = std::make_unique<Answer>(answerAt(level_, *state_.point, state_.time_h, state_.truth_paths));
+    answer_fits_ = true;
+  }
   return answer_.get();
 }
 
@@ -104,7 +113,13 @@ render::Picture Session::picture(bool quick) {
       without_tracer(state.compare->first);
       without_tracer(state.compare->second);
     }
-    return painter_.paint(state, std::max(width_ / 2, 1U), std::max(height_ / 2, 1U), true, error);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto part = [&](uint32_t pixels) { return std::max(pixels / quick_divisor_, 1U); };
+    render::Picture picture = painter_.paint(state, part(width_), part(height_), true, error);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (seconds > kSlow_s && quick_divisor_ < kMostDivisor) ++quick_divisor_;
+    if (seconds < kFast_s && quick_divisor_ > kLeastDivisor) --quick_divisor_;
+    return picture;
   }
   if (!picture_) picture_ = painter_.paint(state_, width_, height_, false, error_);
   return *picture_;
@@ -126,6 +141,18 @@ Number3 Session::rayAt(double x, double y) const {
   return ray / std::sqrt(dot(ray, ray));
 }
 
+bool Session::showsSpheres(double x) const {
+  if (state_.probes == ProbeShade::off) return false;
+  Light light = state_.light;
+  if (state_.compare) {
+    const Comparison& c = *state_.compare;
+    if (c.beside == Beside::difference) return false;
+    const double line = c.beside == Beside::side ? 0.5 : c.at;
+    light = x < line * width_ ? c.first : c.second;
+  }
+  return light == Light::baked || light == Light::reference;
+}
+
 void Session::click(double x, double y) {
   constexpr double kFar_m = 1e5;
   const Number3 ray = rayAt(x, y);
@@ -133,8 +160,7 @@ void Session::click(double x, double y) {
   State state = state_;
   state.probe.reset();
   state.point.reset();
-  if (state.probes != ProbeShade::off)
-    state.probe = probeOnRay(level_, state.eye.position, ray, hit ? hit->distance : kFar_m);
+  if (showsSpheres(x)) state.probe = probeOnRay(level_, state.eye.position, ray, hit ? hit->distance : kFar_m);
   if (!state.probe && hit) state.point = baked::SurfacePoint{hit->position, hit->normal};
   set(state);
 }

@@ -13,6 +13,7 @@
 #include "view/history.h"
 #include "view/painter.h"
 #include "view/probes.h"
+#include "view/rates.h"
 
 namespace welkin::view {
 
@@ -22,6 +23,8 @@ class Host {
   virtual ~Host() = default;
   /// Writes the picture with its panels as a PNG.
   virtual void screenshot(const std::string& path) = 0;
+  /// Draws a picture with its panels, in the window if there is one.
+  virtual void show(const render::Picture& picture) = 0;
 };
 
 class Session {
@@ -55,6 +58,8 @@ class Session {
   uint32_t height() const { return height_; }
   void resize(uint32_t width, uint32_t height);
 
+  /// While true, answers that the path tracer gives are not computed: answer() is the last one of the point, or null.
+  void setHurry(bool hurry) { hurry_ = hurry; }
   /// The answer for the state's point, the numbers of its probe; null without one. Computed once a change.
   const Answer* answer();
   const ProbeNumbers* probe();
@@ -62,8 +67,17 @@ class Session {
   /// full size, and without a comparison.
   const render::IrradianceError* error() const { return error_ ? &*error_ : nullptr; }
 
-  /// The level's picture without panels. With `quick` at half the size, and without the path tracer.
+  /// The level's picture without panels. With `quick` at the size over quickDivisor(), and without the path tracer.
   render::Picture picture(bool quick = false);
+  /// 2 to 4: rises and falls so that a quick picture takes about a thirtieth of a second.
+  uint32_t quickDivisor() const { return quick_divisor_; }
+
+  /// The device's time of each pass of the last picture of the baked level.
+  std::vector<render::PassTime> passTimes() const { return painter_.passTimes(); }
+
+  /// How many pictures a second were drawn, when that was measured last; null until it is.
+  const Rates* rates() const { return rates_ ? &*rates_ : nullptr; }
+  void setRates(const Rates& rates) { rates_ = rates; }
 
   /// A camera that sees the whole level.
   Eye overview() const;
@@ -77,6 +91,8 @@ class Session {
 
  private:
   void replace(const State& state);
+  /// Whether the spheres of probes are drawn in this column of the picture.
+  bool showsSpheres(double x) const;
 
   render::VulkanDevice& device_;
   Level& level_;
@@ -92,6 +108,10 @@ class Session {
   std::optional<render::Picture> picture_;  ///< of the state, whole
   std::optional<render::IrradianceError> error_;
   std::unique_ptr<Answer> answer_;
+  bool answer_fits_ = false;  ///< is of the state's time and paths
+  bool hurry_ = false;
+  uint32_t quick_divisor_ = 3;
+  std::optional<Rates> rates_;
   std::unique_ptr<ProbeNumbers> probe_;
 };
 

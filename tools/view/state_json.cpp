@@ -110,6 +110,24 @@ Json compareJson(Session& session) {
   return result;
 }
 
+Json ratesJson(const Session& session) {
+  const Rates* r = session.rates();
+  if (r == nullptr) return nullptr;
+  const auto passes = [](const std::vector<render::PassTime>& times) {
+    Json list = Json::object();
+    for (const render::PassTime& pass : times) list[pass.name] = pass.milliseconds;
+    return list;
+  };
+  return {{"moving", r->moving},
+          {"still", r->still},
+          {"pictures", r->pictures},
+          {"divisor", r->divisor},
+          {"width", r->width},
+          {"height", r->height},
+          {"moving_pass_ms", passes(r->moving_pass)},
+          {"still_pass_ms", passes(r->still_pass)}};
+}
+
 }  // namespace
 
 Json stateJson(Session& session) {
@@ -148,6 +166,7 @@ Json stateJson(Session& session) {
                 {"compare", compareJson(session)},
                 {"pick", nullptr},
                 {"probe", nullptr},
+                {"rates", ratesJson(session)},
                 {"cost", costJson(session.level())},
                 {"warnings", warningsJson(session.level())}};
   if (const Answer* answer = session.answer()) state["pick"] = json(*answer);

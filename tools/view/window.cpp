@@ -15,8 +15,10 @@
 #include "view/navigation.h"
 #include "view/panels.h"
 #include "view/script.h"
+#include "view/settings.h"
 #include "view/state_json.h"
 #include "view/swapchain.h"
+#include "view/user_folder.h"
 
 namespace welkin::view {
 namespace {
@@ -68,6 +70,10 @@ class Windowed : public Host {
     render::writePng(canvas_.read(picture, panels_.settled()), path);
   }
 
+  void show(const render::Picture& picture) override {
+    if (!in_frame_) present(picture, panels_.build());  // a panel's command leaves the frame as it is
+  }
+
   void run() {
     Clock::time_point last = Clock::now(), changed = last;
     std::size_t version = session_.version() + 1;
@@ -98,11 +104,10 @@ class Windowed : public Host {
         rate.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
         ++rate.pictures;
       }
+      session_.setHurry(!full);
       const ImDrawData& drawn = panels_.build();
-      swapchain_.show(input.width, input.height, [&](VkCommandBuffer commands) -> render::Image& {
-        canvas_.record(commands, picture_, input.width, input.height, drawn);
-        return canvas_.image();
-      });
+      session_.setHurry(false);
+      present(picture_, drawn);
       in_frame_ = false;
       if (wanted_screenshot_.empty()) continue;
       try {
@@ -117,6 +122,13 @@ class Windowed : public Host {
   const Rate& fullRate() const { return full_rate_; }
 
  private:
+  void present(const render::Picture& picture, const ImDrawData& drawn) {
+    swapchain_.show(session_.width(), session_.height(), [&](VkCommandBuffer commands) -> render::Image& {
+      canvas_.record(commands, picture, session_.width(), session_.height(), drawn);
+      return canvas_.image();
+    });
+  }
+
   Window& window_;
   Session& session_;
   Panels panels_;
@@ -133,16 +145,27 @@ class Windowed : public Host {
 
 void runWindow(const ViewOptions& options) {
   const LevelFiles files = levelFiles(options.folder, options.level);
-  const std::unique_ptr<Window> window = openWindow(options.width, options.height);
-  const std::vector<const char*> extensions = window->extensions();
-  render::VulkanDevice device(options.validate, extensions);
+  Settings settings = readSettings(configFolder());
+  if (options.has_size) {
+    settings.width = options.width;
+    settings.height = options.height;
+  }
+  const std::unique_ptr<Window> window = openWindow(settings.width, settings.height);
+  render::VulkanDevice device(
+      options.validate, {window->extensions(), [&](VkInstance instance, VkPhysicalDevice physical, uint32_t family) {
+                           return window->presents(instance, physical, family);
+                         }});
   std::fprintf(stderr, "device: %s\n", device.properties().deviceName);
   Level level(files);
   {
-    Session session(device, level, options.width, options.height);
+    Session session(device, level, settings.width, settings.height);
+    State state = session.state();
+    apply(settings, state);
+    session.set(state);
     Windowed host(device, *window, session);
     if (!options.script.empty()) runScript(session, options.script);
     host.run();
+    writeSettings(configFolder(), settingsOf(session));
     std::fprintf(stderr, "pictures a second: %.1f while moving, %.1f when still\n", host.quickRate().perSecond(),
                  host.fullRate().perSecond());
     if (!options.screenshot.empty()) host.screenshot(options.screenshot);

@@ -12,6 +12,7 @@
 extern "C" {  // glfw3.h declares it if vulkan.h came before, with prototypes
 VkResult glfwCreateWindowSurface(VkInstance instance, GLFWwindow* window, const VkAllocationCallbacks* allocator,
                                  VkSurfaceKHR* surface);
+int glfwGetPhysicalDevicePresentationSupport(VkInstance instance, VkPhysicalDevice device, uint32_t family);
 }
 
 namespace welkin::view {
@@ -63,6 +64,10 @@ class GlfwWindow : public Window {
     uint32_t count = 0;
     const char** names = glfwGetRequiredInstanceExtensions(&count);
     return names == nullptr ? std::vector<const char*>{} : std::vector<const char*>(names, names + count);
+  }
+
+  bool presents(VkInstance instance, VkPhysicalDevice device, uint32_t family) const override {
+    return glfwGetPhysicalDevicePresentationSupport(instance, device, family) != 0;
   }
 
   VkResult createSurface(VkInstance instance, VkSurfaceKHR* surface) override {

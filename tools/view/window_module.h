@@ -33,6 +33,8 @@ class Window {
   virtual ~Window() = default;
   /// Instance extensions that the surface needs.
   virtual std::vector<const char*> extensions() const = 0;
+  /// Whether a queue family of a device can show pictures in windows.
+  virtual bool presents(VkInstance instance, VkPhysicalDevice device, uint32_t family) const = 0;
   virtual VkResult createSurface(VkInstance instance, VkSurfaceKHR* surface) = 0;
   /// Waits for input, at most some seconds, and returns it.
   virtual const WindowInput& input(double wait_s) = 0;
