@@ -49,18 +49,35 @@ placement::PlacementSettings readProbes(Section section) {
   return probes;
 }
 
-std::vector<geometry::Box> readRooms(const std::string& file, TomlTable& top) {
-  std::vector<geometry::Box> rooms;
+/// The doors of a room.
+void readDoors(TomlTable& table, const geometry::Box& room, std::vector<placement::RoomDoor>& doors) {
+  constexpr const char* kKey = "doors";
+  if (!table.has(kKey)) return;
+  const toml::node* node = table.node(kKey);
+  const base::Range& range = base::parameterOf(level::levelDomain(), "[room]", kKey).range;
+  for (const auto& numbers : table.lists(kKey, 6, range, kBox)) {
+    const geometry::Box box = boxOf(table, kKey, node, numbers);
+    if (!placement::isDoorOf(box, room))
+      table.refuse(kKey, node,
+                   fmt::format("[{}] must cross one upright face of the room's box by {} m or more on each side, or, "
+                               "without such, its top or bottom",
+                               fmt::join(numbers, ", "), placement::kLeastDoor_m));
+    doors.push_back({room, box});
+  }
+}
+
+void readRooms(const std::string& file, TomlTable& top, placement::PlacementSettings& settings) {
+  std::vector<geometry::Box>& rooms = settings.room;
   const toml::node* node = top.node("room");
-  if (node == nullptr) return rooms;
+  if (node == nullptr) return;
   if (!node->is_array_of_tables()) top.refuse("room", node, "must be tables, [[room]]");
   const base::Range& range = base::parameterOf(level::levelDomain(), "[room]", "box").range;
   for (const toml::node& entry : *node->as_array()) {
     TomlTable room(file, entry.as_table(), fmt::format("room[{}].", rooms.size()));
     rooms.push_back(boxOf(room, "box", room.node("box"), room.list("box", 6, range, kBox)));
+    readDoors(room, rooms.back(), settings.door);
     room.finish();
   }
-  return rooms;
 }
 
 LocalLights readLocalLights(TomlTable& table) {
@@ -111,6 +128,17 @@ std::string boxesText(const std::vector<geometry::Box>& boxes) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
+/// The settings' part for doors, which is empty without them.
+std::string doorsText(const std::vector<placement::RoomDoor>& doors) {
+  std::vector<geometry::Box> room, box;
+  for (const placement::RoomDoor& d : doors) {
+    room.push_back(d.room);
+    box.push_back(d.box);
+  }
+  if (doors.empty()) return "";
+  return fmt::format(R"(, "doors": {}, "rooms_of_doors": {})", boxesText(box), boxesText(room));
+}
+
 std::string lightsText(const LocalLights& lights) {
   std::vector<std::string> names;
   switch (lights.where) {
@@ -146,7 +174,7 @@ BakeSection bakeSectionOf(const base::TomlFile& toml) {
   TomlTable top(name, &toml.root, "");
   BakeSection section;
   section.probes = readProbes(Section(top, "probes", level::levelDomain()));
-  section.probes.room = readRooms(name, top);
+  readRooms(name, top, section.probes);
   section.transfer = readTransfer(Section(top, "transfer", level::levelDomain()));
   Section scale(top, "scale", level::levelDomain());
   section.scale.sun_bounce = scale.number("sun_bounce");
@@ -175,7 +203,8 @@ std::string settingsText(const BakeSection& section) {
   const std::string budget = section.max_surface_error
                                  ? fmt::format(R"(, "bake": {{"max_surface_error": {}}})", *section.max_surface_error)
                                  : "";
-  return fmt::format(R"({{"probes": {}, "room": {}, "transfer": {}{}}})", probes, boxesText(p.room), transfer, budget);
+  return fmt::format(R"({{"probes": {}, "room": {}{}, "transfer": {}{}}})", probes, boxesText(p.room),
+                     doorsText(p.door), transfer, budget);
 }
 
 }  // namespace welkin::build

@@ -154,6 +154,7 @@ geometry::PlacedSector LevelBake::place(geometry::SectorId sector, const base::P
   placed.id = sector;
   for (geometry::Probe& probe : placed.probe) probe.position += corner;
   for (geometry::Room& room : placed.room) room.box = {room.box.low + corner, room.box.high + corner};
+  for (geometry::Door& door : placed.door) door.box = {door.box.low + corner, door.box.high + corner};
   return placed;
 }
 

@@ -108,7 +108,13 @@ BakeSection sectionOf(geometry::SectorId sector, const BakeSection& level, const
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
     std::erase_if(*boxes,
                   [&](const geometry::Box& b) { return !column.touches(b.low.x, b.high.x, b.low.z, b.high.z); });
+  std::erase_if(section.probes.door, [&](const placement::RoomDoor& d) {
+    return !column.touches(d.box.low.x, d.box.high.x, d.box.low.z, d.box.high.z) ||
+           !column.touches(d.room.low.x, d.room.high.x, d.room.low.z, d.room.high.z);
+  });
   const Number3 corner = geometry::cornerOf(sector);
+  for (placement::RoomDoor& d : section.probes.door)
+    for (geometry::Box* b : {&d.room, &d.box}) *b = {placeFrom(corner, b->low), placeFrom(corner, b->high)};
   for (Number3& p : section.probes.add) p = placeFrom(corner, p);
   for (auto* boxes : {&section.probes.remove, &section.probes.room})
     for (geometry::Box& b : *boxes) b = {placeFrom(corner, b.low), placeFrom(corner, b.high)};

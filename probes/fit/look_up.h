@@ -31,6 +31,7 @@ class LookUp {
   PointWeights at(const FitPoint& point) const;
 
  private:
+  PointWeights ofSide(const format::InWorld& place) const;
   std::size_t roomAt(const Number3& position) const;
 
   const geometry::PlacedSector& sector_;

@@ -20,6 +20,7 @@ inline constexpr double kCell_m = kSector_m / kCells;
 inline constexpr std::size_t kMostProbes = 255;  ///< limit for one sector
 inline constexpr std::uint8_t kNoProbe = 255;    ///< entry of a cell without a probe
 inline constexpr std::size_t kMostRooms = 254;   ///< limit for one sector
+inline constexpr std::size_t kMostDoors = 254;   ///< limit for one sector
 
 /// The square floor(x / 64 m), floor(z / 64 m).
 struct SectorId {
@@ -51,6 +52,12 @@ struct Room {
   std::uint8_t probe = kNoProbe;  ///< its probe nearest to the middle of its part of the sector, or kNoProbe
 };
 
+/// A box across one face of a room, in which light goes over smoothly from one side of the face to the other.
+struct Door {
+  Box box;                ///< stored as float32 from the sector's corner in a sector's file
+  std::uint8_t room = 0;  ///< index of its room in the sector
+};
+
 /// The cells of a sector, each with its probe, and the rooms.
 struct SectorGrid {
   double low_y = 0.0;              ///< bottom of the grid, metres
@@ -62,6 +69,7 @@ struct SectorGrid {
   std::array<std::uint8_t, kCells * kCells> top{};
   std::vector<Room> room;             ///< rooms that touch the sector
   std::vector<std::uint8_t> in_room;  ///< by probe: 0 outside rooms, else 1 + index of its room; empty without rooms
+  std::vector<Door> door;             ///< doors that touch the sector; a position in several has the first
 };
 
 /// A sector after placement.

@@ -111,6 +111,8 @@ base::Domain rows() {
       {"probes", "within", "", Kind::boxes, kMetre, kMetres, "none",
        "only sectors that these boxes touch, seen from above, get probes, and those of probes by hand"},
       {"[room]", "box", "", Kind::box, kMetre, kMetres, Required{}, "inside and outside have probes of their own"},
+      {"[room]", "doors", "", Kind::boxes, kMetre, kMetres, "none",
+       "across a face of the box: the light of its sides goes over smoothly into the other's"},
       {"transfer",
        "rays",
        "",

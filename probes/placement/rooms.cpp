@@ -21,6 +21,30 @@ Number3 middleOf(const geometry::Box& box, const geometry::Column& square) {
           0.5 * (std::max(box.low.z, square.low_z) + std::min(box.high.z, square.high_z))};
 }
 
+bool touches(const geometry::Column& square, const geometry::Box& box) {
+  return square.touches(box.low.x, box.high.x, box.low.z, box.high.z);
+}
+
+/// Whether a door of a room reaches into the sector.
+bool hasDoorIn(const PlacementSettings& settings, const geometry::Box& room, const geometry::Column& square) {
+  return std::any_of(settings.door.begin(), settings.door.end(),
+                     [&](const RoomDoor& door) { return door.room == room && touches(square, door.box); });
+}
+
+void setDoors(const PlacementSettings& settings, const geometry::Column& square, geometry::PlacedSector& sector) {
+  sector.door.clear();
+  for (const RoomDoor& door : settings.door) {
+    const auto of_box = [&](const geometry::Room& room) { return room.box == door.room; };
+    const auto room = std::find_if(sector.room.begin(), sector.room.end(), of_box);
+    if (room == sector.room.end() || !touches(square, door.box)) continue;
+    if (sector.door.size() == geometry::kMostDoors)
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("[[room]] doors: more than {} touch sector {}_{}; at most {} may",
+                                    geometry::kMostDoors, sector.id.x, sector.id.z, geometry::kMostDoors));
+    sector.door.push_back({door.box, static_cast<std::uint8_t>(room - sector.room.begin())});
+  }
+}
+
 }  // namespace
 
 void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector) {
@@ -31,7 +55,7 @@ void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector)
   sector.room.clear();
   for (std::size_t r = 0; r < settings.room.size(); ++r) {
     const geometry::Box& box = settings.room[r];
-    if (!square.touches(box.low.x, box.high.x, box.low.z, box.high.z)) continue;
+    if (!touches(square, box) && !hasDoorIn(settings, box, square)) continue;
     if (sector.room.size() == geometry::kMostRooms)
       throw base::Error(base::ExitStatus::content,
                         fmt::format("[[room]]: more than {} touch sector {}_{}; at most {} may", geometry::kMostRooms,
@@ -48,6 +72,7 @@ void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector)
       nearest_m = distance_m;
     }
   }
+  setDoors(settings, square, sector);
   sector.in_room = sector.room.empty() ? std::vector<std::uint8_t>() : std::move(in_room);
 }
 

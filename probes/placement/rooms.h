@@ -7,8 +7,8 @@
 
 namespace welkin::placement {
 
-/// Fills `room` and `in_room` of a sector whose probes are placed. Throws Error(content) if more than kMostRooms touch
-/// it.
+/// Fills `room`, `in_room` and `door` of a sector whose probes are placed. Throws Error(content) if more than
+/// kMostRooms or kMostDoors touch it.
 void setRooms(const PlacementSettings& settings, geometry::PlacedSector& sector);
 
 }  // namespace welkin::placement

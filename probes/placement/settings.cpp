@@ -43,6 +43,13 @@ void checkSettings(const PlacementSettings& s) {
                         fmt::format("[probes] add: [{}, {}, {}] must be within 1000 km of the origin", p.x, p.y, p.z));
   checkBoxes("[probes] remove", s.remove);
   checkBoxes("[[room]]", s.room);
+  for (const RoomDoor& d : s.door) {
+    checkBoxes("[[room]] doors", {d.box});
+    if (!isDoorOf(d.box, d.room))
+      throw base::Error(base::ExitStatus::content,
+                        fmt::format("[[room]] doors: [{}, {}, {}] to [{}, {}, {}]: must cross one face of the room",
+                                    d.box.low.x, d.box.low.y, d.box.low.z, d.box.high.x, d.box.high.y, d.box.high.z));
+  }
 }
 
 PlacementSettings spreadBy(double factor, const PlacementSettings& settings) {
@@ -53,6 +60,16 @@ PlacementSettings spreadBy(double factor, const PlacementSettings& settings) {
   for (double* distance_m : {&spread.spacing_m, &spread.vegetation_spacing_m})
     *distance_m = std::max(*distance_m * std::min(factor, 1.0), kLeast_m);
   return spread;
+}
+
+format::DoorBox doorBoxOf(const geometry::Box& door, const geometry::Box& room) {
+  const auto numbers = [](const Number3& v) { return format::InWorld{v.x, v.y, v.z}; };
+  return {numbers(door.low), numbers(door.high), numbers(room.low), numbers(room.high)};
+}
+
+bool isDoorOf(const geometry::Box& door, const geometry::Box& room) {
+  const format::DoorWay way = format::doorWayOf(doorBoxOf(door, room));
+  return way.is_door && way.face - way.low[way.axis] >= kLeastDoor_m && way.high[way.axis] - way.face >= kLeastDoor_m;
 }
 
 std::size_t roomOf(const PlacementSettings& settings, const Number3& position) {

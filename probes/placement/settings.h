@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "format/doors.h"
 #include "probes/geometry/sector.h"
 
 namespace welkin::placement {
@@ -15,6 +16,11 @@ using f64::Number3;
 enum class Walls : std::uint8_t {
   cut,     ///< cells are cut along them, so that no light is filtered through
   ignore,  ///< nothing, as Far Cry 3 did: thin walls leak, except those of rooms
+};
+
+/// A soft part of a room's face.
+struct RoomDoor {
+  geometry::Box room, box;
 };
 
 /// Lengths in metres, all > 0.
@@ -31,6 +37,7 @@ struct PlacementSettings {
   std::vector<geometry::Box> remove;  ///< no probes inside, except those by hand
   std::vector<geometry::Box> within;  ///< only sectors that they touch, seen from above, have probes; none: all
   std::vector<geometry::Box> room;    ///< boxes with separate probes inside and outside
+  std::vector<RoomDoor> door;         ///< of these rooms
 };
 
 /// Throws Error(content) with key, value and range for a setting out of its range.
@@ -39,6 +46,15 @@ void checkSettings(const PlacementSettings& settings);
 /// The settings with the distances between probes times `factor` > 0. The lattices become no wider, so that no
 /// ground is missed, and none closer than settings allow.
 PlacementSettings spreadBy(double factor, const PlacementSettings& settings);
+
+inline constexpr double kLeastDoor_m = 0.05;  ///< a door reaches so far to each side of its face
+
+/// Whether a box may be a door of a room: it crosses one face (format::doorWayOf) and reaches kLeastDoor_m to each
+/// side.
+bool isDoorOf(const geometry::Box& door, const geometry::Box& room);
+
+/// A door and its room as the runtime takes them (format/doors.h).
+format::DoorBox doorBoxOf(const geometry::Box& door, const geometry::Box& room);
 
 /// The room of a position, counted from 1 in the order of the settings; 0 outside of all.
 std::size_t roomOf(const PlacementSettings& settings, const Number3& position);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "probes/placement/settings.h"
 #include "sky/model/projection.h"
 
 namespace welkin::sectors {
@@ -62,6 +63,21 @@ bool isIn(const SectorFile& file, std::uint8_t probe, const geometry::Box* room)
   return room != nullptr ? number > 0 && isSame(boxInWorld(file, file.room[number - 1]), *room) : number == 0;
 }
 
+/// The place beyond a door's face from which a place has some of its light.
+format::BeyondDoor beyondDoorOf(const SectorFile& file, const format::InWorld& place) {
+  const Number3 corner = geometry::cornerOf(file.id);
+  const format::InWorld from{place[0] - corner.x, place[1], place[2] - corner.z};
+  for (const geometry::Door& door : file.door) {
+    const auto way = format::doorWayOf(placement::doorBoxOf(door.box, file.room[door.room].box));
+    format::BeyondDoor beyond = format::beyondDoor(way, from);
+    if (!(beyond.share > 0.0)) continue;
+    beyond.place[0] += corner.x;
+    beyond.place[2] += corner.z;
+    return beyond;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::array<Number3, 4> skyShAt(const model::Sky& sky, double time_h) {
@@ -103,17 +119,36 @@ LevelIrradiance LevelLight::ofProbe(const geometry::SectorId& sector, std::size_
   return positive(sum);
 }
 
+const LevelLight::Sector* LevelLight::sectorOf(int x, int z) const {
+  const auto found = sector_.find({x, z});
+  return found == sector_.end() ? nullptr : &found->second;
+}
+
 std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Number3& normal, double push_m) const {
-  const auto sectorOf = [&](int x, int z) {
-    const auto found = sector_.find({x, z});
-    return found == sector_.end() ? nullptr : &found->second;
-  };
   const auto gridOf = [&](int x, int z) {
     const Sector* sector = sectorOf(x, z);
     return sector == nullptr ? nullptr : &sector->grid;
   };
   const format::InWorld place =
       format::pushedPlace({position.x, position.y, position.z}, {normal.x, normal.y, normal.z}, push_m, gridOf);
+  const auto light = ofSide(place, normal);
+  const geometry::SectorId home = geometry::sectorAt(Number3(place[0], place[1], place[2]));
+  const Sector* sector = sectorOf(home.x, home.z);
+  const format::BeyondDoor beyond = sector == nullptr ? format::BeyondDoor{} : beyondDoorOf(*sector->file, place);
+  if (!(beyond.share > 0.0)) return light ? std::optional(positive(*light)) : std::nullopt;
+  const auto other = ofSide(beyond.place, normal);
+  if (!light && !other) return std::nullopt;
+  if (!light || !other) return positive(light ? *light : *other);
+  const auto mixed = [&](const Number3& a, const Number3& b) { return a * (1.0 - beyond.share) + b * beyond.share; };
+  return positive(
+      {mixed(light->sky, other->sky), mixed(light->sun_bounce, other->sun_bounce), mixed(light->local, other->local)});
+}
+
+std::optional<LevelIrradiance> LevelLight::ofSide(const format::InWorld& place, const Number3& normal) const {
+  const auto gridOf = [&](int x, int z) {
+    const Sector* sector = sectorOf(x, z);
+    return sector == nullptr ? nullptr : &sector->grid;
+  };
   const Number3 p(place[0], place[1], place[2]);
   const geometry::SectorId home_id = geometry::sectorAt(p);
   const Sector* home = sectorOf(home_id.x, home_id.z);
@@ -133,12 +168,12 @@ std::optional<LevelIrradiance> LevelLight::at(const Number3& position, const Num
   if (!(total > 0.0)) {
     if (room == nullptr || room->probe == geometry::kNoProbe) return std::nullopt;
     add(home->probe[room->probe], normal, 1.0, sum);
-    return positive(sum);
+    return sum;
   }
   sum.sky = sum.sky / total;
   sum.sun_bounce = sum.sun_bounce / total;
   sum.local = sum.local / total;
-  return positive(sum);
+  return sum;
 }
 
 }  // namespace welkin::sectors

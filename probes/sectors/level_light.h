@@ -45,6 +45,7 @@ class LevelLight {
   /// around the point `push_m` >= 0 off the surface (format::pushedPlace), as far as no wall parts them from the point
   /// (format::probesAbout). Cells without a probe, or with a probe of another room than the point's, leave their weight
   /// to the others. If no cell is left, the room's own probe serves. Nothing if there is no probe at all. Not below 0.
+  /// In a door of a room the point beyond its face counts by its share (format::beyondDoor).
   std::optional<LevelIrradiance> at(const Number3& position, const Number3& normal, double push_m = 1.0) const;
 
   /// Irradiance of a surface with this normal at one probe's place, from that probe alone. The sector must be one of
@@ -61,6 +62,10 @@ class LevelLight {
     format::GridView grid;
     std::vector<transfer::ProbeIrradiance> probe;
   };
+  const Sector* sectorOf(int x, int z) const;
+  /// May be below 0.
+  std::optional<LevelIrradiance> ofSide(const format::InWorld& place, const Number3& normal) const;
+
   std::map<geometry::SectorId, Sector> sector_;
 };
 

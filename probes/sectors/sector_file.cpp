@@ -15,6 +15,7 @@ namespace {
 static_assert(geometry::kMostProbes == format::kMostProbes && geometry::kNoProbe == format::kNoProbe &&
                   geometry::kCells * geometry::kCells * geometry::kCells == format::kGridCells &&
                   transfer::kMostSunModes == format::kMostSunModes && geometry::kMostRooms == format::kMostRooms &&
+                  geometry::kMostDoors == format::kMostDoors &&
                   4 * placement::kMostNamed + placement::kMostNamedByHand <= format::kMostNamedPlaces &&
                   geometry::kFarthestSector == format::kFarthestSector,
               "what a bake makes and what a file may hold");
@@ -160,6 +161,25 @@ std::vector<geometry::Room> decode(const flatbuffers::Vector<const format::Room*
   return result;
 }
 
+Offset<flatbuffers::Vector<const format::Door*>> encode(FlatBufferBuilder& b,
+                                                        const std::vector<geometry::Door>& doors) {
+  std::vector<format::Door> result;
+  const auto number = [](double v) { return static_cast<float>(v); };
+  for (const geometry::Door& d : doors)
+    result.emplace_back(number(d.box.low.x), number(d.box.low.y), number(d.box.low.z), number(d.box.high.x),
+                        number(d.box.high.y), number(d.box.high.z), d.room);
+  return result.empty() ? 0 : b.CreateVectorOfStructs(result);
+}
+
+std::vector<geometry::Door> decode(const flatbuffers::Vector<const format::Door*>& doors) {
+  std::vector<geometry::Door> result;
+  for (const format::Door* d : doors)
+    result.push_back({{{double{d->low_x()}, double{d->low_y()}, double{d->low_z()}},
+                       {double{d->high_x()}, double{d->high_y()}, double{d->high_z()}}},
+                      d->room()});
+  return result;
+}
+
 Offset<format::Cuts> encode(FlatBufferBuilder& b, const placement::SectorCuts& c) {
   const auto cell = vectorOf(b, c.cell);
   const auto tree = vectorOf(b, c.tree);
@@ -193,9 +213,10 @@ std::vector<std::byte> encodeSector(const SectorFile& s) {
   const auto room = encode(b, s.room);
   const auto in_room = vectorOf(b, s.in_room);
   const Offset<format::Cuts> cuts = s.cuts.empty() ? 0 : encode(b, s.cuts);
+  const auto door = encode(b, s.door);
   const auto sector = format::CreateSector(
       b, s.id.x, s.id.z, s.low_y, s.cell_height_m, grid, static_cast<format::SunTransfer>(s.sun), probes, &baked_from,
-      placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit), cuts);
+      placement, s.rays, error, local, top, room, in_room, static_cast<std::uint32_t>(s.unlit), cuts, door);
   const auto settings = b.CreateString(s.settings);
   format::FinishFileBuffer(b, format::CreateFile(b, settings, 0, 0, sector));
   return format::seal({b.GetBufferPointer(), b.GetSize()}, format::Kind::sector);
@@ -222,6 +243,7 @@ SectorFile decodeSector(std::span<const std::byte> bytes, const std::string& nam
   if (sector.room() != nullptr) s.room = decode(*sector.room());
   s.in_room = copyOf(sector.in_room());
   s.unlit = sector.unlit();
+  if (sector.door() != nullptr) s.door = decode(*sector.door());
   if (sector.cuts() != nullptr) s.cuts = decode(*sector.cuts());
   return s;
 }

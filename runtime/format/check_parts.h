@@ -24,6 +24,8 @@ void checkProbes(Check& check, const Probes& probes, SunTransfer sun);
 void checkError(Check& check, const SectorError& error, std::size_t probes);
 void checkLocal(Check& check, const LocalTransfer& local, std::size_t probes);
 void checkRooms(Check& check, const Sector& sector, std::size_t probes);
+/// The doors of a sector that has some, after its rooms.
+void checkDoors(Check& check, const Sector& sector);
 void checkPlacement(Check& check, const Placement& placement);
 /// Every cell, tree, plane, mask and probe of the cuts is there, and every tree is whole and of at most kMostTreeNodes.
 void checkCuts(Check& check, const Cuts& cuts, std::size_t probes);

@@ -5,6 +5,7 @@
 
 #include "format/check_parts.h"
 #include "format/domain_check.h"
+#include "format/doors.h"
 
 namespace welkin::format {
 
@@ -31,6 +32,23 @@ void checkRooms(Check& check, const Sector& sector, std::size_t probes) {
                  kName, "must be boxes within 10000 km");
     check.that(r->probe() == kNoProbe || (r->probe() < probes && in_room[r->probe()] == number), kName,
                "must name a probe of their own");
+  }
+}
+
+void checkDoors(Check& check, const Sector& sector) {
+  constexpr const char* kName = "the doors";
+  const auto* doors = sector.door();
+  const std::size_t rooms = sector.room() == nullptr ? 0 : sector.room()->size();
+  if (!check.that(doors->size() >= 1 && doors->size() <= kMostDoors, kName,
+                  "must be at most 254, and absent without") ||
+      !check.that(reinterpret_cast<std::uintptr_t>(doors->Data()) % alignof(Door) == 0, kName, "are misaligned"))
+    return;
+  for (const Door* d : *doors) {
+    if (!check.that(d->room() < rooms, kName, "must be of a room of the sector")) return;
+    for (const float number : {d->low_x(), d->low_y(), d->low_z(), d->high_x(), d->high_y(), d->high_z()})
+      if (!check.that(within(double{number}, -kFarthest_m, kFarthest_m), kName, "must be within 10000 km")) return;
+    check.that(doorWayOf(boxOf(*d, *sector.room()->Get(d->room()))).is_door, kName,
+               "must cross one face of their rooms");
   }
 }
 
@@ -75,6 +93,7 @@ Fault sectorFaultOf(const File& file) {
           std::all_of(top.begin(), top.end(), [=](std::uint8_t c) { return probes == 0 ? c == kNoProbe : c < probes; }),
       "the view from above", "must name a probe for each of 256 cells");
   checkRooms(check, *sector, probes);
+  if (check.fault.what == nullptr && sector->door() != nullptr) checkDoors(check, *sector);
   if (sector->placement() != nullptr) checkPlacement(check, *sector->placement());
   check.that(sector->unlit() <= probes, "the unlit probes", "must be at most all");
   if (sector->error() != nullptr) checkError(check, *sector->error(), probes);

@@ -25,7 +25,8 @@ class CutReader {
  public:
   CutReader(std::span<const uint> words, const std::array<uint, 2>& mask) : words_(words), mask_(mask) {}
 
-#include "cuts.glsl"  // NOLINT(bugprone-suspicious-include)
+#include "cuts.glsl"   // NOLINT(bugprone-suspicious-include)
+#include "doors.glsl"  // NOLINT(bugprone-suspicious-include)
 
  private:
   uint cutWord(int i) const {

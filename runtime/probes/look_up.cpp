@@ -68,16 +68,35 @@ PointLight lightOf(const PointProbes& probes) {
   return sum;
 }
 
+/// The light of a place in a sector, by the probes of its own side of the rooms' faces alone.
+PointLight lightOfSide(const WelkinLevel& level, const WelkinSector& home, const format::InWorld& p) {
+  PointProbes probes;
+  if (!innerProbes(home, inCells(home, p[0], p[1], p[2]), probes) && !openProbes(level, home, p, probes))
+    probesBesideWalls(level, home, p, probes);
+  return lightOf(probes);
+}
+
+/// The light with a share of another. If one is not served, it is the other.
+PointLight mixed(const PointLight& light, const PointLight& other, double share) {
+  if (!other.is_served) return light;
+  if (!light.is_served) return other;
+  PointLight sum = light;
+  for (std::size_t c = 0; c < kChannels; ++c)
+    sum.channel[c] += static_cast<float>(share) * (other.channel[c] - light.channel[c]);
+  return sum;
+}
+
 }  // namespace
 
 PointLight lightAt(const WelkinLevel& level, const format::InWorld& p) {
   if (!isNear(p)) return {};
   const WelkinSector* home = sectorAt(level, p);
   if (home == nullptr) return {};
-  PointProbes probes;
-  if (!innerProbes(*home, inCells(*home, p[0], p[1], p[2]), probes) && !openProbes(level, *home, p, probes))
-    probesBesideWalls(level, *home, p, probes);
-  return lightOf(probes);
+  const PointLight light = lightOfSide(level, *home, p);
+  if (!home->has_rooms || home->file->door() == nullptr) return light;
+  const format::BeyondDoor beyond = beyondDoorOf(*home, p);
+  const WelkinSector* there = beyond.share > 0.0 ? sectorAt(level, beyond.place) : nullptr;
+  return there == nullptr ? light : mixed(light, lightOfSide(level, *there, beyond.place), beyond.share);
 }
 
 PointLight lightOff(const WelkinLevel& level, const format::InWorld& position, const format::InWorld& normal) {

@@ -41,6 +41,21 @@ std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p) {
   return 0;
 }
 
+format::BeyondDoor beyondDoorOf(const WelkinSector& sector, const format::InWorld& p) {
+  const format::InWorld corner{kSector_m * sector.x, 0.0, kSector_m * sector.z};
+  const format::InWorld from{p[0] - corner[0], p[1], p[2] - corner[2]};
+  for (const format::Door* door : *sector.file->door()) {
+    const format::DoorBox box = format::boxOf(*door, *sector.file->room()->Get(door->room()));
+    const auto isWithin = [&](std::size_t a) { return from[a] >= box.low[a] && from[a] <= box.high[a]; };
+    if (!isWithin(0) || !isWithin(1) || !isWithin(2)) continue;
+    format::BeyondDoor beyond = format::beyondDoor(format::doorWayOf(box), from);
+    if (!(beyond.share > 0.0)) continue;
+    for (std::size_t a = 0; a < 3; ++a) beyond.place[a] += corner[a];
+    return beyond;
+  }
+  return {};
+}
+
 bool isInRoom(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number) {
   if (!sector.has_rooms && number == 0) return true;
   const auto in_room = format::spanOf(sector.file->in_room());

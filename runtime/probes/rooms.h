@@ -2,6 +2,7 @@
 // The boxes whose insides their own probes light alone.
 #pragma once
 
+#include "format/doors.h"
 #include "probes/look_up.h"
 
 namespace welkin::probes {
@@ -21,6 +22,9 @@ inline std::uint32_t roomsOf(const WelkinSector& sector) {
 
 /// 1 + the first of the sector's rooms that contains a point, or 0.
 std::uint32_t roomAt(const WelkinSector& sector, const format::InWorld& p);
+
+/// The place beyond the face of a door of the sector from which a place has some of its light, and the share.
+format::BeyondDoor beyondDoorOf(const WelkinSector& sector, const format::InWorld& p);
 
 /// Whether a probe is in room `number` of the sector `home`, or outside all rooms if that is 0.
 bool isInRoom(const WelkinSector& sector, std::uint8_t probe, const WelkinSector& home, std::uint32_t number);

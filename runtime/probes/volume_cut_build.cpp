@@ -16,6 +16,11 @@ constexpr std::uint32_t kTreeBit = 0x80000000;   ///< of a cell
 constexpr std::uint32_t kBrickBit = 0x40000000;  ///< of a cell or leaf
 constexpr std::uint32_t kDownBit = 0x100;        ///< of a node: its plane's normal points down
 
+constexpr std::uint32_t kDoorShift = 16;  ///< of a cell: the number of its doors
+constexpr std::uint32_t kMostCellDoors = 31;
+constexpr std::uint32_t kDoorNodes = 3;
+constexpr std::uint32_t kRisingDoor = 4;
+
 using Cells4096 = std::bitset<format::kGridCells>;
 
 /// Marks the cells of the middle sector that touch a box, in cells from its corner.
@@ -53,6 +58,13 @@ Cells4096 cellsNearCuts(const BrickSectors& sectors) {
           near);
     }
   }
+  if (const auto* doors = sectors.sector[4].sector->file->door())
+    for (const format::Door* door : *doors) {
+      constexpr double kCell_m = format::kCellWidth_m;
+      markCells({double{door->low_x()} / kCell_m, rows(double{door->low_y()}), double{door->low_z()} / kCell_m},
+                {double{door->high_x()} / kCell_m, rows(double{door->high_y()}), double{door->high_z()} / kCell_m},
+                near);
+    }
   return near;
 }
 
@@ -149,6 +161,33 @@ bool VolumeCuts::addTree(BrickCell& cell, const RoomPart& part) {
   return true;
 }
 
+/// Adds the nodes of the doors that reach into a cell.
+bool VolumeCuts::addDoors(BrickCell& cell) {
+  const format::Sector& sector = *slot_.get()[cell.slot].sector->file;
+  if (sector.door() == nullptr) return true;
+  const format::FromCorner low = cornerOf(cell.place);
+  const double height_m = cell.place.grid->cell_height_m;
+  for (const format::Door* door : *sector.door()) {
+    const format::DoorWay way = format::doorWayOf(format::boxOf(*door, *sector.room()->Get(door->room())));
+    bool touches = true;
+    for (std::size_t a = 0; a < 3; ++a)
+      touches = touches && way.low[a] <= double{low[a]} + (a == 1 ? height_m : format::kCellWidth_m) &&
+                way.high[a] >= double{low[a]};
+    if (!touches) continue;
+    if (cell.doors == kMostCellDoors || cell.nodes + kDoorNodes > kMostCutNodesPlaced) return false;
+    const auto word = [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); };
+    const std::uint32_t axis = static_cast<std::uint32_t>(way.axis) + (way.rises ? kRisingDoor : 0U);
+    const std::array<std::uint32_t, kDoorNodes * kNodeWords> words{
+        word(way.low[0]),      word(way.low[1]),       word(way.low[2]),      axis,
+        word(way.high[0]),     word(way.high[1]),      word(way.high[2]),     word(way.face),
+        word(way.fade_low[0]), word(way.fade_high[0]), word(way.fade_low[2]), word(way.fade_high[2])};
+    std::copy(words.begin(), words.end(), nodeOf(cell, cell.nodes));
+    cell.nodes += kDoorNodes;
+    ++cell.doors;
+  }
+  return true;
+}
+
 /// Adds the nodes of a cell: for each room in it the faces that cross it, then the room's part, then what is outside.
 /// A place above a face, looking out of the room, is outside.
 bool VolumeCuts::addParts(BrickCell& cell) {
@@ -206,14 +245,14 @@ bool VolumeCuts::build(std::uint32_t slot, bool& lacks_bricks) {
     cell.place.row = static_cast<int>(i / 16 % 16);
     cell.place.z = static_cast<int>(i / 256) + 16 * s.sector->z;
     cell.place.grid = &s.sector->grid;
-    if (!addParts(cell)) {
+    if (!addDoors(cell) || !addParts(cell)) {
       lacks_bricks = next_brick_ == brick_count_;
       clear(slot);
       s.failed = true;
       return false;
     }
-    if (!cell.has_brick) continue;
-    cells[i] = cell.nodes - nodes == 1 ? *nodeOf(cell, nodes) : kTreeBit | nodes;
+    if (!cell.has_brick && cell.doors == 0) continue;
+    cells[i] = cell.nodes - nodes == 1 ? *nodeOf(cell, nodes) : kTreeBit | cell.doors << kDoorShift | nodes;
     if (cell.nodes - nodes > 1) nodes = cell.nodes;
   }
   return true;

@@ -36,6 +36,7 @@ struct BrickCell {
   std::array<std::uint32_t, 64> brick{};  ///< some of its own
   std::size_t bricks = 0;
   bool has_brick = false;  ///< else the volume's own texels serve all of it
+  std::uint32_t doors = 0;
 };
 
 class VolumeCuts {
@@ -101,6 +102,7 @@ class VolumeCuts {
   BrickSectors sectorsAbout(const WelkinSector& sector) const;
   bool build(std::uint32_t slot, bool& lacks_bricks);
   bool buildOrYield(std::uint32_t wanted);
+  bool addDoors(BrickCell& cell);
   bool addParts(BrickCell& cell);
   bool addTree(BrickCell& cell, const RoomPart& part);
   bool addLeaf(BrickCell& cell, const BrickPart& part, std::uint32_t& word);

@@ -48,20 +48,19 @@ struct TexelPlace {
   bool repeats;  ///< along z; else it is in a brick
 };
 
-/// Where a surface looks up its light.
-TexelPlace placeOf(const WelkinVolume& volume, const float position[3], const float normal[3]) {
+/// The volume's own texels for a place where a surface looks up its light, metres.
+TexelPlace ownPlace(const WelkinVolume& volume, const std::array<double, 3>& looked_up) {
   TexelPlace place{{}, true};
-  bool is_inside = true;
   for (std::size_t a = 0; a < 3; ++a) {
     const double first = static_cast<double>(volume.first[a]), end = first + volume.count[a];
-    const double p = double{position[a]} / volume.texel_m[a];
-    is_inside = is_inside && p > first && p < end;
-    place.at[a] = std::clamp(p + kPush_m * double{normal[a]} / volume.texel_m[a], first + 0.5, end - 0.5);
+    place.at[a] = std::clamp(looked_up[a] / volume.texel_m[a], first + 0.5, end - 0.5);
   }
-  if (!is_inside) return place;
-  f32::CutReader cuts(volume.cuts.words(), volume.cuts.mask());
-  const f32::Number3 p(position[0], position[1], position[2]), n(normal[0], normal[1], normal[2]);
-  const auto found = cuts.cutBrickAt(p + n * static_cast<float>(kOffWalls_m), p + n * static_cast<float>(kPush_m));
+  return place;
+}
+
+/// The texels that cuts lead to, or the volume's own.
+TexelPlace placeOf(const WelkinVolume& volume, f32::CutReader& cuts, const f32::CutReader::CutBrick& found,
+                   TexelPlace place) {
   if (found.brick == 0) return place;
   const auto corner = cuts.cutBrickCorner(found.brick);
   for (int a = 0; a < 3; ++a)
@@ -69,6 +68,38 @@ TexelPlace placeOf(const WelkinVolume& volume, const float position[3], const fl
   place.at[2] += volume.count[2] + 1.0;
   place.repeats = false;
   return place;
+}
+
+/// Places from where a surface has its light, with their shares: one, and in a door one more.
+struct LightPlaces {
+  TexelPlace place[2];
+  double share[2];
+};
+
+LightPlaces placesOf(const WelkinVolume& volume, const float position[3], const float normal[3]) {
+  std::array<double, 3> looked_up;
+  bool is_inside = true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double first = static_cast<double>(volume.first[a]), p = double{position[a]} / volume.texel_m[a];
+    is_inside = is_inside && p > first && p < first + volume.count[a];
+    looked_up[a] = double{position[a]} + kPush_m * double{normal[a]};
+  }
+  LightPlaces places{{ownPlace(volume, looked_up), {}}, {1.0, 0.0}};
+  if (!is_inside) return places;
+  f32::CutReader cuts(volume.cuts.words(), volume.cuts.mask());
+  const f32::Number3 at(position[0], position[1], position[2]), n(normal[0], normal[1], normal[2]);
+  const f32::Number3 p = at + n * static_cast<float>(kOffWalls_m), place = at + n * static_cast<float>(kPush_m);
+  const auto found = cuts.cutBrickAt(p, place);
+  places.place[0] = placeOf(volume, cuts, found, places.place[0]);
+  if (found.doors == 0) return places;
+  const auto beyond = cuts.cutDoorOf(found, p, place);
+  if (!(beyond.share > 0.0F)) return places;
+  places.share[0] = 1.0 - double{beyond.share};
+  places.share[1] = double{beyond.share};
+  const f32::Number3& there = beyond.place;
+  places.place[1] = placeOf(volume, cuts, cuts.cutBrickAt(beyond.p, there),
+                            ownPlace(volume, {double{there.x}, double{there.y}, double{there.z}}));
+  return places;
 }
 
 /// Texel numbers of one channel at a place, filtered as a GPU does.
@@ -130,12 +161,15 @@ WelkinResult welkin_volume_irradiance(const WelkinVolume* volume, const float po
     const double reach = (0.5 * volume->count[a] - 1.5) * volume->texel_m[a] - kPush_m;
     margin = std::min(margin, reach - std::abs(double{position[a]} - volume->camera[a]));
   }
-  const TexelPlace place = placeOf(*volume, position, normal);
+  const LightPlaces places = placesOf(*volume, position, normal);
   const welkin::f64::TransferWeights weight = welkin::f64::transferWeights(load(normal));
   for (std::size_t c = 0; c < kChannels; ++c) {
-    const auto light = filtered(*volume, c, place);
     double sum = 0.0;
-    for (std::size_t b = 0; b < kDirections; ++b) sum += weight.v[b] * light[b];
+    for (const std::size_t i : {0, 1}) {
+      if (!(places.share[i] > 0.0)) continue;
+      const auto light = filtered(*volume, c, places.place[i]);
+      for (std::size_t b = 0; b < kDirections; ++b) sum += places.share[i] * weight.v[b] * light[b];
+    }
     irradiance[c] = toFloat(std::max(sum, 0.0));
   }
   const double widest = *std::max_element(volume->texel_m.begin(), volume->texel_m.end());

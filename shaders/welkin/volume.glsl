@@ -40,6 +40,7 @@ CutWords cutWords(int i) { return welkinVolumeCuts[i]; }
 uint cutWord(int i) { return welkinVolumeCuts[i >> 2][i & 3]; }
 float cutFloat(uint word) { return uintBitsToFloat(word); }
 int cutMask(int axis) { return int(welkinVolume.cuts[axis]); }
+#include "../shared/doors.glsl"
 #include "../shared/cuts.glsl"
 #endif
 
@@ -61,25 +62,50 @@ vec3 welkinVolumeCoordinates(vec3 place) {
   return uvw;
 }
 
+// Light of the texels at texture coordinates, weighed for a normal.
+vec3 welkinVolumeTexelsAt(vec3 uvw, vec4 weight) {
+  return vec3(dot(textureLod(welkinVolumeTexels[0], uvw, 0.0), weight),
+              dot(textureLod(welkinVolumeTexels[1], uvw, 0.0), weight),
+              dot(textureLod(welkinVolumeTexels[2], uvw, 0.0), weight));
+}
+
 // Irradiance of a surface, pi included, at least 0. Outside of the volume it is that of the nearest place inside: mix it
 // with the sky's own by welkinVolumeWeight.
 vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
-  vec3 place = position + normal * welkinVolume.camera.w;
-  vec3 uvw = welkinVolumeCoordinates(place);
-#ifndef WELKIN_VOLUME_WITHOUT_CUTS
-  vec3 outside = abs(position - welkinVolume.low.xyz - 0.5 * welkinVolume.size.xyz) - 0.5 * welkinVolume.size.xyz;
-  CutBrick found = cutBrickAt(position + normal * welkinVolume.cuts.z, place);
-  if (found.brick != 0u && max(max(outside.x, outside.y), outside.z) < 0.0) {
-    vec3 corner = 3.0 * cutBrickCorner(found.brick);
-    corner.z += welkinVolume.size.w + 1.0;
-    uvw = (corner + clamp(found.at, 0.5, 2.5)) * vec3(welkinVolume.texel.xy / welkinVolume.size.xy, welkinVolume.cuts.w);
-  }
-#endif
   TransferWeights w = transferWeights(normal);
   vec4 weight = vec4(w.v[0], w.v[1], w.v[2], w.v[3]);
-  vec3 light = vec3(dot(textureLod(welkinVolumeTexels[0], uvw, 0.0), weight),
-                    dot(textureLod(welkinVolumeTexels[1], uvw, 0.0), weight),
-                    dot(textureLod(welkinVolumeTexels[2], uvw, 0.0), weight));
+  vec3 place = position + normal * welkinVolume.camera.w;
+#ifdef WELKIN_VOLUME_WITHOUT_CUTS
+  vec3 light = welkinVolumeTexelsAt(welkinVolumeCoordinates(place), weight);
+#else
+  vec3 outside = abs(position - welkinVolume.low.xyz - 0.5 * welkinVolume.size.xyz) - 0.5 * welkinVolume.size.xyz;
+  bool is_inside = max(max(outside.x, outside.y), outside.z) < 0.0;
+  vec3 p = position + normal * welkinVolume.cuts.z;
+  vec3 light = vec3(0.0);
+  float share = 1.0;
+  bool is_first = true;
+  do {  // once, and in a door once more, for the light from beyond its face
+    CutBrick found = cutBrickAt(p, place);
+    vec3 uvw = welkinVolumeCoordinates(place);
+    if (found.brick != 0u && is_inside) {
+      vec3 corner = 3.0 * cutBrickCorner(found.brick);
+      corner.z += welkinVolume.size.w + 1.0;
+      uvw =
+          (corner + clamp(found.at, 0.5, 2.5)) * vec3(welkinVolume.texel.xy / welkinVolume.size.xy, welkinVolume.cuts.w);
+    }
+    light = mix(light, welkinVolumeTexelsAt(uvw, weight), share);
+    share = 0.0;
+#ifndef WELKIN_VOLUME_WITHOUT_DOORS
+    if (is_first && is_inside && found.doors > 0) {
+      CutDoor beyond = cutDoorOf(found, p, place);
+      p = beyond.p;
+      place = beyond.place;
+      share = beyond.share;
+    }
+#endif
+    is_first = false;
+  } while (share > 0.0);
+#endif
   return max(light * welkinVolume.low.w, vec3(0.0));
 }
 

@@ -21,6 +21,7 @@ sectors::SectorFile someSector() {
   s.top[255] = 1;
   s.room = {{{{-190, -1, 450}, {-180, 3.5, 460}}, geometry::kNoProbe}, {{{-160, 0, 450}, {-150, 4, 470}}, 1}};
   s.in_room = {0, 2};
+  s.door = {{{{-155, 0, 468}, {-152, 2, 471.5}}, 1}};
   s.unlit = 1;
   s.cuts.cell = {17, 4095};
   s.cuts.tree = {0, 2};
@@ -112,6 +113,8 @@ TEST_CASE("SectorFile, GivesBackWhatItWasGiven") {
   REQUIRE(r.room.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) CHECK((r.room[i].box == s.room[i].box && r.room[i].probe == s.room[i].probe));
   CHECK(r.unlit == 1);
+  REQUIRE(r.door.size() == 1);
+  CHECK((r.door[0].box == s.door[0].box && r.door[0].room == 1));
   CHECK(r.cuts.cell == s.cuts.cell);
   CHECK(r.cuts.tree == s.cuts.tree);
   CHECK(r.cuts.node == s.cuts.node);
@@ -195,6 +198,18 @@ TEST_CASE("SectorFile, EveryLengthDomainAndIndexIsChecked") {
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   refused("the grid names a probe", [](auto& s) { s.grid[4095] = 2; });
+  refused("the doors must be at most 254", [](auto& s) { s.door.resize(255, s.door[0]); });
+  refused("the doors must be of a room", [](auto& s) { s.door[0].room = 2; });
+  refused("the doors must be of a room", [](auto& s) {
+    s.room.clear();
+    s.in_room.clear();
+  });
+  refused("the doors must cross one face", [](auto& s) { s.door[0].room = 0; });
+  refused("the doors must cross one face", [](auto& s) { s.door[0].box.high.z = 470; });
+  refused("the doors must cross one face", [](auto& s) { s.door[0].box.low.z = 449; });
+  refused("the doors must cross one face", [](auto& s) { std::swap(s.door[0].box.low.x, s.door[0].box.high.x); });
+  refused("the doors must be within", [=](auto& s) { s.door[0].box.low.y = double{nan}; });
+  refused("the doors must be within", [](auto& s) { s.door[0].box.high.z = 1.1e7; });
   refused("the grid has a height", [=](auto& s) { s.cell_height_m = 0.0; });
   refused("the grid has a height", [=](auto& s) { s.low_y = double{nan}; });
   refused("the sector", [](auto& s) { s.id.x = 15626; });

@@ -61,6 +61,7 @@ RandomLevel evenLevel(int sectors, double visibility, double height) {
   RandomLevel level(sectors, 1, 0, SunTransfer::none, false);
   for (auto& s : level.sector) {
     s.room.clear();
+    s.door.clear();
     s.in_room.clear();
     s.top.fill(0);
     s.probes.low_y = s.probes.high_y = static_cast<float>(height);

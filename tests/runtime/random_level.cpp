@@ -110,6 +110,7 @@ RandomLevel::RandomLevel(int count, std::size_t probes, std::size_t modes, trans
     if (i < 2) {  // one room that lies across the border at x = 0, in numbers from each sector's corner
       const double corner = geometry::kSector_m * s.id.x;
       s.room = {{{{-6.0 - corner, 0.0, 20.0}, {9.0 - corner, 6.0, 32.0}}, 3}};
+      s.door = {{{{-4.0 - corner, 0.0, 29.0}, {7.0 - corner, 5.0, 35.5}}, 0}};
       for (std::size_t p = 0; p < probes; ++p) s.in_room.push_back(p == 3 || random() % 5 == 0 ? 1 : 0);
     }
     s.settings = "{}";
@@ -159,6 +160,7 @@ void RandomLevel::addLocal(std::size_t lights, std::size_t transfers, unsigned s
     sector[i].local = local;
     sector[i].room.clear();
     sector[i].in_room.clear();
+    sector[i].door.clear();
   }
   reindex();
 }

@@ -32,7 +32,8 @@ struct RandomLevel {
   sectors::LevelIndex index;
 
   /// `count` sectors in a row along x from (-1, 0), each of `probes` probes with `modes` modes of sun and moon, in a
-  /// grid that names them at random, with rooms in the first two. Emitted light where `emits`.
+  /// grid that names them at random, with rooms in the first two, and a door
+  /// of these. Emitted light where `emits`.
   RandomLevel(int count, std::size_t probes, std::size_t modes, transfer::SunTransfer sun, bool emits,
               unsigned seed = 1);
 

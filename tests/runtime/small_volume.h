@@ -53,6 +53,7 @@ inline RandomLevel wholeLevel(transfer::SunTransfer sun = transfer::SunTransfer:
     s.low_y = i == 0 ? 0.0 : -4.0;
     s.cell_height_m = 4.0;
     s.room.clear();
+    s.door.clear();
     s.in_room.clear();
     baked.seal(i);
   }

@@ -24,6 +24,7 @@ RandomLevel levelWithRoom() {
     const Number3 corner = geometry::cornerOf(s.id);
     s.low_y = -4.0;
     s.cell_height_m = 4.0;
+    s.door.clear();
     s.room = {{{kRoom.low - corner, kRoom.high - corner}, 3}};
     for (std::size_t cell = 0; cell < s.grid.size(); ++cell) {
       const Number3 middle =

@@ -88,6 +88,16 @@ Json roomsJson(const sectors::SectorFile& s) {
   return list;
 }
 
+Json doorsJson(const sectors::SectorFile& s) {
+  const f64::Number3 corner = geometry::cornerOf(s.id);
+  Json list = Json::array();
+  for (const geometry::Door& d : s.door) {
+    const f64::Number3 low = d.box.low + corner, high = d.box.high + corner;
+    list.push_back({{"box", {low.x, low.y, low.z, high.x, high.y, high.z}}, {"room", d.room + 1}});
+  }
+  return list;
+}
+
 /// The cut cells with their trees, and the planes and masks that these name (runtime/format/welkin.fbs).
 Json cutsJson(const sectors::SectorFile& s) {
   Json planes = Json::array();
@@ -141,7 +151,8 @@ Json bytesJson(const sectors::SectorFile& s, std::size_t total) {
   const std::size_t grid = s.grid.size();
   const std::size_t local = s.local ? s.local->encoded.bytes() : 0;
   const std::size_t settings = s.settings.size();
-  const std::size_t rooms = s.room.size() * sizeof(format::Room) + s.in_room.size();
+  const std::size_t rooms =
+      s.room.size() * sizeof(format::Room) + s.in_room.size() + s.door.size() * sizeof(format::Door);
   const std::size_t cuts = s.cuts.bytes();
   Json bytes = {{"probes", probes},
                 {"grid", grid},
@@ -194,6 +205,7 @@ Json sectorJson(const sectors::SectorFile& s, std::size_t total) {
       {"grid", s.grid},
       {"occlusion", occlusionJson(s, decoded)},
       {"rooms", roomsJson(s)},
+      {"doors", doorsJson(s)},
       {"cuts", cutsJson(s)},
       {"unlit", s.unlit}};
   return {{"sector", sector}, {"settings", settingsJson(s.settings)}};

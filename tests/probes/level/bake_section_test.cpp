@@ -93,6 +93,7 @@ within = [[-64, 0, -64, 64, 1, 64], [70, 0, 0, 71, 1, 1]]
 box = [0, 1, 2, 3, 4, 5]
 [[room]]
 box = [10, 11, 12, 13, 14, 15]
+doors = [[11, 11, 14, 12, 13, 16], [9, 11, 12.5, 11, 13, 14]]
 [transfer]
 rays = "auto"
 bounces = 0
@@ -121,6 +122,9 @@ sky = 2.5
   REQUIRE(s.probes.room.size() == 2);
   CHECK(s.probes.room[1].low == f64::Number3(10, 11, 12));
   CHECK(s.probes.room[1].high == f64::Number3(13, 14, 15));
+  REQUIRE(s.probes.door.size() == 2);
+  CHECK(s.probes.door[1].room == s.probes.room[1]);
+  CHECK(s.probes.door[1].box.low == f64::Number3(9, 11, 12.5));
   CHECK_FALSE(s.transfer.rays);
   CHECK(s.transfer.bounces == 0);
   CHECK(s.transfer.sun == transfer::SunTransfer::sh);
@@ -135,6 +139,9 @@ sky = 2.5
         build::LocalLights::Where::nowhere);
   const auto json = nlohmann::json::parse(build::settingsText(s));
   CHECK(json["probes"]["add"][1] == std::vector<double>{-4.5, 5, 6});
+  CHECK(json["doors"][0] == std::vector<double>{11, 11, 14, 12, 13, 16});
+  CHECK(json["rooms_of_doors"][0] == json["room"][1]);
+  CHECK_FALSE(nlohmann::json::parse(build::settingsText(sectionOf(""))).contains("doors"));
   CHECK(json["room"][1] == std::vector<double>{10, 11, 12, 13, 14, 15});
   CHECK(json["transfer"]["local_lights"] == std::vector<std::string>{"-1_0", "3_-4"});
   CHECK(json["transfer"]["rays"] == "auto");
@@ -168,6 +175,15 @@ TEST_CASE("BakeSection, MessagesNameTheKeyAndWhatIsAllowed") {
   checkSectionRefused("[probes]\nremove = [[0, 0, 0, 1, 0, 1]]", "below its greatest");
   checkSectionRefused("[probes]\nremove = 1", "must be a list");
   checkSectionRefused("[[room]]\nbox = [1, 0, 0, 0, 1, 1]", "room[0].box");
+  const std::string room = "[[room]]\nbox = [0, 0, 0, 10, 3, 8]\ndoors = ";
+  checkSectionRefused(room + "[4, 0, 7, 6, 2, 9]", "room[0].doors");
+  checkSectionRefused(room + "[[4, 0, 7, 6, 2]]", "[min_x, min_y, min_z, max_x, max_y, max_z]");
+  checkSectionRefused(room + "[[4, 0, 7, 6, 2, inf]]", "room[0].doors");
+  checkSectionRefused(room + "[[4, 0, 7, 3, 2, 9]]", "below its greatest");
+  checkSectionRefused(room + "[[4, 0, 7, 6, 2, 9], [4, 0, 7, 6, 2, 8]]",
+                      "[4, 0, 7, 6, 2, 8] must cross one upright face");
+  checkSectionRefused(room + "[[4, 0, 7, 6, 2, 8.04]]", "by 0.05 m or more on each side");
+  checkSectionRefused(room + "[[4, 0, -1, 6, 2, 9]]", "must cross one upright face");
   checkSectionRefused("[room]\nbox = [0, 0, 0, 1, 1, 1]", "[[room]]");
   checkSectionRefused("[transfer]\nrays = \"many\"", "whole number");
   checkSectionRefused("[transfer]\nreach_m = 0.5", "reach_m = 0.5");
