@@ -70,6 +70,8 @@ struct Bounds {
   void add(const f64::Number3& p);
 };
 
+inline constexpr std::uint32_t kNoContact = 0xffffffff;
+
 struct Scene {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;
@@ -85,6 +87,10 @@ struct Scene {
   Bounds bounds;                              ///< of everything but the water
   Bounds water;                               ///< empty without water
   double least_roughness = 1.0;               ///< of all materials, water included; 0: a mirror
+  /// Contact factors of placed vertices, in steps of 1 / 170, and by instance the first of its own; empty: none. An
+  /// instance without has kNoContact.
+  std::vector<std::uint8_t> contact;
+  std::vector<std::uint32_t> first_contact;
 };
 
 }  // namespace welkin::level

@@ -79,7 +79,7 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   check({"--level", path, "--camera", "1,2"}, 1, "--camera");
   check({"--level", path, "--view", "dome"}, 1, "--level");
   check({"--level", path, "--sky-light", "both"}, 1, "--sky-light");
-  check({"--level", path, "--occlusion", "baked"}, 1, "--occlusion: 'baked' is none of screen, none");
+  check({"--level", path, "--occlusion", "baked"}, 1, "--occlusion: 'baked' is none of contact, screen, none");
   check({"--occlusion", "none"}, 1, "--occlusion: only a level");
   check({"--view", "level"}, 1, "--level");
   check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");

@@ -24,5 +24,6 @@ void addStudy(CLI::App& app);
 void addRender(CLI::App& app);
 void addView(CLI::App& app);
 void addCalibrate(CLI::App& app);
+void addContact(CLI::App& app);
 
 }  // namespace welkin::command

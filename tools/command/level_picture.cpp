@@ -38,7 +38,8 @@ render::LevelOptions levelOptions(const RenderOptions& options, LevelLight light
   };
   return {.flat_light = light == LevelLight::flat,
           .tint = !options.no_tint,
-          .occlusion = parseOcclusion(options, light),
+          .occlusion = parseOcclusion(options, light) == Occlusion::screen,
+          .contact = parseOcclusion(options, light) == Occlusion::contact,
           .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
           .direct = part == Component::all,
           .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}};
@@ -154,7 +155,8 @@ render::Picture drawTraced(render::VulkanDevice& device, const Sky& sky, const l
         {"mean_irradiance", error.unit},
         {"noise", error.noise},
         {"error", {{nameOf(light), jsonOf(error)}, {"nothing", jsonOf(errorOfNothing(irradiance, traced))}}}};
-    if (baked != nullptr && !drawn_with.direct)
+    const bool has_contact = drawn_with.contact && !scene.contact.empty();  // the look-ups know none
+    if (baked != nullptr && !drawn_with.direct && !has_contact)
       addQuery(render::queryPlaces(*baked, places, pictures.from().camera, pictures.from().position), irradiance,
                traced, numbers_here);
     render::Picture picture;

@@ -55,7 +55,7 @@ int run(int argc, char** argv) {
       "internal, "
       "130 interrupted.");
   for (auto* add : {addInit, addBake, addMerge, addPlan, addProject, addInspect, addValidate, addEval, addSample,
-                    addExport, addGloss, addReference, addStudy, addRender, addView, addCalibrate})
+                    addExport, addGloss, addReference, addStudy, addRender, addView, addCalibrate, addContact})
     add(app);
   refuseUnknownCommand(app, argc, argv);
   std::vector<std::string> arguments = joinSignedValues(argc, argv);

@@ -18,8 +18,10 @@
 #include "command/render_options.h"
 #include "command/render_picture.h"
 #include "probes/build/level_files.h"
+#include "probes/contact/contact_file.h"
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
+#include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
 #include "sky/base/message.h"
 
@@ -55,6 +57,21 @@ void setLights(baked::LevelFolder& baked, const level::Scene& scene, const std::
   warnOfUnseen(baked.setLights(lights, sees), lights.size());
 }
 
+/// Adds the folder's contact factors. Those that are not of this bake are left out, with a warning, unless they were
+/// asked for by name.
+void addContact(level::Scene& scene, const RenderOptions& options) {
+  const std::filesystem::path folder = options.sky;
+  try {
+    const bool found = contact::addContact(scene, folder, base::hashOf(base::readFile(build::indexPath(folder))));
+    if (!found && !options.occlusion.empty())
+      throw base::Error(base::ExitStatus::file, fmt::format("{}: has no contact.json: welkin contact {} makes it",
+                                                            folder.string(), folder.string()));
+  } catch (const base::Error& e) {
+    if (!options.occlusion.empty()) throw;
+    std::fprintf(stderr, "welkin: warning: contact factors are left out: %s\n", base::oneLine(e.what()).c_str());
+  }
+}
+
 /// The folder of a baked level shows the level, whose file need not be given.
 RenderOptions withLevel(RenderOptions options) {
   const bool shows_level = options.view.empty() || options.view == "level";
@@ -75,7 +92,8 @@ void runRender(const RenderOptions& given) {
   const bool level = parseView(options) == View::level;
   const std::vector<reference::LocalLight> lights = options.lights.lights();
   const base::TomlFile file = level ? base::readToml(options.level) : base::TomlFile{};
-  const level::Scene scene = level ? sceneOf(file, lights, double{sky.info().luminance_unit}) : level::Scene{};
+  level::Scene scene = level ? sceneOf(file, lights, double{sky.info().luminance_unit}) : level::Scene{};
+  if (level && parseOcclusion(options, parseLevelLight(options)) == Occlusion::contact) addContact(scene, options);
   std::optional<baked::LevelFolder> baked;
   if (level && parseLevelLight(options) == LevelLight::probes) {
     baked.emplace(options.sky, lights.size());
@@ -123,8 +141,9 @@ void addRender(CLI::App& app) {
                       "grey, without the sea");
   command->add_option(
       "--occlusion", options->occlusion,
-      "What darkens a level's ambient light where surfaces are near: screen, by what the picture shows; "
-      "none. Default: none where probes light the level, which are fitted to its surfaces; else screen");
+      "What corrects a level's ambient light where surfaces are near: contact, the folder's factors of `welkin "
+      "contact`; screen, by what the picture shows; none. Default: contact where probes light the level and the folder "
+      "has factors, else none; without probes screen");
   command->add_option("--exposure", options->exposure, "auto, or stops: radiance is multiplied by 2^EV");
   command->add_option("--yaw", options->yaw_deg,
                       "Degrees clockwise from north; default: towards the sun or the moon, for the spheres 120 degrees "

@@ -78,9 +78,15 @@ Shown parseShown(const RenderOptions& options) {
                               : Shown::drawn;
 }
 
-bool parseOcclusion(const RenderOptions& options, LevelLight light) {
-  if (options.occlusion.empty()) return light != LevelLight::probes || parseComponent(options) == Component::occlusion;
-  return choose<bool>("--occlusion", options.occlusion, {{"screen", true}, {"none", false}});
+Occlusion parseOcclusion(const RenderOptions& options, LevelLight light) {
+  if (options.occlusion.empty())
+    return light == LevelLight::probes && parseComponent(options) != Component::occlusion ? Occlusion::contact
+                                                                                          : Occlusion::screen;
+  const auto occlusion =
+      choose<Occlusion>("--occlusion", options.occlusion,
+                        {{"contact", Occlusion::contact}, {"screen", Occlusion::screen}, {"none", Occlusion::none}});
+  // Factors are for the probes' light alone.
+  return occlusion == Occlusion::contact && light != LevelLight::probes ? Occlusion::screen : occlusion;
 }
 
 Size parseSize(const std::string& text, Size fallback) {
@@ -147,8 +153,10 @@ void checkOptions(const RenderOptions& options) {
   if (!level && component != Component::all) refuse("--component: only a level has parts; give --level LEVEL.toml");
   if (!level && !options.occlusion.empty())
     refuse("--occlusion: only a level has surfaces that hide the sky; give --level LEVEL.toml");
-  if (component == Component::occlusion && !parseOcclusion(options, LevelLight::flat))
+  if (component == Component::occlusion && parseOcclusion(options, LevelLight::flat) != Occlusion::screen)
     refuse("--component occlusion: --occlusion none leaves it out");
+  if (options.occlusion == "contact" && !probes)
+    refuse("--occlusion contact: only the probes' light has contact factors; give the folder of a baked level");
   if (!level && !options.lights.text.empty()) refuse("--light: only a level has lamps; give --level LEVEL.toml");
   options.lights.lights();
   const Shown shown = parseShown(options);

@@ -18,6 +18,7 @@ enum class View { dome, horizon, spheres, sheet, level };
 
 /// Ambient light of a level, and the part of its light that is drawn.
 enum class LevelLight { flat, sh, probes };
+enum class Occlusion { none, screen, contact };
 enum class Component { all, ambient, sky, sun_bounce, local, occlusion };
 
 /// What a picture of a level shows: the passes' own light, the path tracer's, their difference, or flat light, probes
@@ -34,7 +35,7 @@ struct RenderOptions {
   std::string
       sky_light;  ///< empty: both for the spheres; for a level its probes, or sh where `sky` is no level's folder
   std::string component;  ///< empty: all
-  std::string occlusion;  ///< of ambient light in a level; empty: screen, but none where probes light it
+  std::string occlusion;  ///< of ambient light in a level; empty: screen, but contact where probes light it
   std::string exposure = "auto";
   std::optional<double> yaw_deg;    ///< none: towards the sun or the moon; in a level towards its middle
   std::optional<double> pitch_deg;  ///< none: 18; in a level towards its middle
@@ -65,9 +66,9 @@ LevelLight parseLevelLight(const RenderOptions& options);
 Component parseComponent(const RenderOptions& options);
 /// What is shown. Throws Error(usage) where more than one thing is asked for.
 Shown parseShown(const RenderOptions& options);
-/// Whether occlusion in screen space darkens the level's ambient light of a kind. If nothing is asked for, it darkens
-/// light that knows no surfaces.
-bool parseOcclusion(const RenderOptions& options, LevelLight light);
+/// What corrects the level's ambient light of a kind where surfaces are near. If nothing is asked for: the contact
+/// factors of probes, and occlusion in screen space for light that knows no surfaces.
+Occlusion parseOcclusion(const RenderOptions& options, LevelLight light);
 Size parseSize(const std::string& text, Size fallback);
 /// Fixed exposure in stops, or nothing for automatic.
 std::optional<double> parseExposure(const std::string& text);

@@ -113,6 +113,7 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
   setVector(constants.light, light != nullptr ? towards : Number3(0.0, -1.0, 0.0), texel);
   constants.light_irradiance[3] = static_cast<float>(1.0 / options.shadow_size);
   const double pixel_rad = 2.0 * std::tan(0.5 * camera.fov_rad) / height;
+  constants.picture[1] = options.contact ? 1.0F : 0.0F;
   setVector(constants.options,
             {options.mist_per_m,
              options.probes       ? double{options.parts.sky}

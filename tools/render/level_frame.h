@@ -18,6 +18,7 @@ struct LevelOptions {
   bool flat_light = false;      ///< ambient light of one colour instead of the spherical harmonics
   bool tint = true;             ///< the dome's polarising tint
   bool occlusion = true;        ///< occlusion in screen space darkens ambient light
+  bool contact = false;         ///< the scene's contact factors, where it has any, multiply ambient light
   bool waves = true;            ///< false: the sea is a mirror
   bool reflections = true;      ///< false: the sea mirrors the sky alone
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint

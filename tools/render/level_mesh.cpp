@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "render/shaders/level_glass_push.h"
@@ -26,20 +27,27 @@ void fill(const Buffer& buffer, const std::vector<T>& list) {
 /// An instance as level_instances.glsl reads it.
 struct PlacedInstance {
   level::Instance placed;
-  float emission[4];
+  float emission[3];
+  std::int32_t contact;
 };
+
+/// Of an instance without contact factors.
+constexpr std::int32_t kWithout = std::numeric_limits<std::int32_t>::min();
 
 std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double luminance_unit, bool emits) {
   std::vector<PlacedInstance> instances;
-  for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}});
+  for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}, kWithout});
   for (const level::Draw& draw : scene.draws) {
     const geometry::Material& surface = scene.materials[draw.material].surface;
     const f64::Number3 emission = surface.emission * ((!emits            ? 0.0
                                                        : surface.blended ? surface.alpha
                                                                          : 1.0) /
                                                       luminance_unit);
-    for (uint32_t i = 0; i < draw.instance_count; ++i)
-      for (int c = 0; c < 3; ++c) instances[draw.first_instance + i].emission[c] = static_cast<float>(emission[c]);
+    for (uint32_t i = draw.first_instance; i < draw.first_instance + draw.instance_count; ++i) {
+      for (int c = 0; c < 3; ++c) instances[i].emission[c] = static_cast<float>(emission[c]);
+      if (!scene.contact.empty() && scene.first_contact[i] != level::kNoContact)
+        instances[i].contact = static_cast<std::int32_t>(scene.first_contact[i]) - draw.vertex_offset;
+    }
   }
   return instances;
 }
@@ -53,7 +61,9 @@ LevelMesh::LevelMesh(const VulkanDevice& device, const level::Scene& scene, doub
       vertices_(device, bytesOf(scene.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
       indices_(std::make_unique<Buffer>(device, bytesOf(scene.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
       instances_(device, std::max<std::size_t>(scene.instances.size(), 1) * sizeof(PlacedInstance),
-                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
+                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+      contact_(device, (scene.contact.size() / 4 + 1) * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
+  fill(contact_, scene.contact);
   fill(vertices_, scene.vertices);
   fill(*indices_, scene.indices);
   fill(instances_, instancesOf(scene, luminance_unit, emits));

@@ -22,6 +22,7 @@ class LevelMesh {
   LevelMesh(const VulkanDevice& device, const level::Scene& scene, double luminance_unit, bool emits = true);
 
   VkBuffer instances() const { return instances_.handle(); }
+  VkBuffer contact() const { return contact_.handle(); }
 
   /// Makes the simplified meshes, if there are none yet; while no command that has been recorded is to run.
   void simplify();
@@ -53,6 +54,7 @@ class LevelMesh {
   std::unique_ptr<Buffer> indices_;
   std::vector<std::array<CoarseDraw, kCoarseLevels>> coarse_;  ///< by draw; empty until they are needed
   Buffer instances_;
+  Buffer contact_;
 };
 
 }  // namespace welkin::render

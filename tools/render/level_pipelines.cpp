@@ -59,7 +59,7 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLay
   for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
     bindings[i].binding = i;
     const bool storage = i == WELKIN_LEVEL_INSTANCES || i == WELKIN_LEVEL_LAMPS || i == WELKIN_LEVEL_BOXES ||
-                         i == WELKIN_LEVEL_TRIANGLES;
+                         i == WELKIN_LEVEL_TRIANGLES || i == WELKIN_LEVEL_CONTACT;
     bindings[i].descriptorType = i == WELKIN_LEVEL_CONSTANTS ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
                                  : storage                   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
                                                              : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;

@@ -57,8 +57,8 @@ namespace {
 
 VkDescriptorPool createSets(VkDevice device, VkDescriptorSetLayout layout, VkDescriptorSet (&sets)[2]) {
   const VkDescriptorPoolSize sizes[3] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * 4},
-                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 5)}};
+                                         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * 5},
+                                         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (WELKIN_LEVEL_BINDINGS - 6)}};
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
   info.maxSets = 2;
@@ -271,6 +271,7 @@ void LevelView::describe(const Target& target, const Image& copy, const Image& r
   };
   writer.buffer(WELKIN_LEVEL_CONSTANTS, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, target.constants.handle());
   writer.buffer(WELKIN_LEVEL_INSTANCES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.instances());
+  writer.buffer(WELKIN_LEVEL_CONTACT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mesh_.contact());
   writer.buffer(WELKIN_LEVEL_LAMPS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, lamps_.handle());
   writer.buffer(WELKIN_LEVEL_BOXES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.boxes());
   writer.buffer(WELKIN_LEVEL_TRIANGLES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blockers_.triangles());

@@ -22,7 +22,8 @@
 #define WELKIN_LEVEL_NOISY 12       // sampler2D, R8, fetched: visibility of the hemisphere before its denoising
 #define WELKIN_LEVEL_VISIBILITY 13  // sampler2D, R8, fetched: visibility of the hemisphere, of ambient light
 #define WELKIN_LEVEL_TRACED 14      // sampler2D, RGBA32F, fetched: irradiance from elsewhere; alpha 0: none
-#define WELKIN_LEVEL_BINDINGS 15
+#define WELKIN_LEVEL_CONTACT 15     // storage buffer: contact factors, 4 bytes a word, in steps of 1 / 170
+#define WELKIN_LEVEL_BINDINGS 16
 
 #ifdef __cplusplus
 #include <cstddef>
@@ -49,7 +50,7 @@ struct LevelConstants {
   WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
                              // z: 1 mirrors the baked cubemaps, else 0; w: number of lamps
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
-  WELKIN_VECTOR picture;     // x: 1 draws the irradiance of surfaces alone, else 0
+  WELKIN_VECTOR picture;     // x: 1 draws the irradiance of surfaces alone, else 0; y: 1 takes contact factors, else 0
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };
 

@@ -19,10 +19,11 @@ void main() {
   vec3 ray = rayThrough(ndc) * (level.camera.w / texelFetch(levelDepth, pixel, 0).r);
   vec3 albedo = texelFetch(levelAlbedo, pixel, 0).rgb;
   vec4 traced = texelFetch(levelTraced, min(pixel, textureSize(levelTraced, 0) - 1), 0);
-  vec3 irradiance = mix(surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz,
-                                          texelFetch(levelVisibility, pixel, 0).r),
+  vec4 emission = texelFetch(levelEmission, pixel, 0);  // alpha: the contact factor
+  float share = texelFetch(levelVisibility, pixel, 0).r * emission.a;
+  vec3 irradiance = mix(surfaceIrradiance(level.camera.xyz + ray, texelFetch(levelNormal, pixel, 0).xyz, share),
                         traced.rgb, traced.a);
-  vec3 leaving = albedo / kPi * irradiance + texelFetch(levelEmission, pixel, 0).rgb;
+  vec3 leaving = albedo / kPi * irradiance + emission.rgb;
   float distance_m = length(ray);
   radiance = vec4(mix(throughMist(leaving, ray / distance_m, distance_m), irradiance, level.picture.x), 1.0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Albedo, normal and emission of the visible surface. The back of a surface has the opposite normal.
+// Albedo, normal and emission of the visible surface, and the contact factor of its front. The back of a surface has the
+// opposite normal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level.glsl"
@@ -8,6 +9,7 @@ layout(location = 0) in vec3 placed_normal;
 layout(location = 1) in vec3 albedo;
 layout(location = 2) in float height;
 layout(location = 3) flat in vec3 emission;
+layout(location = 4) in float contact;
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec4 out_normal;
 layout(location = 2) out vec4 out_emission;
@@ -16,6 +18,6 @@ void main() {
   if (height < level.options.z) discard;
   vec3 n = normalize(placed_normal);
   out_albedo = vec4(albedo, 1.0);
-  out_emission = vec4(emission, 1.0);
+  out_emission = vec4(emission, gl_FrontFacing ? contact : 1.0);
   out_normal = vec4(gl_FrontFacing ? n : -n, 0.0);
 }

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "level_instances.glsl"
+#include "welkin/contact.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -11,6 +12,17 @@ layout(location = 0) out vec3 placed_normal;
 layout(location = 1) out vec3 albedo;
 layout(location = 2) out float height;
 layout(location = 3) flat out vec3 emission;
+layout(location = 4) out float contact;
+
+layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_CONTACT, std430) readonly buffer LevelContact {
+  uint contactWords[];
+};
+
+float contactOf(int first) {
+  if (level.picture.y == 0.0 || first < -(1 << 30)) return 1.0;
+  uint i = uint(first + gl_VertexIndex);
+  return welkinContactFactor(float((contactWords[i / 4u] >> (8u * (i % 4u))) & 255u) / 255.0);
+}
 
 void main() {
   LevelInstance i = instances[gl_InstanceIndex];
@@ -18,6 +30,7 @@ void main() {
   placed_normal = normalize(placedNormal(i, normal));
   albedo = colour * i.albedo.rgb;
   height = p.y;
-  emission = i.emission.rgb;
+  emission = i.emission;
+  contact = contactOf(i.contact);
   gl_Position = level.view_projection * vec4(p, 1.0);
 }

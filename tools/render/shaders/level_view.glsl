@@ -44,7 +44,8 @@ vec3 ambientIrradiance(vec3 p, vec3 normal) {
 }
 #endif
 
-// Irradiance of a surface from the sky, the light and the level's own lamps. `visibility` darkens ambient light alone.
+// Irradiance of a surface from the sky, the light and the level's own lamps. `visibility` is a factor
+// on ambient light alone.
 vec3 surfaceIrradiance(vec3 p, vec3 normal, float visibility) {
   float cosine = dot(normal, level.light.xyz);
   vec3 direct = vec3(0.0);
