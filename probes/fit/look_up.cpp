@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "format/doors.h"
+#include "probes/placement/settings.h"
+
 namespace welkin::fit {
 namespace {
 
