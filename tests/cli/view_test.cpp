@@ -253,6 +253,7 @@ TEST_CASE("View, ASessionOfRandomActions") {
     return std::to_string(low + (high - low) * static_cast<double>(below(1000)) / 999.0);
   };
   const std::vector<std::string> lights = {"baked", "flat", "sky", "reference"};
+  const std::vector<std::string> shades = {"off", "irradiance", "visibility", "local"}, switched = {"off", "on"};
   std::string script = "paths 1\ntruth 64\n";
   for (int i = 0; i < 250; ++i) {
     const std::string choices[] = {
@@ -263,10 +264,11 @@ TEST_CASE("View, ASessionOfRandomActions") {
         "compare " + lights[below(4)] + " " + lights[below(4)] + (below(2) == 0 ? " difference" : " wipe 0.5"),
         "compare off",
         "light " + lights[below(4)],
-        std::string("probes ") + (below(2) == 0 ? "visibility" : "irradiance"),
-        "probes off",
+        "probes " + shades[below(4)],
         "set sky " + number(0, 16),
-        std::string("set occlusion ") + (below(2) == 0 ? "on" : "off"),
+        "set occlusion " + switched[below(2)],
+        "edit " + switched[below(2)],
+        "probe add " + number(0, 128) + " 1.5 " + number(0, 64),
         "set saturation " + number(0, 1),
         "undo",
         "redo",

@@ -8,10 +8,10 @@ using namespace welkin::view;
 
 namespace {
 
-Changes skyOf(double factor) {
-  Changes changes;
-  changes.sky = factor;
-  return changes;
+Undoable skyOf(double factor) {
+  Undoable step;
+  step.changes.sky = factor;
+  return step;
 }
 
 }  // namespace

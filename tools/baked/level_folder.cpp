@@ -42,10 +42,11 @@ Float3 floats(const f64::Number3& v) {
 
 }  // namespace
 
-LevelFolder::LevelFolder(const std::filesystem::path& folder, std::size_t lights)
+LevelFolder::LevelFolder(const std::filesystem::path& folder, std::size_t lights, const Instead& instead)
     : sky_(openSky(skyFileOf(folder.string()))) {
   const auto read = [&](const std::filesystem::path& path) {
-    const std::vector<std::byte> bytes = base::readFile(path);
+    const auto other = instead.find(path);
+    const std::vector<std::byte> bytes = other == instead.end() ? base::readFile(path) : other->second;
     Bytes file{std::vector<std::max_align_t>(bytes.size() / sizeof(std::max_align_t) + 1), bytes.size()};
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::byte*>(file.room.data()));
     files_.push_back(std::move(file));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 #include <welkin/level.hpp>
@@ -26,8 +27,11 @@ struct PointLight {
 
 class LevelFolder {
  public:
+  /// Files in place of the folder's, by their path with it.
+  using Instead = std::map<std::filesystem::path, std::vector<std::byte>>;
+
   /// Opens every file of a level that is to have at most `lights` dynamic lights. Throws Error.
-  explicit LevelFolder(const std::filesystem::path& folder, std::size_t lights = 0);
+  explicit LevelFolder(const std::filesystem::path& folder, std::size_t lights = 0, const Instead& instead = {});
 
   /// Whether nothing stands between two places.
   using Sees = std::function<bool(const f64::Number3& from, const f64::Number3& to)>;

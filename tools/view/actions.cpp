@@ -7,6 +7,7 @@
 
 #include "probes/geometry/sector_name.h"
 #include "sky/base/error.h"
+#include "view/edit_actions.h"
 #include "view/session.h"
 #include "view/state_json.h"
 #include "view/words.h"
@@ -241,13 +242,6 @@ void state(Session& s, Words& w) {
   writeState(s, path);
 }
 
-void wait(Session& s, Words& w) {
-  w.end();
-  s.picture();
-  s.answer();
-  s.probe();
-}
-
 constexpr Action kActions[] = {
     {"time", "HOURS", "the time of day", time},
     {"camera", "X Y Z YAW PITCH [FOV]", "where the camera stands, metres, and looks, degrees", camera},
@@ -270,7 +264,17 @@ constexpr Action kActions[] = {
     {"rates", "[PICTURES]", "measures pictures a second, while moving and when still", rates},
     {"screenshot", "FILE", "writes the picture and the panels as a PNG", screenshot},
     {"state", "FILE", "writes what the panels say as JSON", state},
-    {"wait", "", "until everything is computed", wait},
+    {"edit", "on | off", "shows what level.toml places by hand; clicks select it", editAction},
+    {"probe", "add X Y Z|here, move N|selected X Y Z|here, delete N|selected, select N", "edits [probes] add",
+     probeAction},
+    {"room", "add X Y Z X Y Z, corner, delete N", "edits [[room]]; two corners are picked points", roomAction},
+    {"save", "", "writes level.toml", saveAction},
+    {"recover", "", "takes the edits that an earlier run did not save", recoverAction},
+    {"discard", "", "drops them, or else those that are not saved", discardAction},
+    {"rebake", "[SECTOR...]", "saves, and bakes what is out of date in the background", rebakeAction},
+    {"cancel", "", "ends the rebake; the old sectors stay", cancelAction},
+    {"wait", "[rebake | sector]", "until everything is computed, the rebake is done, or one more sector is",
+     waitAction},
 };
 
 }  // namespace

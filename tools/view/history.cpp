@@ -6,9 +6,9 @@ namespace {
 
 constexpr std::size_t kMostUndone = 1000;
 
-std::optional<Changes> moved(std::vector<Changes>& from, std::vector<Changes>& to, const Changes& now) {
+std::optional<Undoable> moved(std::vector<Undoable>& from, std::vector<Undoable>& to, const Undoable& now) {
   if (from.empty()) return std::nullopt;
-  const Changes target = from.back();
+  const Undoable target = from.back();
   from.pop_back();
   to.push_back(now);
   return target;
@@ -16,18 +16,18 @@ std::optional<Changes> moved(std::vector<Changes>& from, std::vector<Changes>& t
 
 }  // namespace
 
-void History::record(const Changes& before, bool joined) {
+void History::record(const Undoable& before, bool joined) {
   future_.clear();
   if (joined && !past_.empty()) return;
   past_.push_back(before);
   if (past_.size() > kMostUndone) past_.erase(past_.begin());
 }
 
-std::optional<Changes> History::undo(const Changes& now) {
+std::optional<Undoable> History::undo(const Undoable& now) {
   return moved(past_, future_, now);
 }
 
-std::optional<Changes> History::redo(const Changes& now) {
+std::optional<Undoable> History::redo(const Undoable& now) {
   return moved(future_, past_, now);
 }
 

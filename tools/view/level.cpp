@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "baked/level_source.h"
+#include "probes/build/level_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/build/sector_warnings.h"
 #include "probes/geometry/sector_name.h"
@@ -35,6 +36,20 @@ f64::Number3 placeToLookAt(const SectorFile& sector) {
          f64::Number3(0.5 * geometry::kSector_m, sector.low_y, 0.5 * geometry::kSector_m);
 }
 
+/// Adds a sector's bytes and complaints.
+void addTo(std::vector<SectorCost>& costs, std::vector<Warning>& warnings, const sectors::SectorEntry& entry,
+           const SectorFile& file, std::optional<double> budget) {
+  costs.push_back({entry.id, entry.probes, static_cast<std::size_t>(entry.bytes)});
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  build::addWarnings(file, budget, list);
+  for (const auto& one : list) warnings.push_back({one["id"], one["message"], placeToLookAt(file)});
+  if (file.unlit == 0) return;
+  const std::string probes = file.unlit == 1 ? "1 probe gets" : fmt::format("{} probes get", file.unlit);
+  warnings.push_back({"unlit",
+                      fmt::format("sector {}: {} no light of sky, sun, moon or emission", nameOf(entry.id), probes),
+                      placeToLookAt(file)});
+}
+
 }  // namespace
 
 LevelFiles levelFiles(const fs::path& folder, const fs::path& level) {
@@ -49,29 +64,40 @@ LevelFiles levelFiles(const fs::path& folder, const fs::path& level) {
 
 Level::Level(const LevelFiles& files)
     : files_(files),
-      baked_(files.folder),
       subject_(build::readLevel(files.level)),
       scene_(drawnScene(files.level)),
       tracer_(std::make_unique<geometry::Tracer>(subject_.level->surfaces, middleOf(scene_.bounds))) {
-  if (!files.warning.empty()) warnings_.push_back({"stale", files.warning, {}});
-  for (const std::string& warning : subject_.level->surfaces.warning) warnings_.push_back({"geometry", warning, {}});
-  const sectors::LevelIndex index = build::readIndex(build::indexPath(files.folder));
+  reload();
+}
+
+void Level::reload(const std::map<geometry::SectorId, std::vector<std::byte>>& instead) {
+  if (instead.empty()) files_ = levelFiles(files_.folder, files_.level);
+  const fs::path index_path = build::indexPath(files_.folder);
+  sectors::LevelIndex index = build::readIndex(index_path);
+  std::vector<SectorFile> files;
+  std::vector<SectorCost> costs;
+  std::vector<Warning> warnings;
+  baked::LevelFolder::Instead bytes_instead;
+  if (!files_.warning.empty()) warnings.push_back({"stale", files_.warning, {}});
+  for (const std::string& warning : subject_.level->surfaces.warning) warnings.push_back({"geometry", warning, {}});
   const bool has_budget = !subject_.level->section.transfer.rays;
-  for (const sectors::SectorEntry& entry : index.sector) {
-    const fs::path path = files.folder / "sectors" / geometry::fileNameOf(entry.id);
-    sectors_.push_back(sectors::decodeSector(base::readFile(path), path.string()));
-    costs_.push_back({entry.id, entry.probes, static_cast<std::size_t>(entry.bytes)});
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    build::addWarnings(sectors_.back(), has_budget ? subject_.sky.bake.max_error : std::nullopt, list);
-    for (const auto& one : list) warnings_.push_back({one["id"], one["message"], placeToLookAt(sectors_.back())});
-    if (sectors_.back().unlit > 0)
-      warnings_.push_back(
-          {"unlit",
-           fmt::format(
-               "sector {}: {} no light of sky, sun, moon or emission", nameOf(entry.id),
-               sectors_.back().unlit == 1 ? "1 probe gets" : fmt::format("{} probes get", sectors_.back().unlit)),
-           placeToLookAt(sectors_.back())});
+  for (sectors::SectorEntry& entry : index.sector) {
+    const fs::path path = files_.folder / "sectors" / geometry::fileNameOf(entry.id);
+    const auto other = instead.find(entry.id);
+    const std::vector<std::byte> bytes = other == instead.end() ? base::readFile(path) : other->second;
+    files.push_back(sectors::decodeSector(bytes, path.string()));
+    if (other != instead.end()) {
+      entry = build::entryOf(files.back(), bytes);
+      bytes_instead.emplace(path, bytes);
+    }
+    addTo(costs, warnings, entry, files.back(), has_budget ? subject_.sky.bake.max_error : std::nullopt);
   }
+  index.all_sectors = sectors::hashOf(index.sector);
+  if (!bytes_instead.empty()) bytes_instead.emplace(index_path, sectors::encodeLevel(index));
+  baked_ = std::make_unique<baked::LevelFolder>(files_.folder, 0, bytes_instead);
+  sectors_ = std::move(files);
+  costs_ = std::move(costs);
+  warnings_ = std::move(warnings);
 }
 
 const SectorFile* Level::sector(geometry::SectorId id) const {

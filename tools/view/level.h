@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -44,8 +45,8 @@ class Level {
   explicit Level(const LevelFiles& files);
 
   const LevelFiles& files() const { return files_; }
-  baked::LevelFolder& baked() { return baked_; }
-  const Sky& sky() const { return baked_.sky(); }
+  baked::LevelFolder& baked() { return *baked_; }
+  const Sky& sky() const { return baked_->sky(); }
   const build::Subject& subject() const { return subject_; }
   const level::Scene& scene() const { return scene_; }
   const geometry::Tracer& tracer() const { return *tracer_; }
@@ -54,12 +55,16 @@ class Level {
   const sectors::SectorFile* sector(geometry::SectorId id) const;
   const std::vector<SectorCost>& costs() const { return costs_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
+  /// Reads the folder anew, as another bake has left it; with sectors' files in place of the folder's, by their
+  /// sectors, which a bake that is not done has made. What has pointed into baked() must be gone. Throws Error; then
+  /// the level is as before.
+  void reload(const std::map<geometry::SectorId, std::vector<std::byte>>& instead = {});
   /// The place of a probe; the name must exist.
   f64::Number3 placeOf(const ProbeName& name) const;
 
  private:
   LevelFiles files_;
-  baked::LevelFolder baked_;
+  std::unique_ptr<baked::LevelFolder> baked_;
   build::Subject subject_;
   level::Scene scene_;
   std::unique_ptr<geometry::Tracer> tracer_;

@@ -14,8 +14,8 @@ using f64::Number3;
 
 // GLFW's numbers of keys that are no characters.
 constexpr std::size_t kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259, kDelete = 261, kRight = 262,
-                      kLeft = 263, kDown = 264, kUp = 265, kHome = 268, kEnd = 269, kF12 = 301, kLeftShift = 340,
-                      kLeftControl = 341, kRightControl = 345;
+                      kLeft = 263, kDown = 264, kUp = 265, kHome = 268, kEnd = 269, kF5 = 294, kF12 = 301,
+                      kLeftShift = 340, kLeftControl = 341, kRightControl = 345;
 constexpr double kDegreesAPixel = 0.2;
 constexpr double kPace_m = 6.0;        // a second; with shift four times that
 constexpr double kHoursASecond = 0.4;  // of the day that plays
@@ -129,6 +129,7 @@ void Navigation::keys(const WindowInput& input) {
   if (isControl(input)) {
     if (pressed(input, 'Z')) panels_.perform("undo");
     if (pressed(input, 'Y')) panels_.perform("redo");
+    if (pressed(input, 'S')) panels_.perform("save");
     if (pressed(input, 'Q')) quits_ = true;
     return;
   }
@@ -138,6 +139,11 @@ void Navigation::keys(const WindowInput& input) {
   if (pressed(input, 'F')) panels_.perform("fly point");
   if (pressed(input, 'P'))
     panels_.perform(session_.state().probes == ProbeShade::off ? "probes irradiance" : "probes off");
+  if (pressed(input, 'N')) panels_.perform("probe add here");
+  if (pressed(input, 'M')) panels_.perform("probe move selected here");
+  if (pressed(input, 'R')) panels_.perform("room corner");
+  if (input.key[kDelete] && !before_.key[kDelete]) panels_.perform("probe delete selected");
+  if (input.key[kF5] && !before_.key[kF5]) panels_.perform("rebake");
   if (input.key[kF12] && !before_.key[kF12]) panels_.perform("screenshot welkin_view.png");
 }
 

@@ -16,6 +16,8 @@ constexpr ImU32 kPoint = IM_COL32(255, 255, 60, 255);
 constexpr ImU32 kLighting = IM_COL32(80, 255, 110, 220);
 constexpr ImU32 kWalled = IM_COL32(255, 80, 60, 220);
 constexpr ImU32 kOther = IM_COL32(190, 190, 190, 130);
+constexpr ImU32 kHand = IM_COL32(90, 220, 255, 230);
+constexpr ImU32 kSelected = IM_COL32(255, 120, 255, 255);
 constexpr ImU32 kSector = IM_COL32(255, 160, 40, 200);
 
 /// Lines of the world on the picture.
@@ -78,6 +80,34 @@ geometry::Box shrunk(const geometry::Box& box) {
   return {box.low + Number3(kBy_m), box.high - Number3(kBy_m)};
 }
 
+/// A probe by hand: an octahedron of the size of a probe's sphere.
+void drawHand(const Lines& lines, const ProbePlace& place, ImU32 colour, float width) {
+  constexpr double kRadius_m = 0.35;
+  const Number3 p(place[0], place[1], place[2]);
+  const Number3 x(kRadius_m, 0.0, 0.0), y(0.0, kRadius_m, 0.0), z(0.0, 0.0, kRadius_m);
+  for (const Number3& pole : {y, -y})
+    for (const Number3& side : {x, -x, z, -z}) lines.line(p + pole, p + side, colour, width);
+  const Number3 ring[] = {x, z, -x, -z};
+  for (std::size_t i = 0; i < 4; ++i) lines.line(p + ring[i], p + ring[(i + 1) % 4], colour, width);
+}
+
+void drawEdits(const Lines& lines, const Session& session) {
+  const State& s = session.state();
+  const HandPlaced& placed = session.edits().placed();
+  for (std::size_t i = 0; i < placed.probes.size(); ++i) {
+    const bool selected = s.hand == i;
+    drawHand(lines, placed.probes[i], selected ? kSelected : kHand, selected ? 2.5F : 1.5F);
+  }
+  for (const RoomBox& b : placed.rooms) lines.box({{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}, kHand, 1.5F);
+  if (!s.corner) return;
+  const Number3 c = *s.corner;
+  lines.line(c, c + Number3(0.0, 3.0, 0.0), kSelected, 2.0F);
+  if (!s.point) return;
+  const Number3 other(s.point->position.x, std::min(c.y, s.point->position.y), s.point->position.z);
+  const Number3 low(std::min(c.x, other.x), other.y, std::min(c.z, other.z));
+  lines.box({low, {std::max(c.x, other.x), other.y + 3.0, std::max(c.z, other.z)}}, kSelected, 1.5F);
+}
+
 }  // namespace
 
 void drawOverlay(Session& session) {
@@ -92,6 +122,7 @@ void drawOverlay(Session& session) {
                 kSector, 1.5F);
       lines.words(low + Number3(2.0, 1.0, 2.0), nameOf(sector.id).c_str(), kSector);
     }
+  if (s.edit) drawEdits(lines, session);
   const Answer* a = session.answer();
   if (a == nullptr) return;
   for (std::size_t i = 0; i < a->cell_count; ++i) {

@@ -54,6 +54,14 @@ WelkinSkySample sampleOf(const Sky& sky, double time_h, const Changes& changes) 
 Painter::Painter(render::VulkanDevice& device, Level& level)
     : device_(device), level_(level), brightest_(render::brightestLuminance(level.sky())) {}
 
+void Painter::forgetLevel() {
+  baked_.reset();
+  open_.reset();
+  spheres_for_.reset();
+  traced_for_.reset();
+  light_changes_ = 0;
+}
+
 render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
   const Changes& c = state.changes;
   render::LevelOptions options;

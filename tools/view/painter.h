@@ -23,6 +23,9 @@ class Painter {
   /// All must outlive the object.
   Painter(render::VulkanDevice& device, Level& level);
 
+  /// Before the level's bake is replaced: lets go of all that is of it.
+  void forgetLevel();
+
   /// A picture of this size. Fills `error` where two lights are compared. With `quick` shadows are coarser, and the sea
   /// mirrors the sky alone.
   render::Picture paint(const State& state, uint32_t width, uint32_t height, bool quick,

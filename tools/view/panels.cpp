@@ -119,6 +119,7 @@ const ImDrawData& Panels::build() {
   if (ImGui::Begin("Level", nullptr, kFixed)) {
     point();
     probe();
+    edit();
     warnings();
     cost();
   }
@@ -275,6 +276,57 @@ void Panels::probe() {
   row("sees", fmt::format("{:.0f} % of an open sky", 100.0 * p->visibility));
 }
 
+void Panels::edit() {
+  const LevelEdits& edits = session_.edits();
+  const HandPlaced& placed = edits.placed();
+  const std::string name = fmt::format("Edit: {} probes by hand, {} rooms{}###edit", placed.probes.size(),
+                                       placed.rooms.size(), edits.unsaved() ? " *" : "");
+  if (!header(name.c_str(), edits.offers() || session_.rebakes() || session_.state().edit)) return;
+  if (edits.offers()) {
+    say("An earlier run has left edits that it did not save.");
+    if (ImGui::Button("recover")) perform("recover");
+    ImGui::SameLine();
+    if (ImGui::Button("discard")) perform("discard");
+    return;
+  }
+  bool on = session_.state().edit;
+  if (ImGui::Checkbox("show", &on)) perform(on ? "edit on" : "edit off");
+  const auto button = [&](const char* label, const char* command, bool same_line = true) {
+    if (same_line) ImGui::SameLine();
+    if (ImGui::Button(label)) perform(command);
+  };
+  button("add probe", "probe add here");
+  button(session_.state().corner ? "other corner" : "room", "room corner");
+  if (session_.state().hand) {
+    const ProbePlace& p = placed.probes[*session_.state().hand];
+    row(fmt::format("probe {}", *session_.state().hand).c_str(), fmt::format("{:.2f} {:.2f} {:.2f}", p[0], p[1], p[2]));
+    button("move here", "probe move selected here", false);
+    button("delete", "probe delete selected");
+  }
+  for (std::size_t i = 0; i < placed.rooms.size() && session_.state().edit; ++i) {
+    const RoomBox& b = placed.rooms[i];
+    ImGui::PushID(static_cast<int>(i));
+    button("delete", fmt::format("room delete {}", i).c_str(), false);
+    ImGui::SameLine();
+    say(fmt::format("room {:.1f} x {:.1f} x {:.1f} m", b[3] - b[0], b[4] - b[1], b[5] - b[2]));
+    ImGui::PopID();
+  }
+  button("save", "save", false);
+  const RebakeStatus* status = session_.rebakeStatus();
+  if (session_.rebakes()) {
+    button("cancel", "cancel");
+    const float share = status->total > 0 ? static_cast<float>(status->done) / static_cast<float>(status->total) : 0.0F;
+    ImGui::ProgressBar(share, {-1.0F, 0.0F},
+                       fmt::format("{} {}/{}", status->stage, status->done, status->total).c_str());
+    return;
+  }
+  button("rebake", "rebake");
+  if (session_.editsUnbaked()) say("The picture is of level.toml as it was before.");
+  if (status != nullptr)
+    say(fmt::format("rebake {}, {} sectors{}{}", kRebakeStates[static_cast<std::size_t>(status->state)],
+                    status->finished.size(), status->message.empty() ? "" : ": ", status->message));
+}
+
 void Panels::warnings() {
   const std::vector<Warning>& list = session_.level().warnings();
   if (!header(fmt::format("Warnings: {}###warnings", list.size()).c_str())) return;
@@ -306,7 +358,9 @@ void Panels::cost() {
 
 void Panels::help() {
   if (!header("Help", false)) return;
-  say("Left: pick. Right: look around. Wheel: nearer, farther. W A S D Q E: walk. Space: play the day. P: probes. "
+  say("Left: pick. Right: look around. Wheel: nearer, farther. W A S D Q E: walk. Space: play the day. P: probes. N: "
+      "probe at the point. M: moves "
+      "the selected one there. Delete: deletes it. R, R: room. Ctrl+S: save. F5: rebake. "
       "Ctrl+Z, Ctrl+Y: undo, redo. F12: screenshot. Commands of a script:");
   for (const Action& action : actions()) say(fmt::format("{} {}", action.name, action.arguments));
 }

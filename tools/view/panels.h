@@ -36,6 +36,7 @@ class Panels {
   void compare();
   void point();
   void probe();
+  void edit();
   void warnings();
   void cost();
   void help();

@@ -31,6 +31,18 @@ std::array<Number3, transfer::kDirections> partOf(const transfer::ProbeIrradianc
   return part;
 }
 
+/// Whether a ray meets a probe's sphere before `far`, which is then the distance.
+bool meetsSphere(const Number3& middle, const Number3& origin, const Number3& direction, double& far) {
+  const Number3 to = middle - origin;
+  const double along = dot(to, direction);
+  const double left = WELKIN_PROBE_RADIUS * WELKIN_PROBE_RADIUS - (dot(to, to) - along * along);
+  if (left < 0.0) return false;
+  const double distance = along - std::sqrt(left);
+  if (distance <= 0.0 || distance >= far) return false;
+  far = distance;
+  return true;
+}
+
 }  // namespace
 
 sectors::LevelLight lightOfProbes(const Level& level, double time_h, const Changes& changes) {
@@ -90,14 +102,18 @@ std::optional<ProbeName> probeOnRay(const Level& level, const Number3& origin, c
   std::optional<ProbeName> nearest;
   for (const sectors::SectorFile& sector : level.sectors()) {
     const std::vector<Number3> position = transfer::decodedProbes(sector.probes, sector.id).position;
-    for (std::size_t i = 0; i < position.size(); ++i) {
-      const Number3 to = position[i] - origin;
-      const double along = dot(to, direction);
-      const double left = WELKIN_PROBE_RADIUS * WELKIN_PROBE_RADIUS - (dot(to, to) - along * along);
-      if (left < 0.0 || along - std::sqrt(left) <= 0.0 || along - std::sqrt(left) >= far) continue;
-      far = along - std::sqrt(left);
-      nearest = {sector.id, i};
-    }
+    for (std::size_t i = 0; i < position.size(); ++i)
+      if (meetsSphere(position[i], origin, direction, far)) nearest = {sector.id, i};
+  }
+  return nearest;
+}
+
+std::optional<std::size_t> handOnRay(const HandPlaced& placed, const Number3& origin, const Number3& direction,
+                                     double far) {
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < placed.probes.size(); ++i) {
+    const ProbePlace& p = placed.probes[i];
+    if (meetsSphere({p[0], p[1], p[2]}, origin, direction, far)) nearest = i;
   }
   return nearest;
 }

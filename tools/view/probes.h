@@ -8,6 +8,7 @@
 
 #include "render/probe_sphere.h"
 #include "view/level.h"
+#include "view/level_text.h"
 
 namespace welkin::view {
 
@@ -36,5 +37,9 @@ ProbeNumbers numbersOf(const Level& level, const ProbeName& name, double time_h,
 /// The nearest probe whose sphere a ray meets before `far`.
 std::optional<ProbeName> probeOnRay(const Level& level, const f64::Number3& origin, const f64::Number3& direction,
                                     double far);
+
+/// The nearest probe by hand whose sphere, as large as those of probes, a ray meets before `far`.
+std::optional<std::size_t> handOnRay(const HandPlaced& placed, const f64::Number3& origin,
+                                     const f64::Number3& direction, double far);
 
 }  // namespace welkin::view

@@ -25,6 +25,9 @@ Session::Session(render::VulkanDevice& device, Level& level, uint32_t width, uin
       level_(level),
       width_(width),
       height_(height),
+      edits_(level.files().level),
+      text_(std::make_shared<const std::string>(edits_.text())),
+      baked_text_(level.files().warning.empty() ? edits_.text() : std::string()),
       day_(dayOf(level.sky())),
       painter_(device_, level_) {
   state_.eye = overview();
@@ -39,7 +42,7 @@ void Session::perform(const std::string& line) {
 }
 
 void Session::set(const State& state) {
-  if (state.changes != state_.changes) history_.record(state_.changes, joins_);
+  if (state.changes != state_.changes) history_.record(now(), joins_);
   replace(state);
 }
 
@@ -57,20 +60,21 @@ void Session::replace(const State& state) {
   ++version_;
 }
 
-void Session::undo() {
+void Session::apply(const Undoable& target) {
   State state = state_;
-  const std::optional<Changes> before = history_.undo(state_.changes);
-  if (!before) return;
-  state.changes = *before;
+  state.changes = target.changes;
   replace(state);
+  if (!target.level || *target.level == edits_.text()) return;
+  edits_.set(*target.level);
+  edited();
+}
+
+void Session::undo() {
+  if (const std::optional<Undoable> before = history_.undo(now())) apply(*before);
 }
 
 void Session::redo() {
-  State state = state_;
-  const std::optional<Changes> after = history_.redo(state_.changes);
-  if (!after) return;
-  state.changes = *after;
-  replace(state);
+  if (const std::optional<Undoable> after = history_.redo(now())) apply(*after);
 }
 
 void Session::resize(uint32_t width, uint32_t height) {

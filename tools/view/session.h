@@ -11,9 +11,11 @@
 #include "view/answer.h"
 #include "view/day.h"
 #include "view/history.h"
+#include "view/level_edits.h"
 #include "view/painter.h"
 #include "view/probes.h"
 #include "view/rates.h"
+#include "view/rebake.h"
 
 namespace welkin::view {
 
@@ -42,7 +44,27 @@ class Session {
   void set(const State& state);
   /// While true, changes of the light belong to the last step of undo.
   void joinChanges(bool joined) { joins_ = joined; }
-  /// Take back and make again a change of the light alone.
+  /// Replaces the text of level.toml, a step of undo. Throws as LevelEdits::set.
+  void edit(const std::string& text);
+  const LevelEdits& edits() const { return edits_; }
+  void save();
+  void recover();
+  void discard();
+  /// Whether level.toml, as it is edited, is not what the shown bake was made of.
+  bool editsUnbaked() const { return edits_.text() != baked_text_; }
+
+  /// Saves level.toml and bakes in the background: these sectors, separated by commas, or all that are out of date.
+  /// Throws Error(content) while a rebake is at work.
+  void rebake(const std::string& sectors);
+  void cancelRebake();
+  /// Whether a rebake is at work, or its end waits for advance().
+  bool rebakes() const { return rebake_ != nullptr; }
+  /// Of the rebake, or else of the last one: its `finished` are shown. Null before the first.
+  const RebakeStatus* rebakeStatus() const { return status_ ? &*status_ : nullptr; }
+  /// Shows the sectors that a rebake has finished since, and takes its end. Call it often while rebakes().
+  void advance();
+
+  /// Take back and make again a change of the light or an edit of level.toml.
   void undo();
   void redo();
   /// Changes whenever the state does.
@@ -91,6 +113,12 @@ class Session {
 
  private:
   void replace(const State& state);
+  Undoable now() const { return {state_.changes, text_}; }
+  void apply(const Undoable& target);
+  /// The text of level.toml has changed.
+  void edited();
+  /// Reads the bake anew; with the rebake's finished sectors, or as the folder has it.
+  void reload(bool finished);
   /// Whether the spheres of probes are drawn in this column of the picture.
   bool showsSpheres(double x) const;
 
@@ -100,6 +128,11 @@ class Session {
   State state_;
   std::size_t version_ = 0;
   History history_;
+  LevelEdits edits_;
+  std::shared_ptr<const std::string> text_;  ///< of edits_
+  std::string baked_text_;                   ///< of level.toml when it was baked
+  std::unique_ptr<Rebake> rebake_;
+  std::optional<RebakeStatus> status_;
   bool joins_ = false;
   Day day_;
   WelkinSkySample sample_{};

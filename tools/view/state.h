@@ -76,6 +76,9 @@ struct State {
   std::size_t pixel_paths = 8;               ///< of the path tracer, a pixel
   std::optional<baked::SurfacePoint> point;  ///< picked on a surface
   std::optional<ProbeName> probe;            ///< picked
+  bool edit = false;                         ///< shows what level.toml places by hand, and clicks select it
+  std::optional<std::size_t> hand;           ///< the selected probe by hand
+  std::optional<f64::Number3> corner;        ///< the first corner of a room that is drawn
 };
 
 }  // namespace welkin::view

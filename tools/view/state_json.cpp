@@ -110,6 +110,27 @@ Json compareJson(Session& session) {
   return result;
 }
 
+Json editJson(const Session& session) {
+  const LevelEdits& edits = session.edits();
+  Json result = {{"file", edits.path().string()},
+                 {"probes", edits.placed().probes},
+                 {"rooms", edits.placed().rooms},
+                 {"unsaved", edits.unsaved()},
+                 {"unbaked", session.editsUnbaked()},
+                 {"offers", edits.offers()},
+                 {"selected", nullptr}};
+  if (session.state().hand) result["selected"] = *session.state().hand;
+  return result;
+}
+
+Json rebakeJson(const Session& session) {
+  const RebakeStatus* r = session.rebakeStatus();
+  if (r == nullptr) return nullptr;
+  Json sectors = Json::array();
+  for (const geometry::SectorId id : r->finished) sectors.push_back(nameOf(id));
+  return {{"state", kRebakeStates[static_cast<std::size_t>(r->state)]}, {"sectors", sectors}, {"message", r->message}};
+}
+
 Json ratesJson(const Session& session) {
   const Rates* r = session.rates();
   if (r == nullptr) return nullptr;
@@ -167,6 +188,8 @@ Json stateJson(Session& session) {
                 {"pick", nullptr},
                 {"probe", nullptr},
                 {"rates", ratesJson(session)},
+                {"edit", editJson(session)},
+                {"rebake", rebakeJson(session)},
                 {"cost", costJson(session.level())},
                 {"warnings", warningsJson(session.level())}};
   if (const Answer* answer = session.answer()) state["pick"] = json(*answer);

@@ -90,6 +90,11 @@ class Windowed : public Host {
       feedPanels(input, seconds);
       in_frame_ = true;
       navigation_.act(input, seconds);
+      try {
+        session_.advance();
+      } catch (const base::Error& error) {  // a bake's file that cannot be read leaves the old picture
+        panels_.complain(error.what());
+      }
       const bool changes = session_.version() != version;
       version = session_.version();
       if (changes) changed = now;
