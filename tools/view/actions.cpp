@@ -232,8 +232,9 @@ void rates(Session& s, Words& w) {
 
 void screenshot(Session& s, Words& w) {
   const std::string path = w.text("the file");
+  const bool moving = w.take("moving");
   w.end();
-  s.host().screenshot(path);
+  s.host().screenshot(path, moving);
 }
 
 void state(Session& s, Words& w) {
@@ -262,7 +263,7 @@ constexpr Action kActions[] = {
     {"redo", "", "makes it again", redo},
     {"bounds", "on | off", "the sectors' bounds", bounds},
     {"rates", "[PICTURES]", "measures pictures a second, while moving and when still", rates},
-    {"screenshot", "FILE", "writes the picture and the panels as a PNG", screenshot},
+    {"screenshot", "FILE [moving]", "writes the picture and the panels as a PNG", screenshot},
     {"state", "FILE", "writes what the panels say as JSON", state},
     {"edit", "on | off", "shows what level.toml places by hand; clicks select it", editAction},
     {"probe", "add X Y Z|here, move N|selected X Y Z|here, delete N|selected, select N", "edits [probes] add",

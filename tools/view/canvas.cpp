@@ -61,21 +61,21 @@ void Canvas::record(VkCommandBuffer commands, const render::Picture& picture, ui
   panels_.record(commands, *image_, panels);
 }
 
-render::Picture Canvas::read(const render::Picture& picture, const ImDrawData& panels) {
-  const render::Buffer readback(device_, VkDeviceSize{4} * picture.width * picture.height,
-                                VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+render::Picture Canvas::read(const render::Picture& picture, uint32_t width, uint32_t height,
+                             const ImDrawData& panels) {
+  const render::Buffer readback(device_, VkDeviceSize{4} * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   device_.execute([&](VkCommandBuffer commands) {
-    record(commands, picture, picture.width, picture.height, panels);
+    record(commands, picture, width, height, panels);
     image_->use(commands, render::kCopiedFrom);
     const VkBufferImageCopy region = wholeOf(*image_);
     vkCmdCopyImageToBuffer(commands, image_->handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback.handle(), 1,
                            &region);
     render::recordHostRead(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
   });
-  render::Picture result{picture.width, picture.height, {}};
+  render::Picture result{width, height, {}};
   const auto* rgba = readback.as<uint8_t>();
-  result.rgb.reserve(picture.rgb.size());
-  for (std::size_t i = 0; i < std::size_t{picture.width} * picture.height; ++i)
+  result.rgb.reserve(std::size_t{3} * width * height);
+  for (std::size_t i = 0; i < std::size_t{width} * height; ++i)
     for (std::size_t c = 0; c < 3; ++c) result.rgb.push_back(rgba[4 * i + c]);
   return result;
 }

@@ -23,7 +23,7 @@ class Canvas {
   render::Image& image() { return *image_; }
 
   /// Draws the same and reads it back.
-  render::Picture read(const render::Picture& picture, const ImDrawData& panels);
+  render::Picture read(const render::Picture& picture, uint32_t width, uint32_t height, const ImDrawData& panels);
 
  private:
   void resize(uint32_t width, uint32_t height, uint32_t picture_width, uint32_t picture_height);

@@ -23,9 +23,9 @@ class Headless : public Host {
     session.setHost(this);
   }
 
-  void screenshot(const std::string& path) override {
-    const render::Picture picture = session_.picture();
-    render::writePng(canvas_.read(picture, panels_.settled()), path);
+  void screenshot(const std::string& path, bool moving) override {
+    const render::Picture picture = session_.picture(moving);
+    render::writePng(canvas_.read(picture, session_.width(), session_.height(), panels_.settled()), path);
   }
 
   void show(const render::Picture& picture) override {
@@ -55,7 +55,7 @@ void runHeadless(const ViewOptions& options) {
     Session session(device, level, options.width, options.height);
     Headless host(device, session);
     if (!options.script.empty()) runScript(session, options.script);
-    if (!options.screenshot.empty()) host.screenshot(options.screenshot);
+    if (!options.screenshot.empty()) host.screenshot(options.screenshot, false);
     if (!options.state.empty()) writeState(session, options.state);
   }
   if (device.messageCount() > 0)

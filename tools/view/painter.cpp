@@ -14,8 +14,8 @@
 namespace welkin::view {
 namespace {
 
-constexpr uint32_t kQuickShadow = 1024;
-constexpr double kQuickError_pixels = 1.0;  // of a picture that moves, and is 2 to 4 times smaller than the window
+constexpr uint32_t kQuickShadow = 2048;
+constexpr double kQuickError_pixels = 0.4;  // of a picture that moves, and is 2 to 4 times smaller than the window
 
 void desaturate(float rgb[3], double saturation) {
   const f64::Number3 c = f64::desaturate({double{rgb[0]}, double{rgb[1]}, double{rgb[2]}}, saturation);

@@ -279,7 +279,7 @@ void Panels::probe() {
 void Panels::edit() {
   const LevelEdits& edits = session_.edits();
   const HandPlaced& placed = edits.placed();
-  const std::string name = fmt::format("Edit: {} probes by hand, {} rooms{}###edit", placed.probes.size(),
+  const std::string name = fmt::format("Edit: probes by hand {}, rooms {}{}###edit", placed.probes.size(),
                                        placed.rooms.size(), edits.unsaved() ? " *" : "");
   if (!header(name.c_str(), edits.offers() || session_.rebakes() || session_.state().edit)) return;
   if (edits.offers()) {

@@ -23,8 +23,8 @@ namespace welkin::view {
 class Host {
  public:
   virtual ~Host() = default;
-  /// Writes the picture with its panels as a PNG.
-  virtual void screenshot(const std::string& path) = 0;
+  /// Writes the picture with its panels as a PNG; with `moving` as it is while the camera moves.
+  virtual void screenshot(const std::string& path, bool moving = false) = 0;
   /// Draws a picture with its panels, in the window if there is one.
   virtual void show(const render::Picture& picture) = 0;
 };

@@ -60,14 +60,14 @@ class Windowed : public Host {
     session.setHost(this);
   }
 
-  void screenshot(const std::string& path) override {
+  void screenshot(const std::string& path, bool moving) override {
     wanted_screenshot_.clear();
     if (in_frame_) {  // a panel or a key asks for it within a frame of ImGui
       wanted_screenshot_ = path;
       return;
     }
-    const render::Picture picture = session_.picture();  // first, so that the panels know its error
-    render::writePng(canvas_.read(picture, panels_.settled()), path);
+    const render::Picture picture = session_.picture(moving);  // first, so that the panels know its error
+    render::writePng(canvas_.read(picture, session_.width(), session_.height(), panels_.settled()), path);
   }
 
   void show(const render::Picture& picture) override {
@@ -116,7 +116,7 @@ class Windowed : public Host {
       in_frame_ = false;
       if (wanted_screenshot_.empty()) continue;
       try {
-        screenshot(std::string(wanted_screenshot_));
+        screenshot(std::string(wanted_screenshot_), false);
       } catch (const base::Error& error) {  // a folder that cannot be written does not end the session
         panels_.complain(error.what());
       }
@@ -173,7 +173,7 @@ void runWindow(const ViewOptions& options) {
     writeSettings(configFolder(), settingsOf(session));
     std::fprintf(stderr, "pictures a second: %.1f while moving, %.1f when still\n", host.quickRate().perSecond(),
                  host.fullRate().perSecond());
-    if (!options.screenshot.empty()) host.screenshot(options.screenshot);
+    if (!options.screenshot.empty()) host.screenshot(options.screenshot, false);
     if (!options.state.empty()) writeState(session, options.state);
   }
   if (device.messageCount() > 0)
