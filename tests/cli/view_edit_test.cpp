@@ -166,6 +166,24 @@ TEST_CASE("ViewEdit, ACancelledRebakeLeavesTheOldSectors") {
   CHECK(filesOf(level / "out") == old);
 }
 
+TEST_CASE("ViewEdit, AnotherBakeIsCompared") {
+  if (lacksLavapipe()) return;
+  const SmallLevel level;
+  level.bake("out");
+  level.bake("same");
+  level.writeLevel("rays = 64\nbounces = 0");
+  level.bake("dark");
+  const std::string at = "time 9\ncamera 160 1.7 40 120 -5\nother ", compare = "\ncompare baked other difference\n";
+  CHECK(edited(level, at + level / "same" + compare)["compare"]["error"]["rms"] == 0.0);
+  const json dark = edited(level, at + level / "same" + "\nother " + level / "dark" + compare)["compare"];
+  CHECK(double{dark["error"]["mean"]} > 0.01);  // light that bounced is missing
+  CHECK(dark["second"] == "other");
+  const Run none = runTool(editing(level, "light other\n"), kOnLavapipe);
+  CHECK(none.status == 3);
+  CHECK(none.said("other: no other bake is open; `other FOLDER` opens one"));
+  CHECK(runTool(editing(level, "other " + level / "nowhere" + "\n"), kOnLavapipe).status == 2);
+}
+
 TEST_CASE("ViewEdit, TheFirstFiveMinutes") {  // of docs/viewer.md
   if (lacksLavapipe()) return;
   const Folder folder;

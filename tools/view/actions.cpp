@@ -54,13 +54,22 @@ void probes(Session& s, Words& w) {
   s.set(state);
 }
 
-Light lightWord(Words& w, const char* what) {
-  return static_cast<Light>(w.choice(what, {"baked", "flat", "sky", "reference"}));
+Light lightWord(const Session& s, Words& w, const char* what) {
+  const auto light = static_cast<Light>(w.choice(what, {"baked", "flat", "sky", "reference", "other"}));
+  if (light == Light::other && !s.hasOther())
+    throw base::Error(base::ExitStatus::content, "other: no other bake is open; `other FOLDER` opens one");
+  return light;
+}
+
+void other(Session& s, Words& w) {
+  const std::string folder = w.text("the folder");
+  w.end();
+  s.openOther(folder);
 }
 
 void light(Session& s, Words& w) {
   State state = s.state();
-  state.light = lightWord(w, "the light");
+  state.light = lightWord(s, w, "the light");
   w.end();
   s.set(state);
 }
@@ -71,8 +80,8 @@ void compare(Session& s, Words& w) {
     state.compare.reset();
   } else {
     Comparison c;
-    c.first = lightWord(w, "the first light");
-    c.second = lightWord(w, "the second light");
+    c.first = lightWord(s, w, "the first light");
+    c.second = lightWord(s, w, "the second light");
     if (!w.done()) c.beside = static_cast<Beside>(w.choice("the arrangement", {"wipe", "side", "difference"}));
     if (c.beside == Beside::wipe && !w.done()) c.at = w.number("the line", 0.0, 1.0);
     state.compare = c;
@@ -253,7 +262,8 @@ constexpr Action kActions[] = {
     {"truth", "PATHS", "paths of the path tracer at the picked point", truth},
     {"paths", "N", "paths of the path tracer, a pixel", paths},
     {"probes", "off | irradiance | visibility | sky | sun-bounce | local", "what the spheres of probes show", probes},
-    {"light", "baked | flat | sky | reference", "the ambient light of the picture", light},
+    {"other", "FOLDER", "opens another bake of the level, as the light `other`", other},
+    {"light", "baked | flat | sky | reference | other", "the ambient light of the picture", light},
     {"compare", "LIGHT LIGHT [wipe [AT] | side | difference] | off", "two lights in one picture", compare},
     {"exposure", "STOPS | auto", "radiance is multiplied by 2^STOPS", exposure},
     {"set", "sky|sun-bounce|local|saturation NUMBER, tint|occlusion|direct on|off", "changes the light at once",

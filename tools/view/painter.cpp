@@ -62,6 +62,12 @@ void Painter::forgetLevel() {
   light_changes_ = 0;
 }
 
+void Painter::openOther(const std::filesystem::path& folder) {
+  auto opened = std::make_unique<baked::LevelFolder>(levelFiles(folder, level_.files().level).folder);
+  other_view_.reset();
+  other_ = std::move(opened);
+}
+
 render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
   const Changes& c = state.changes;
   render::LevelOptions options;
@@ -78,6 +84,12 @@ render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
 
 render::LevelView& Painter::viewOf(Light light) {
   const bool baked = light == Light::baked || light == Light::reference;
+  if (light == Light::other) {
+    if (!other_view_)
+      other_view_ = std::make_unique<render::LevelView>(device_, other_->sky(), level_.scene(), optionsOf({}, light),
+                                                        other_->level().get());
+    return *other_view_;
+  }
   std::unique_ptr<render::LevelView>& view = baked ? baked_ : open_;
   if (!view)
     view = std::make_unique<render::LevelView>(device_, level_.sky(), level_.scene(), optionsOf({}, light),
@@ -90,7 +102,7 @@ void Painter::prepare(render::LevelView& view, const State& state, Light light) 
   if (changes != light_changes_ && baked_) baked_->forgetLight();
   light_changes_ = changes;
   view.setOptions(optionsOf(state, light));
-  view.setSample(sampleOf(level_.sky(), state.time_h, state.changes));
+  view.setSample(sampleOf(light == Light::other ? other_->sky() : level_.sky(), state.time_h, state.changes));
 }
 
 render::FloatImage Painter::irradiance(const State& state, Light light, Size size) {

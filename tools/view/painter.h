@@ -26,6 +26,10 @@ class Painter {
   /// Before the level's bake is replaced: lets go of all that is of it.
   void forgetLevel();
 
+  /// Opens another bake of the level. Throws Error; then an earlier one stays.
+  void openOther(const std::filesystem::path& folder);
+  bool hasOther() const { return other_ != nullptr; }
+
   /// A picture of this size. Fills `error` where two lights are compared. With `quick` shadows are coarser, and the sea
   /// mirrors the sky alone.
   render::Picture paint(const State& state, uint32_t width, uint32_t height, bool quick,
@@ -63,6 +67,8 @@ class Painter {
   Level& level_;
   double brightest_;                                 // render::brightestLuminance of the level's sky
   std::unique_ptr<render::LevelView> baked_, open_;  ///< made when first drawn
+  std::unique_ptr<baked::LevelFolder> other_;        ///< null without another bake
+  std::unique_ptr<render::LevelView> other_view_;
   bool is_quick_ = false;
   std::size_t light_changes_ = 0;  ///< of the level's folder, when a picture was last drawn
   std::optional<TracedFor> traced_for_;

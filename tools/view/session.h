@@ -64,6 +64,10 @@ class Session {
   /// Shows the sectors that a rebake has finished since, and takes its end. Call it often while rebakes().
   void advance();
 
+  /// Opens another bake of the level, whose light is Light::other. Throws Error; then an earlier one stays.
+  void openOther(const std::string& folder);
+  bool hasOther() const { return painter_.hasOther(); }
+
   /// Take back and make again a change of the light or an edit of level.toml.
   void undo();
   void redo();

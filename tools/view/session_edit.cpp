@@ -46,6 +46,13 @@ void Session::discard() {
   edited();
 }
 
+void Session::openOther(const std::string& folder) {
+  painter_.openOther(folder);
+  picture_.reset();
+  error_.reset();
+  ++version_;
+}
+
 void Session::rebake(const std::string& sectors) {
   if (rebake_) throw base::Error(base::ExitStatus::content, "rebake: one is at work already; `cancel` ends it");
   edits_.save();

@@ -17,12 +17,13 @@ inline constexpr const char* kProbeShades[] = {"off", "irradiance", "visibility"
 
 /// Where the light of surfaces in a picture comes from.
 enum class Light {
-  baked,     ///< sun and probes
-  flat,      ///< sun and one ambient colour
-  sky,       ///< sun and the open sky, as if nothing stood in its way
-  reference  ///< the path tracer
+  baked,      ///< sun and probes
+  flat,       ///< sun and one ambient colour
+  sky,        ///< sun and the open sky, as if nothing stood in its way
+  reference,  ///< the path tracer
+  other       ///< sun and probes of another bake of the level
 };
-inline constexpr const char* kLights[] = {"baked", "flat", "sky", "reference"};
+inline constexpr const char* kLights[] = {"baked", "flat", "sky", "reference", "other"};
 
 /// How two pictures are shown.
 enum class Beside {
