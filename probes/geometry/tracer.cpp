@@ -9,7 +9,6 @@
 
 #include "probes/geometry/directions.h"
 #include "probes/geometry/nearest_point.h"
-#include "probes/geometry/surface_at.h"
 #include "probes/geometry/tracer_scene.h"
 
 namespace welkin::geometry {
@@ -28,6 +27,10 @@ void setRay(RTCRay& ray, const Number3& origin, const Number3& direction, double
   ray.mask = meets == Meets::fixed ? kFixedMask : kFixedMask | kOtherMask;
   ray.id = 0;
   ray.flags = meets == Meets::light ? kForLight : 0;
+}
+
+bool isOneSided(const Material& material) {
+  return !material.double_sided && !material.letsLightThrough();
 }
 
 }  // namespace
@@ -68,7 +71,8 @@ double Tracer::leavesAfter(const Number3& origin, const Number3& direction) cons
   return std::max(std::min(x, z), 0.0);
 }
 
-std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far, Meets meets) const {
+std::optional<Tracer::Met> Tracer::meet(const Number3& origin, const Number3& direction, double far,
+                                        Meets meets) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit ray;
@@ -77,7 +81,12 @@ std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& directi
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return hitOf({ray.ray.tfar, scene_->triangleOf(ray.hit.geomID, ray.hit.primID), ray.hit.u, ray.hit.v}, direction);
+  return Met{ray.ray.tfar, scene_->triangleOf(ray.hit.geomID, ray.hit.primID), ray.hit.u, ray.hit.v};
+}
+
+std::optional<Hit> Tracer::closest(const Number3& origin, const Number3& direction, double far, Meets meets) const {
+  const auto met = meet(origin, direction, far, meets);
+  return met ? std::optional(hitOf(*met, direction)) : std::nullopt;
 }
 
 std::vector<Hit> Tracer::all(const Number3& origin, const Number3& direction, double far, Meets meets) const {
@@ -132,9 +141,19 @@ Hit Tracer::hitOf(const Met& met, const Number3& direction) const {
   hit.back_along = -direction;
   for (const Number3& p : {a, b, c})
     for (int axis = 0; axis < 3; ++axis) hit.coarsest_m = std::max(hit.coarsest_m, std::abs(p[axis]));
-  const Material& material = surfaces().material[triangle.material];
-  hit.back = behind && !material.double_sided && !material.letsLightThrough();
+  hit.back = behind && isOneSided(surfaces().material[triangle.material]);
   return hit;
+}
+
+bool Tracer::meetsBack(const Number3& origin, const Number3& direction, double far) const {
+  const auto met = meet(origin, direction, far, Meets::all);
+  if (!met) return false;
+  const Triangle& triangle = surfaces().triangle[met->triangle];
+  if (!isOneSided(surfaces().material[triangle.material])) return false;
+  const Number3 a = scene_->corner(triangle.vertex[0]);
+  const Number3 ab = scene_->corner(triangle.vertex[1]) - a;
+  const Number3 ac = scene_->corner(triangle.vertex[2]) - a;
+  return dot(unit(cross(ab, ac)), direction) > 0.0;
 }
 
 bool Tracer::occluded(const Number3& origin, const Number3& direction, double far, Meets meets) const {
@@ -204,38 +223,6 @@ Number3 Tracer::beyond(const Hit& hit) const {
 
 bool Tracer::anySeeThrough() const {
   return scene_->any_see_through;
-}
-
-Number3 Tracer::passing(const Hit& hit) const {
-  const Triangle& triangle = surfaces().triangle[hit.triangle];
-  const Material& material = surfaces().material[triangle.material];
-  if (!material.letsLightThrough()) return Number3(0.0);
-  const Texel surface = surfaceAt(surfaces(), triangle, {hit.u, hit.v});
-  const double there = material.blended ? surface.alpha : 1.0;
-  return surface.colour * (there * material.transmission) + Number3(1.0 - there);
-}
-
-Number3 Tracer::albedo(const Hit& hit) const {
-  if (hit.back) return Number3(0.0);
-  const Triangle& triangle = surfaces().triangle[hit.triangle];
-  const Material& material = surfaces().material[triangle.material];
-  const Texel surface = surfaceAt(surfaces(), triangle, {hit.u, hit.v});
-  if (!material.letsLightThrough()) return surface.colour;
-  return surface.colour * ((material.blended ? surface.alpha : 1.0) * (1.0 - material.transmission));
-}
-
-Number3 Tracer::emission(const Hit& hit) const {
-  if (hit.back) return Number3(0.0);
-  const Triangle& triangle = surfaces().triangle[hit.triangle];
-  const Material& material = surfaces().material[triangle.material];
-  if (material.emission == Number3(0.0)) return material.emission;
-  Number3 emission = material.emission;
-  if (material.emission_texture >= 0 && !surfaces().uv.empty())
-    emission = emission * texelOf(surfaces(), triangle, Barycentric(hit.u, hit.v), material.emission_texture,
-                                  material.emission_uv_row)
-                              .colour;
-  if (material.blended) emission *= surfaceAt(surfaces(), triangle, {hit.u, hit.v}).alpha;
-  return emission;
 }
 
 }  // namespace welkin::geometry

@@ -60,6 +60,9 @@ class Tracer {
   /// Whether closest() would find a surface.
   bool occluded(const Number3& origin, const Number3& direction, double far, Meets meets = Meets::all) const;
 
+  /// Whether closest() would find the back of a one-sided surface.
+  bool meetsBack(const Number3& origin, const Number3& direction, double far) const;
+
   /// Whether any point of static geometry is nearer than a distance >= 0, in any direction. Masked texels count as
   /// surface.
   bool isNearer(const Number3& position, double distance_m) const;
@@ -99,6 +102,7 @@ class Tracer {
     double low_z = low_x, high_z = high_x;
   };
   Tracer(std::shared_ptr<const Scene> scene, const Square& square);
+  std::optional<Met> meet(const Number3& origin, const Number3& direction, double far, Meets meets) const;
   Hit hitOf(const Met& met, const Number3& direction) const;
 
   std::shared_ptr<const Scene> scene_;

@@ -8,10 +8,10 @@
 #include <bit>
 #include <cstdlib>
 
+#include "probes/placement/air_memo.h"
 #include "probes/placement/cut_packing.h"
 #include "probes/placement/cut_tree.h"
 #include "probes/placement/grid_cells.h"
-#include "probes/placement/validity.h"
 
 namespace welkin::placement {
 namespace {
@@ -32,6 +32,10 @@ struct CutCell {
 struct Step {
   int x, y, z;
 };
+
+bool sharesFace(const Step& s) {
+  return std::abs(s.x) + std::abs(s.y) + std::abs(s.z) == 1;
+}
 
 class Cutter {
  public:
@@ -116,28 +120,26 @@ class Cutter {
 
   /// Whether geometry parts a sample from the nearest air of another cell. Where that air sees a probe, it is not
   /// parted if that probe may stand for the sample as well.
-  bool isParted(std::size_t cell, CutSample& sample, const geometry::Box& other, bool is_here) const {
+  bool isParted(AirMemo& air, CutSample& sample, const geometry::Box& other, bool is_here) const {
     const Number3 to = nearestIn(other, sample.position, kWithin_m);
     if (sampler_.sees(sample.position, to)) return false;
-    if (const auto probe = sampler_.nearestSeen(to, cell_[cell].near, nullptr)) return !sampler_.fits(sample, *probe);
+    if (const auto probe = air.nearestSeen(to)) return !sampler_.fits(sample, *probe);
     if (is_here) return false;  // settleMasks decides
-    for (const double depth_m : kDepth_m) {
-      const Number3 deeper = nearestIn(other, sample.position, depth_m);
-      if (!insideGeometry(tracer_, deeper)) return true;
-    }
-    return false;
+    return std::any_of(std::begin(kDepth_m), std::end(kDepth_m),
+                       [&](double depth_m) { return !air.isInside(nearestIn(other, sample.position, depth_m)); });
   }
 
   void grow(std::size_t i, const std::vector<CellFace>& faces) {
     CutCell& cell = cell_[i];
     cell.near = sampler_.probesNear((boxOf(i).low + boxOf(i).high) * 0.5);
     cell.sample = sampler_.samplesOf(i, boxOf(i), faces, cell.near);
+    AirMemo air(tracer_, sampler_, cell.near);
     for (CutSample& sample : cell.sample)
       visitBeside(i, sample.position, [&](const Step& s, const auto& other, const geometry::Box& box) {
         const std::uint32_t bit = format::openBit(s.x, s.y, s.z);
         sample.beside |= bit;
-        if (std::abs(s.x) + std::abs(s.y) + std::abs(s.z) > 1) return;
-        if (isParted(i, sample, box, other.has_value())) sample.shut |= bit;
+        if (!sharesFace(s)) return;
+        if (isParted(air, sample, box, other.has_value())) sample.shut |= bit;
       });
     if (!cell.sample.empty())
       cell.tree = growTree(sampler_, sight_, sector_.id, sector_.grid[i], candidatePlanes(faces), cell.sample);
@@ -156,9 +158,13 @@ class Cutter {
     bool counts = false;  ///< false: nothing to say, such as for a cell without a probe
     bool parted = false, sealed = false;
   };
-  Answer answerOf(std::size_t cell, CutSample& sample, const CutNode& leaf, const std::optional<std::size_t>& other,
-                  const geometry::Box& box) const {
-    if (!other) return {true, isParted(cell, sample, box, false), false};
+  Answer answerOf(std::size_t cell, AirMemo& air, CutSample& sample, const CutNode& leaf, const Step& step,
+                  const std::optional<std::size_t>& other, const geometry::Box& box) const {
+    if (!other) {
+      const std::uint32_t bit = format::openBit(step.x, step.y, step.z);
+      const bool is_known = sharesFace(step) && (sample.beside & bit) != 0;  // grow has asked
+      return {true, is_known ? (sample.shut & bit) != 0 : isParted(air, sample, box, false), false};
+    }
     const std::uint8_t probe = probeOf(cell, sample.position, *other, nearestIn(box, sample.position, 0.0));
     if (probe == geometry::kNoProbe) return {};
     if (probe == leaf.probe || sampler_.fits(sample, probe)) return {true, false, false};
@@ -170,12 +176,13 @@ class Cutter {
   /// The masks of a cell's leaves: by the probe that a lookup would take beside it, or in another sector by geometry.
   void settleMasks(std::size_t i) {
     CutCell& cell = cell_[i];
+    AirMemo air(tracer_, sampler_, cell.near);
     for (CutNode& leaf : cell.tree) {
       if (leaf.plane) continue;
       std::array<std::size_t, 27> all{}, parted{}, sealed{};
       const auto count = [&](CutSample& sample, const Step& step, const auto& other, const geometry::Box& box) {
         const auto bit = static_cast<std::size_t>(std::countr_zero(format::openBit(step.x, step.y, step.z)));
-        const Answer answer = answerOf(i, sample, leaf, other, box);
+        const Answer answer = answerOf(i, air, sample, leaf, step, other, box);
         all[bit] += answer.counts ? 1 : 0;
         parted[bit] += answer.parted ? 1 : 0;
         sealed[bit] += answer.sealed ? 1 : 0;

@@ -31,9 +31,8 @@ const std::array<Number3, kRays>& fixedDirections() {
 bool isInside(const geometry::Tracer& tracer, const Number3& position, std::size_t& rays) {
   std::size_t backs = 0;
   for (std::size_t left = kRays; left > 0 && backs <= kMostBackRays && backs + left > kMostBackRays; --left) {
-    const auto hit = tracer.closest(position, fixedDirections()[left - 1], kFar_m);
     ++rays;
-    if (hit && hit->back) ++backs;
+    if (tracer.meetsBack(position, fixedDirections()[left - 1], kFar_m)) ++backs;
   }
   return backs > kMostBackRays;
 }

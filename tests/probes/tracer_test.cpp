@@ -49,6 +49,32 @@ TEST_CASE("Tracer, FindsTheNearestSurfaceAndItsSide") {
   CHECK_FALSE(tracer.occluded({0.25, 2, 0.5}, {1, 0, 0}, kFar));
 }
 
+TEST_CASE("Tracer, MeetsABackWhereTheNearestSurfaceShowsOne") {
+  geometry::Surfaces s;
+  addQuad(s, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, addMaterial(s, {0.9, 0.1, 0.2}));  // looks up
+  addQuad(s, {-1, -4, -1}, {0, 0, 2}, {2, 0, 0}, addMaterial(s, {0.5, 0.5, 0.5}, true));
+  addQuad(s, {3, -2, -2}, {0, 4, 1}, {1, 0, 4}, addMaterial(s, {0.5, 0.5, 0.5}));
+  const geometry::Tracer tracer(s);
+  CHECK(tracer.meetsBack({0.25, -2, 0.5}, {0, 1, 0}, kFar));
+  CHECK_FALSE(tracer.meetsBack({0.25, -2, 0.5}, {0, 1, 0}, 1.99));
+  CHECK_FALSE(tracer.meetsBack({0.25, 2, 0.5}, {0, -1, 0}, kFar));   // a front
+  CHECK_FALSE(tracer.meetsBack({0.25, -6, 0.5}, {0, 1, 0}, kFar));   // two sides
+  CHECK_FALSE(tracer.meetsBack({0.25, -2, 0.5}, {0, -1, 0}, kFar));  // two sides
+  geometry::Random random(7);
+  std::size_t backs = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double u = random.unit(), v = random.unit();
+    const Number3 from(6.0 * u - 2.0, 6.0 * v - 5.0, random.unit());
+    const double s1 = random.unit(), t1 = random.unit();
+    const Number3 direction = geometry::sphereDirection(s1, t1);
+    const auto hit = tracer.closest(from, direction, kFar);
+    const bool back = hit && hit->back;
+    backs += back ? 1 : 0;
+    CHECK(tracer.meetsBack(from, direction, kFar) == back);
+  }
+  CHECK(backs > 50);
+}
+
 TEST_CASE("Tracer, CornersAreRoundedAsEmbreeHasThem") {
   // GCC 12 can take double{static_cast<float>(x)} for x in a vector of two. 29.9 and 31.7 are no floats.
   for (const double far : {29.9, 31.7})
