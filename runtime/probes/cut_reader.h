@@ -12,14 +12,14 @@
 
 #define INLINE inline
 #define NUMBER(literal) Number(literal)
-#define CUT_BLOCK_WORDS static_cast<int>(probes::kBlockWords)
+#define CUT_BLOCK_NODES static_cast<int>(probes::kBlockWords / probes::kNodeWords)
 
 namespace welkin::f32 {
 
 class CutReader {
   using uint = std::uint32_t;
   struct CutWords {
-    uint x, y, z, w;
+    uint x, y;
   };
 
  public:
@@ -33,7 +33,7 @@ class CutReader {
     return words_[static_cast<std::size_t>(i)];
   }
   CutWords cutWords(int i) const {
-    return {cutWord(4 * i), cutWord(4 * i + 1), cutWord(4 * i + 2), cutWord(4 * i + 3)};
+    return {cutWord(2 * i), cutWord(2 * i + 1)};
   }
   static float cutFloat(uint word) {
     return std::bit_cast<float>(word);
@@ -48,6 +48,6 @@ class CutReader {
 
 }  // namespace welkin::f32
 
-#undef CUT_BLOCK_WORDS
+#undef CUT_BLOCK_NODES
 #undef NUMBER
 #undef INLINE

@@ -11,15 +11,9 @@
 namespace welkin::probes {
 namespace {
 
-constexpr std::uint32_t kNodeWords = 4;
-constexpr std::uint32_t kTreeBit = 0x80000000;   ///< of a cell
 constexpr std::uint32_t kBrickBit = 0x40000000;  ///< of a cell or leaf
-constexpr std::uint32_t kDownBit = 0x100;        ///< of a node: its plane's normal points down
 
-constexpr std::uint32_t kDoorShift = 16;  ///< of a cell: the number of its doors
-constexpr std::uint32_t kMostCellDoors = 31;
-constexpr std::uint32_t kDoorNodes = 3;
-constexpr std::uint32_t kRisingDoor = 4;
+constexpr std::uint32_t kRisingDoor = 4;  ///< of a door's axis: the room is below its face
 
 using Cells4096 = std::bitset<format::kGridCells>;
 
@@ -75,6 +69,15 @@ format::FromCorner cornerOf(const format::CellPlace& cell) {
           static_cast<float>(format::kCellWidth_m * (cell.z & 15))};
 }
 
+/// A plane of a sector's cuts, for a cell with that low corner.
+NodePlane planeOf(const format::CutPlane& plane, const format::FromCorner& low) {
+  const format::FromCorner n = format::normalOf(plane);
+  const auto whole = [](float v) { return static_cast<std::int32_t>(std::lround(v * 32767.0F)); };
+  double offset = double{plane.offset()};
+  for (std::size_t a = 0; a < 3; ++a) offset -= double{n[a]} * double{low[a]};
+  return {whole(n[0]), whole(n[2]), n[1] < 0.0F, offset};
+}
+
 }  // namespace
 
 std::uint32_t VolumeCuts::brickWord(std::uint32_t brick) const {
@@ -96,29 +99,22 @@ bool VolumeCuts::addBrick(std::uint32_t slot, const BrickProbes& probes, std::ui
   return false;
 }
 
-std::uint32_t* VolumeCuts::nodeOf(const BrickCell& cell, std::uint32_t node) const {
-  return blockOf(cell.slot) + kCellWords + kNodeWords * node;
-}
-
-/// The word of a part's brick: 0 where the volume's own texels serve.
-bool VolumeCuts::addLeaf(BrickCell& cell, const BrickPart& part, std::uint32_t& word) {
+/// Adds the leaf of a part with its brick's word: 0 where the volume's own texels serve.
+std::uint32_t VolumeCuts::addLeaf(BrickCell& cell, const BrickPart& part) {
   BrickProbes probes;
-  word = 0;
-  if (!brickOf(cell.sectors, cell.place, part, probes)) return true;
+  if (!brickOf(cell.sectors, cell.place, part, probes)) return cell.tree.addLeaf(0);
   cell.has_brick = true;
   const auto last = cell.brick.begin() + static_cast<std::ptrdiff_t>(cell.bricks);
   const auto same = std::find_if(cell.brick.begin(), last, [&](std::uint32_t b) { return brick_.get()[b] == probes; });
-  if (same != last) {
-    word = brickWord(*same);
-    return true;
-  }
-  if (!addBrick(cell.slot, probes, word)) return false;
+  if (same != last) return cell.tree.addLeaf(brickWord(*same));
+  std::uint32_t word = 0;
+  if (!addBrick(cell.slot, probes, word)) return CutWords::kFull;
   if (cell.bricks < cell.brick.size()) cell.brick[cell.bricks++] = next_brick_ - 1;
-  return true;
+  return cell.tree.addLeaf(word);
 }
 
 /// Adds the nodes of a part of a cell: its walls' tree, or one leaf.
-bool VolumeCuts::addTree(BrickCell& cell, const RoomPart& part) {
+std::uint32_t VolumeCuts::addTree(BrickCell& cell, const RoomPart& part) {
   const WelkinSector& sector = *slot_.get()[cell.slot].sector;
   const format::CellCuts& cuts = sector.grid.cuts;
   const double x = kSector_m * sector.x, z = kSector_m * sector.z;
@@ -127,46 +123,41 @@ bool VolumeCuts::addTree(BrickCell& cell, const RoomPart& part) {
   };
   const std::optional<std::size_t> tree = cuts.empty() ? std::nullopt : format::treeOf(cuts, cell.place.index());
   if (!tree) {
-    if (cell.nodes == kMostCutNodesPlaced) return false;
-    std::uint32_t* node = nodeOf(cell, cell.nodes++);
-    std::fill_n(node, kNodeWords, 0U);
     format::FromCorner middle;
     for (std::size_t a = 0; a < 3; ++a) middle[a] = part.low[a] + 0.5F * part.size[a];
-    return addLeaf(cell, {{sector.grid.grid[cell.place.index()], format::kAllOpen}, part.room, inWorld(middle)}, *node);
+    return addLeaf(cell, {{sector.grid.grid[cell.place.index()], format::kAllOpen}, part.room, inWorld(middle)});
   }
   const std::size_t first = *tree, end = format::afterTree(cuts.node, first);
-  if (cell.nodes + (end - first) > kMostCutNodesPlaced) return false;
   std::array<format::FromCorner, format::kMostTreeNodes> place;
   placesInLeaves(sector, first, part, place);
   std::array<std::uint8_t, format::kMostTreeNodes> size{};
+  std::array<std::uint32_t, format::kMostTreeNodes> added{};
   for (std::size_t i = end; i-- > first;) {
-    std::uint32_t* node = nodeOf(cell, cell.nodes + static_cast<std::uint32_t>(i - first));
-    std::fill_n(node, kNodeWords, 0U);
+    std::uint32_t& node = added[i - first];
     if (format::isLeaf(cuts.node[i])) {
       size[i - first] = 1;
-      if (!addLeaf(cell, {format::leafOf(cuts, cuts.node[i]), part.room, inWorld(place[i - first])}, node[0]))
-        return false;
+      node = addLeaf(cell, {format::leafOf(cuts, cuts.node[i]), part.room, inWorld(place[i - first])});
+      if (node == CutWords::kFull) return node;
       continue;
     }
-    const std::uint8_t below = size[i - first + 1];
-    size[i - first] = static_cast<std::uint8_t>(1 + below + size[i - first + 1 + below]);
-    const format::CutPlane& plane = cuts.plane[cuts.node[i]];
-    const format::FromCorner n = format::normalOf(plane);
-    node[0] = std::bit_cast<std::uint32_t>(n[0]);
-    node[1] = std::bit_cast<std::uint32_t>(n[2]);
-    node[2] = std::bit_cast<std::uint32_t>(plane.offset());
-    node[3] = 1U + below + (n[1] < 0.0F ? kDownBit : 0U);
+    const std::size_t below = i - first + 1, above = below + size[below];
+    size[i - first] = static_cast<std::uint8_t>(1 + size[below] + size[above]);
+    node = cell.tree.addPlane(planeOf(cuts.plane[cuts.node[i]], cornerOf(cell.place)));
+    if (node == CutWords::kFull) return node;
+    cell.tree.setBelow(node, added[below]);
+    cell.tree.setAbove(node, added[above]);
   }
-  cell.nodes += static_cast<std::uint32_t>(end - first);
-  return true;
+  return added[0];
 }
 
-/// Adds the nodes of the doors that reach into a cell.
-bool VolumeCuts::addDoors(BrickCell& cell) {
+/// Writes the doors that reach into a cell to the slot's nodes, and adds a node for them above the root.
+bool VolumeCuts::addDoors(const BrickCell& cell, std::uint32_t& nodes, std::uint32_t& root) const {
   const format::Sector& sector = *slot_.get()[cell.slot].sector->file;
   if (sector.door() == nullptr) return true;
   const format::FromCorner low = cornerOf(cell.place);
   const double height_m = cell.place.grid->cell_height_m;
+  const std::uint32_t first = nodes;
+  std::uint32_t doors = 0;
   for (const format::Door* door : *sector.door()) {
     const format::DoorWay way = format::doorWayOf(format::boxOf(*door, *sector.room()->Get(door->room())));
     bool touches = true;
@@ -174,28 +165,29 @@ bool VolumeCuts::addDoors(BrickCell& cell) {
       touches = touches && way.low[a] <= double{low[a]} + (a == 1 ? height_m : format::kCellWidth_m) &&
                 way.high[a] >= double{low[a]};
     if (!touches) continue;
-    if (cell.doors == kMostCellDoors || cell.nodes + kDoorNodes > kMostCutNodesPlaced) return false;
+    if (nodes + kDoorNodes > kMostCutNodesPlaced) return false;
     const auto word = [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); };
     const std::uint32_t axis = static_cast<std::uint32_t>(way.axis) + (way.rises ? kRisingDoor : 0U);
     const std::array<std::uint32_t, kDoorNodes * kNodeWords> words{
         word(way.low[0]),      word(way.low[1]),       word(way.low[2]),      axis,
         word(way.high[0]),     word(way.high[1]),      word(way.high[2]),     word(way.face),
         word(way.fade_low[0]), word(way.fade_high[0]), word(way.fade_low[2]), word(way.fade_high[2])};
-    std::copy(words.begin(), words.end(), nodeOf(cell, cell.nodes));
-    cell.nodes += kDoorNodes;
-    ++cell.doors;
+    std::copy(words.begin(), words.end(), blockOf(cell.slot) + kCellWords + kNodeWords * nodes);
+    nodes += kDoorNodes;
+    ++doors;
   }
-  return true;
+  if (doors > 0) root = cell.tree.addDoors(first, doors, root);
+  return root != CutWords::kFull;
 }
 
-/// Adds the nodes of a cell: for each room in it the faces that cross it, then the room's part, then what is outside.
-/// A place above a face, looking out of the room, is outside.
-bool VolumeCuts::addParts(BrickCell& cell) {
+/// Adds the nodes of a cell from a room on: the faces of the first room in it that cross it, then the room's part, and
+/// what is outside of the room above each face.
+std::uint32_t VolumeCuts::addParts(BrickCell& cell, std::uint32_t room_from) {
   const WelkinSector& sector = *slot_.get()[cell.slot].sector;
   const format::FromCorner low = cornerOf(cell.place);
   const format::FromCorner size{static_cast<float>(format::kCellWidth_m), static_cast<float>(sector.grid.cell_height_m),
                                 static_cast<float>(format::kCellWidth_m)};
-  for (std::uint32_t r = 1; r <= roomsOf(sector); ++r) {
+  for (std::uint32_t r = room_from; r <= roomsOf(sector); ++r) {
     const format::Room& room = *sector.file->room()->Get(r - 1);
     const format::FromCorner room_low{room.low_x(), room.low_y(), room.low_z()};
     const format::FromCorner room_high{room.high_x(), room.high_y(), room.high_z()};
@@ -207,21 +199,26 @@ bool VolumeCuts::addParts(BrickCell& cell) {
       touches = touches && part.size[a] > 0.0F;
     }
     if (!touches) continue;
-    const std::uint32_t first = cell.nodes;
+    std::array<std::uint32_t, 6> face{};
+    std::size_t faces = 0;
     for (std::size_t a = 0; a < 3; ++a)
       for (const bool is_high : {false, true}) {
         if (is_high ? room_high[a] >= low[a] + size[a] : room_low[a] <= low[a]) continue;
-        if (cell.nodes == kMostCutNodesPlaced) return false;
-        std::uint32_t* node = nodeOf(cell, cell.nodes++);
-        node[0] = std::bit_cast<std::uint32_t>(a != 0 ? 0.0F : is_high ? 1.0F : -1.0F);
-        node[1] = std::bit_cast<std::uint32_t>(a != 2 ? 0.0F : is_high ? 1.0F : -1.0F);
-        node[2] = std::bit_cast<std::uint32_t>(is_high ? room_high[a] : -room_low[a]);
-        node[3] = a == 1 && !is_high ? kDownBit : 0U;
+        const std::int32_t along = is_high ? 32767 : -32767;
+        const double offset = double{is_high ? room_high[a] : room_low[a]} - double{low[a]};
+        face[faces] = cell.tree.addPlane(
+            {a == 0 ? along : 0, a == 2 ? along : 0, a == 1 && !is_high, is_high ? offset : -offset});
+        if (face[faces++] == CutWords::kFull) return CutWords::kFull;
       }
-    const std::uint32_t inside = cell.nodes;
-    if (!addTree(cell, part)) return false;
-    if (inside == first) return true;  // all of the cell is in the room
-    for (std::uint32_t face = first; face < inside; ++face) nodeOf(cell, face)[3] += cell.nodes - face;
+    const std::uint32_t inside = addTree(cell, part);
+    if (inside == CutWords::kFull || faces == 0) return inside;  // or all of the cell is in the room
+    const std::uint32_t outside = addParts(cell, r + 1);
+    if (outside == CutWords::kFull) return outside;
+    for (std::size_t i = 0; i < faces; ++i) {
+      cell.tree.setBelow(face[i], i + 1 < faces ? face[i + 1] : inside);
+      cell.tree.setAbove(face[i], outside);
+    }
+    return face[0];
   }
   return addTree(cell, {low, size, 0});
 }
@@ -235,25 +232,28 @@ bool VolumeCuts::build(std::uint32_t slot, bool& lacks_bricks) {
   const BrickSectors sectors = sectorsAbout(*s.sector);
   const Cells4096 near = cellsNearCuts(sectors);
   std::uint32_t* cells = blockOf(slot);
+  CutWords tree;
   std::uint32_t nodes = 0;
   for (std::uint32_t i = 0; i < format::kGridCells; ++i) {
     if (!near[i]) continue;
-    BrickCell cell{sectors, {}, slot, nodes};
+    BrickCell cell{sectors, {}, slot, tree};
     cell.place.sector_x = s.sector->x;
     cell.place.sector_z = s.sector->z;
     cell.place.x = static_cast<int>(i % 16) + 16 * s.sector->x;
     cell.place.row = static_cast<int>(i / 16 % 16);
     cell.place.z = static_cast<int>(i / 256) + 16 * s.sector->z;
     cell.place.grid = &s.sector->grid;
-    if (!addDoors(cell) || !addParts(cell)) {
+    tree.begin(std::max(format::kCellWidth_m, s.sector->grid.cell_height_m));
+    std::uint32_t root = addParts(cell, 1);
+    const std::uint32_t without_doors = root;
+    const bool is_made = root != CutWords::kFull && addDoors(cell, nodes, root);
+    const bool is_needed = is_made && (cell.has_brick || root != without_doors);
+    if (!is_made || (is_needed && !tree.write(root, cells + kNodeWords * i, cells + kCellWords, nodes))) {
       lacks_bricks = next_brick_ == brick_count_;
       clear(slot);
       s.failed = true;
       return false;
     }
-    if (!cell.has_brick && cell.doors == 0) continue;
-    cells[i] = cell.nodes - nodes == 1 ? *nodeOf(cell, nodes) : kTreeBit | cell.doors << kDoorShift | nodes;
-    if (cell.nodes - nodes > 1) nodes = cell.nodes;
   }
   return true;
 }

@@ -8,13 +8,14 @@
 #include <span>
 
 #include "probes/cut_bricks.h"
+#include "probes/cut_words.h"
 #include "probes/rooms.h"
 
 namespace welkin::probes {
 
 /// Words of a sector's cells, and of them with the nodes of its trees.
-inline constexpr std::uint32_t kCellWords = format::kGridCells, kMostCutNodesPlaced = 1024;
-inline constexpr std::uint32_t kBlockWords = kCellWords + 4 * kMostCutNodesPlaced;
+inline constexpr std::uint32_t kCellWords = kNodeWords * format::kGridCells;
+inline constexpr std::uint32_t kBlockWords = kCellWords + kNodeWords * kMostCutNodesPlaced;
 
 /// Whether walls or rooms part cells of a sector, which may be null.
 inline bool isParted(const WelkinSector* sector) {
@@ -32,11 +33,10 @@ struct BrickCell {
   const BrickSectors& sectors;
   format::CellPlace place;
   std::uint32_t slot;
-  std::uint32_t nodes;                    ///< of the slot, so far
+  CutWords& tree;                         ///< to be made
   std::array<std::uint32_t, 64> brick{};  ///< some of its own
   std::size_t bricks = 0;
   bool has_brick = false;  ///< else the volume's own texels serve all of it
-  std::uint32_t doors = 0;
 };
 
 class VolumeCuts {
@@ -102,11 +102,10 @@ class VolumeCuts {
   BrickSectors sectorsAbout(const WelkinSector& sector) const;
   bool build(std::uint32_t slot, bool& lacks_bricks);
   bool buildOrYield(std::uint32_t wanted);
-  bool addDoors(BrickCell& cell);
-  bool addParts(BrickCell& cell);
-  bool addTree(BrickCell& cell, const RoomPart& part);
-  bool addLeaf(BrickCell& cell, const BrickPart& part, std::uint32_t& word);
-  std::uint32_t* nodeOf(const BrickCell& cell, std::uint32_t node) const;
+  bool addDoors(const BrickCell& cell, std::uint32_t& nodes, std::uint32_t& root) const;
+  std::uint32_t addParts(BrickCell& cell, std::uint32_t room);
+  std::uint32_t addTree(BrickCell& cell, const RoomPart& part);
+  std::uint32_t addLeaf(BrickCell& cell, const BrickPart& part);
   bool addBrick(std::uint32_t slot, const BrickProbes& probes, std::uint32_t& word);
   void chooseLayers(std::uint64_t version, std::uint32_t max_texels, CutChange& change);
 

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which part of a cell along a wall a place is in, for C++ and GLSL, from the words that welkin_volume_cuts gives. C++
 // includes this file in a struct, with doors.glsl before it. The includer has:
-//   CutWords                 four words: x, y, z, w
-//   CutWords cutWords(int i) the i-th four of the words
+//   CutWords                 two words: x, y
+//   CutWords cutWords(int i) the i-th two of the words
 //   uint cutWord(int i)      the i-th word
 //   Number cutFloat(uint w)  the float with these bits
 //   int cutMask(int axis)    sectors of the table along x (0) and z (1), less 1; a power of two less 1
-// The words are a table of sectors, one word each, then a block for each: its 4,096 cells, one word each, and the nodes of
-// their trees, four words each. Nothing here reads beyond what the table leads to.
+// The words are a table of sectors, one word each, then a block for each: nodes of two words. The first 4,096 are its cells,
+// in the order of the grid; the others are the trees below these.
 //   sector  bits 0-7: 1 more than its block, 0 if it has none; 8-15: height of its cells; 16-31: its bottom, plus 32,768;
 //           both in units of 4 m
-//   cell    0: the volume's own texels serve it; bit 31: bits 0-15 are the first node of its tree, bits 16-20 the number of
-//           its doors, whose nodes, three each, are before the tree; else a brick
-//   brick   bit 30; bits 0-10, 11-18 and 19-26: where it lies along z, y and x, in bricks
-//   node    a plane: its normal's x and z, its offset, how far the node above it is, and bit 8 if the normal points down;
-//           or a brick, 0, 0, 0
-//   door    its low corner, and the axis of its face's normal, plus 4 if the normal points out of the room; its high
-//           corner, the face; x and z between which it fades: low and high of x, low and high of z
-// Places of doors are from the corner of the sector, y of the world.
+//   leaf    y is 0. x is 0 where the volume's own texels serve, else a brick: bit 30; bits 0-10, 11-18 and 19-26 are where it
+//           lies along z, y and x, in bricks
+//   plane   x: the normal's x and z, 16 bits each, over 32,767. y: bit 31; bit 30 if the normal points down; bits 0-17: the
+//           offset from the cell's low corner plus 131,072, in 131,072ths of the cell's longest edge; bits 18-28: the node
+//           below, after which the one above follows, counted from the first after the cells
+//   doors   as a plane, with bit 29 of y. It has one tree below it. x, bits 0-15: the first of the nodes of its doors; bits
+//           16-31: their number. A door has six nodes: its low corner, and the axis of its face's normal, plus 4 if the
+//           normal points out of the room; its high corner, the face; x and z between which it fades: low and high of x,
+//           low and high of z. These are from the corner of the sector, y of the world
 
 // A place in a brick, in texels from its corner. `brick` is 0 where the volume's own texels serve.
 struct CutBrick {
@@ -37,14 +38,6 @@ struct CutDoor {
 
 INLINE Number cutSize(Number v) { return max(v, -v); }
 
-// How far a place is above a node's plane. Metres from the corner of the sector, y of the world.
-INLINE Number cutAbove(CutWords node, Number3 p) {
-  Number x = cutFloat(node.x);
-  Number z = cutFloat(node.y);
-  Number y = NUMBER(1.0) - cutSize(x) - cutSize(z);
-  return x * p.x + ((node.w & 0x100u) != 0u ? -y : y) * p.y + z * p.z - cutFloat(node.z);
-}
-
 // Where a brick lies, in bricks.
 INLINE Number3 cutBrickCorner(uint brick) {
   return Number3(Number((brick >> 19) & 0xffu), Number((brick >> 11) & 0xffu), Number(brick & 0x7ffu));
@@ -57,29 +50,37 @@ INLINE CutBrick cutBrickAt(Number3 p, Number3 place) {
   int sectors = (cutMask(0) + 1) * (cutMask(1) + 1);
   uint sector = cutWord(((x >> 4) & cutMask(0)) + (cutMask(0) + 1) * ((z >> 4) & cutMask(1)));
   Number low_y = NUMBER(4.0) * Number(int(sector >> 16) - 32768);
-  Number height_m = NUMBER(4.0) * Number((sector >> 8) & 0xffu);
-  Number y = (p.y - low_y) / max(height_m, NUMBER(4.0));
+  Number height_m = max(NUMBER(4.0) * Number((sector >> 8) & 0xffu), NUMBER(4.0));
+  Number y = (p.y - low_y) / height_m;
   bool is_there = (sector & 0xffu) != 0u && y >= NUMBER(0.0) && y < NUMBER(16.0);
   int row = is_there ? int(y) : 0;
-  int block = sectors + (int(sector & 0xffu) - 1) * CUT_BLOCK_WORDS;
-  uint word = is_there ? cutWord(block + (x & 15) + 16 * (row + 16 * (z & 15))) : 0u;
+  int cells = sectors / 2 + (int(sector & 0xffu) - 1) * CUT_BLOCK_NODES;
+  Number3 corner = Number3(NUMBER(4.0) * Number(x), low_y + height_m * Number(row), NUMBER(4.0) * Number(z));
+  Number3 from = p - corner;
+  Number step_m = height_m * NUMBER(0.00000762939453125);
+  int at = is_there ? cells + (x & 15) + 16 * (row + 16 * (z & 15)) : 0;
   CutBrick found;
+  found.brick = 0u;
   found.door = 0;
   found.doors = 0;
-  if ((word & 0x80000000u) != 0u) {
-    Number3 from = Number3(p.x - NUMBER(64.0) * Number(x >> 4), p.y, p.z - NUMBER(64.0) * Number(z >> 4));
-    found.door = (block + 4096) / 4 + int(word & 0xffffu);
-    found.doors = int((word >> 16) & 31u);
-    int at = found.door + 3 * found.doors;
-    while ((word & 0x80000000u) != 0u) {
-      CutWords node = cutWords(at);
-      if (node.w == 0u) word = node.x;
-      at += cutAbove(node, from) > NUMBER(0.0) ? int(node.w & 0xffu) : 1;
+  bool is_leaf = false;
+  do {
+    CutWords node = cutWords(at);
+    is_leaf = !is_there || (node.y & 0x80000000u) == 0u;
+    if ((node.y & 0x20000000u) != 0u && is_there) {
+      found.door = cells + 4096 + int(node.x & 0xffffu);
+      found.doors = int(node.x >> 16);
     }
-  }
-  found.brick = word;
-  found.at = Number3(place.x * NUMBER(0.25) - Number(x), (place.y - low_y) / max(height_m, NUMBER(4.0)) - Number(row),
-                     place.z * NUMBER(0.25) - Number(z)) + Number3(NUMBER(1.0));
+    Number normal_x = Number(int(node.x << 16) >> 16) * NUMBER(0.000030518509475997192);
+    Number normal_z = Number(int(node.x) >> 16) * NUMBER(0.000030518509475997192);
+    Number up = NUMBER(1.0) - cutSize(normal_x) - cutSize(normal_z);
+    Number offset = Number(int(node.y & 0x3ffffu) - 131072) * step_m;
+    Number rise = normal_x * from.x + ((node.y & 0x40000000u) != 0u ? -up : up) * from.y + normal_z * from.z;
+    at = cells + 4096 + int((node.y >> 18) & 0x7ffu) + (rise > offset ? 1 : 0);
+    if (is_leaf && is_there) found.brick = node.x;
+  } while (!is_leaf);
+  found.at = Number3((place.x - corner.x) * NUMBER(0.25), (place.y - corner.y) / height_m,
+                     (place.z - corner.z) * NUMBER(0.25)) + Number3(NUMBER(1.0));
   return found;
 }
 
@@ -91,26 +92,29 @@ INLINE CutDoor cutDoorOf(CutBrick found, Number3 p, Number3 place) {
   beyond.share = NUMBER(0.0);
   beyond.p = p;
   beyond.place = place;
-  for (int i = found.door; i < found.door + 3 * found.doors && beyond.share <= NUMBER(0.0); i += 3) {
+  for (int i = found.door; i < found.door + 6 * found.doors && beyond.share <= NUMBER(0.0); i += 6) {
     CutWords low = cutWords(i);
-    CutWords high = cutWords(i + 1);
-    CutWords fade = cutWords(i + 2);
+    CutWords low_end = cutWords(i + 1);
+    CutWords high = cutWords(i + 2);
+    CutWords high_end = cutWords(i + 3);
+    CutWords fade_x = cutWords(i + 4);
+    CutWords fade_z = cutWords(i + 5);
     Number3 from = Number3(p.x - corner_x, p.y, p.z - corner_z);
-    Number3 at_least = Number3(cutFloat(low.x), cutFloat(low.y), cutFloat(low.z));
-    Number3 at_most = Number3(cutFloat(high.x), cutFloat(high.y), cutFloat(high.z));
+    Number3 at_least = Number3(cutFloat(low.x), cutFloat(low.y), cutFloat(low_end.x));
+    Number3 at_most = Number3(cutFloat(high.x), cutFloat(high.y), cutFloat(high_end.x));
     Number3 size = at_most - at_least;
     if (from.x < at_least.x || from.y < at_least.y || from.z < at_least.z || from.x > at_most.x || from.y > at_most.y ||
         from.z > at_most.z)
       continue;
-    int axis = int(low.w & 3u);
-    Number outwards = (low.w & 4u) != 0u ? NUMBER(1.0) : NUMBER(-1.0);
-    Number face = cutFloat(high.w);
+    int axis = int(low_end.y & 3u);
+    Number outwards = (low_end.y & 4u) != 0u ? NUMBER(1.0) : NUMBER(-1.0);
+    Number face = cutFloat(high_end.y);
     Number along = axis == 0 ? from.x : axis == 1 ? from.y : from.z;
     Number first = axis == 0 ? at_least.x : axis == 1 ? at_least.y : at_least.z;
     Number last = axis == 0 ? at_most.x : axis == 1 ? at_most.y : at_most.z;
     beyond.share = doorThrough(along, face, outwards > NUMBER(0.0) ? first : last, outwards > NUMBER(0.0) ? last : first) *
-                   doorFade(from.x, cutFloat(fade.x), cutFloat(fade.y), NUMBER(0.25) * size.x) *
-                   doorFade(from.z, cutFloat(fade.z), cutFloat(fade.w), NUMBER(0.25) * size.z);
+                   doorFade(from.x, cutFloat(fade_x.x), cutFloat(fade_x.y), NUMBER(0.25) * size.x) *
+                   doorFade(from.z, cutFloat(fade_z.x), cutFloat(fade_z.y), NUMBER(0.25) * size.z);
     // To the other side of the face, if they are not there. A place stays on its side of the face's plane by 1/256 m.
     Number side = (along - face) * outwards > NUMBER(0.0) ? -outwards : outwards;
     Number there = face + side * NUMBER(0.00390625);

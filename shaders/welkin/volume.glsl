@@ -5,7 +5,8 @@
 // sides, beyond the volume's own; the three fetches are of the brick of the surface's side (shared/cuts.glsl).
 // Needs: #extension GL_GOOGLE_include_directive : require; WELKIN_VOLUME_SET, and in that set
 // WELKIN_VOLUME_BINDING_CONSTANTS, WELKIN_VOLUME_BINDING_TEXELS, an array of three textures, and
-// WELKIN_VOLUME_BINDING_CUTS. #define WELKIN_VOLUME_WITHOUT_CUTS before it: no walls, and no such binding.
+// WELKIN_VOLUME_BINDING_CUTS. #define WELKIN_VOLUME_WITHOUT_CUTS before it: no walls, and no such binding. #define
+// WELKIN_VOLUME_DOORS before it for levels with doors: else the light steps at their faces.
 #ifndef WELKIN_VOLUME_GLSL
 #define WELKIN_VOLUME_GLSL
 
@@ -32,12 +33,12 @@ layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_TEXELS) uniform 
 
 #ifndef WELKIN_VOLUME_WITHOUT_CUTS
 layout(set = WELKIN_VOLUME_SET, binding = WELKIN_VOLUME_BINDING_CUTS, std430) readonly buffer WelkinVolumeCuts {
-  uvec4 welkinVolumeCuts[];
+  uvec2 welkinVolumeCuts[];
 };
-#define CutWords uvec4
-#define CUT_BLOCK_WORDS (4096 + 4 * 1024)  // cells and nodes
+#define CutWords uvec2
+#define CUT_BLOCK_NODES (4096 + 1024)  // cells, and the trees below them
 CutWords cutWords(int i) { return welkinVolumeCuts[i]; }
-uint cutWord(int i) { return welkinVolumeCuts[i >> 2][i & 3]; }
+uint cutWord(int i) { return welkinVolumeCuts[i >> 1][i & 1]; }
 float cutFloat(uint word) { return uintBitsToFloat(word); }
 int cutMask(int axis) { return int(welkinVolume.cuts[axis]); }
 #include "../shared/doors.glsl"
@@ -95,7 +96,7 @@ vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
     }
     light = mix(light, welkinVolumeTexelsAt(uvw, weight), share);
     share = 0.0;
-#ifndef WELKIN_VOLUME_WITHOUT_DOORS
+#ifdef WELKIN_VOLUME_DOORS
     if (is_first && is_inside && found.doors > 0) {
       CutDoor beyond = cutDoorOf(found, p, place);
       p = beyond.p;

@@ -190,6 +190,30 @@ TEST_CASE("Volume, ItMovesAsIfFilledAtOnce") {
   }
 }
 
+TEST_CASE("Volume, AStepOfACellFillsASlabAlone") {
+  const RandomLevel baked = wholeLevel();
+  OpenedLevel opened(baked);
+  const WelkinSkySample sample = opened.relight(10.0);
+  constexpr std::uint32_t kSize[3] = {24, 8, 20};
+  Volume moved(WELKIN_VOLUME_RGBA16F, {24, 8, 20});
+  std::array<float, 3> camera = {2, 10, 30};
+  moved.update(opened, sample, camera);
+  CHECK(moved.update(opened, sample, camera).filled == 0);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int step = 0; step < 2 * 24; ++step) {
+      camera[axis] += step % 48 < 24 ? 4.0F : -4.0F;
+      const WelkinVolumeUpdate update = moved.update(opened, sample, camera);
+      INFO("axis " << axis << ", step " << step);
+      CHECK(update.remaining == 0);
+      // The slab, which along x and y goes on in the copy of the first slice; along z that slice may be in it.
+      std::uint32_t slab = 1;
+      for (std::size_t a = 0; a < 3; ++a) slab *= a == axis ? 1 : a == 2 ? kSize[2] + 1 : kSize[a];
+      const bool has_copy = axis == 2 && update.box_count == 2;
+      CHECK(update.filled == (has_copy ? 2 : 1) * slab);
+      CHECK(update.box_count == (has_copy ? 2 : 1));
+    }
+}
+
 TEST_CASE("Volume, TwoOfOneLevelKeepTheirOwnFormats") {
   const RandomLevel baked = wholeLevel();
   OpenedLevel opened(baked);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "allocations.h"
 #include "object.h"
 #include "render/views.h"
 #include "test_sky.h"
@@ -31,6 +32,11 @@ void operator delete(void* p, std::size_t) noexcept {
 #endif
 
 namespace welkin::tests {
+
+std::size_t allocationCount() {
+  return allocations;
+}
+
 namespace {
 
 std::string refusal(const WelkinVulkanCreateInfo& info, const Sky& sky, WelkinResult expected) {

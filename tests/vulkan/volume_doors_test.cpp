@@ -6,7 +6,7 @@
 
 #include "compute.h"
 #include "device_volume.h"
-#include "spirv/kVolumeComp.h"
+#include "spirv/kVolumeDoorsComp.h"
 #include "wall_level.h"
 
 namespace welkin::tests {
@@ -44,7 +44,7 @@ std::vector<float> surfacesIn(const geometry::Box& box, std::size_t count) {
 }
 
 std::vector<float> lightIn(render::VulkanDevice& device, const DeviceVolume& v, const std::vector<float>& points) {
-  return runCompute(device, kVolumeComp, points, points.size() / 2, 4,
+  return runCompute(device, kVolumeDoorsComp, points, points.size() / 2, 4,
                     welkin_vulkan_volume_descriptor_set_layout(v.textures),
                     welkin_vulkan_volume_descriptor_set(v.textures, 0));
 }

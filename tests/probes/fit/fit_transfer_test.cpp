@@ -14,9 +14,13 @@
 namespace welkin::tests {
 namespace {
 
-sectors::SectorFile bakedYard(build::Fit fit, placement::Walls walls = placement::Walls::cut) {
+sectors::SectorFile bakedYard(build::Fit fit, placement::Walls walls = placement::Walls::cut, bool door = false) {
   build::BakeSection section = fitSection(fit);
   section.probes.walls = walls;
+  if (door) {  // in the closed box's wall, 3 m in and 5 m out
+    section.probes.room = {{{kBoxLow - 0.1, -0.1, kBoxLow - 0.1}, {kBoxHigh + 0.1, 4.1, kBoxHigh + 0.1}}};
+    section.probes.door = {{section.probes.room[0], {{43, -1, kBoxLow - 5.0}, {49, 3, kBoxLow + 3.0}}}};
+  }
   return build::LevelBake(fitYard(), section, fitSky(), std::nullopt).bake({0, 0}, {});
 }
 
@@ -84,8 +88,10 @@ TEST_CASE("FitPoints, TheyLieOnFrontsInTheSectorAndInItsAir") {
 }
 
 TEST_CASE("FitLookUp, ItsWeightsAreTheRuntimesLookUp") {
-  const sectors::SectorFile file = bakedYard(build::Fit::none);
+  const bool door = GENERATE(false, true);
+  const sectors::SectorFile file = bakedYard(build::Fit::none, placement::Walls::cut, door);
   REQUIRE_FALSE(file.cuts.empty());
+  REQUIRE(file.door.size() == (door ? 1 : 0));
   const geometry::PlacedSector placed = placedOf(file);
   const fit::LookUp look_up(placed, file.cuts);
   const model::Sky sky = fitSky();
@@ -95,6 +101,8 @@ TEST_CASE("FitLookUp, ItsWeightsAreTheRuntimesLookUp") {
   const fit::FitPoints points = fit::pointsOf(geometry::Tracer(yard), {0, 0}, 300, 100, 4);
   std::vector<fit::FitPoint> all = points.surface;
   all.insert(all.end(), points.air.begin(), points.air.end());
+  for (int i = 0; i < 80; ++i)  // through the door, on the ground
+    all.push_back({Number3(44.0 + 0.05 * i, 0.0, kBoxLow - 4.95 + 0.1 * i), Number3(0.0, 1.0, 0.0)});
   std::size_t at_border = 0;
   for (const fit::FitPoint& p : all) {
     const fit::PointWeights weights = look_up.at(p);

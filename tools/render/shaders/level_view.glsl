@@ -33,6 +33,7 @@ float lightReaching(vec3 p, vec3 normal) {
 // sky's, or one colour.
 #ifdef WELKIN_LIGHT_OF_PROBES
 #define WELKIN_VOLUME_SET 2
+#define WELKIN_VOLUME_DOORS
 #include "welkin/far.glsl"
 vec3 ambientIrradiance(vec3 p, vec3 normal) {
   vec3 beyond = skyIrradiance(normal) * (level.options.y * welkinFarVisibility(p, normal));
