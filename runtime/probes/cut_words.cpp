@@ -18,6 +18,10 @@ void CutWords::begin(double edge_m) {
   steps_a_metre_ = kOffsets / edge_m;
 }
 
+double CutWords::written(double offset) const {
+  return std::round(offset * steps_a_metre_) / steps_a_metre_;
+}
+
 std::uint32_t CutWords::add(std::uint32_t x, std::uint32_t y) {
   if (count_ == node_.size()) return kFull;
   node_[count_] = {x, y, kFull, kFull, kFull};

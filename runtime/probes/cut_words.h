@@ -26,6 +26,9 @@ class CutWords {
   /// Begins the tree of a cell whose longest edge is so long, metres.
   void begin(double edge_m);
 
+  /// Where a plane of an axis is written that is so far from the cell's low corner, metres.
+  double written(double offset) const;
+
   /// Each gives the new node's index, or kFull.
   std::uint32_t addLeaf(std::uint32_t word);
   std::uint32_t addPlane(const NodePlane& plane);

@@ -167,11 +167,13 @@ bool VolumeCuts::addDoors(const BrickCell& cell, std::uint32_t& nodes, std::uint
     if (!touches) continue;
     if (nodes + kDoorNodes > kMostCutNodesPlaced) return false;
     const auto word = [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); };
+    const auto from = [&](double v, std::size_t a) { return word(v - double{low[a]}); };
     const std::uint32_t axis = static_cast<std::uint32_t>(way.axis) + (way.rises ? kRisingDoor : 0U);
+    const std::uint32_t face = word(cell.tree.written(way.face - double{low[way.axis]}));
     const std::array<std::uint32_t, kDoorNodes * kNodeWords> words{
-        word(way.low[0]),      word(way.low[1]),       word(way.low[2]),      axis,
-        word(way.high[0]),     word(way.high[1]),      word(way.high[2]),     word(way.face),
-        word(way.fade_low[0]), word(way.fade_high[0]), word(way.fade_low[2]), word(way.fade_high[2])};
+        from(way.low[0], 0),      from(way.low[1], 1),       from(way.low[2], 2),      axis,
+        from(way.high[0], 0),     from(way.high[1], 1),      from(way.high[2], 2),     face,
+        from(way.fade_low[0], 0), from(way.fade_high[0], 0), from(way.fade_low[2], 2), from(way.fade_high[2], 2)};
     std::copy(words.begin(), words.end(), blockOf(cell.slot) + kCellWords + kNodeWords * nodes);
     nodes += kDoorNodes;
     ++doors;

@@ -18,12 +18,14 @@
 //   doors   as a plane, with bit 29 of y. It has one tree below it. x, bits 0-15: the first of the nodes of its doors; bits
 //           16-31: their number. A door has six nodes: its low corner, and the axis of its face's normal, plus 4 if the
 //           normal points out of the room; its high corner, the face; x and z between which it fades: low and high of x,
-//           low and high of z. These are from the corner of the sector, y of the world
+//           low and high of z. These are from the cell's low corner, and the face is where a plane of the tree has it, so
+//           that both agree on a place's side
 
 // A place in a brick, in texels from its corner. `brick` is 0 where the volume's own texels serve.
 struct CutBrick {
   uint brick;
   Number3 at;
+  Number3 corner;  // low corner of the place's cell
   int door;   // node of the cell's first door
   int doors;  // of the cell
 };
@@ -79,6 +81,7 @@ INLINE CutBrick cutBrickAt(Number3 p, Number3 place) {
     at = cells + 4096 + int((node.y >> 18) & 0x7ffu) + (rise > offset ? 1 : 0);
     if (is_leaf && is_there) found.brick = node.x;
   } while (!is_leaf);
+  found.corner = corner;
   found.at = Number3((place.x - corner.x) * NUMBER(0.25), (place.y - corner.y) / height_m,
                      (place.z - corner.z) * NUMBER(0.25)) + Number3(NUMBER(1.0));
   return found;
@@ -86,8 +89,7 @@ INLINE CutBrick cutBrickAt(Number3 p, Number3 place) {
 
 // The place beyond the face of the first door that has a share at p, which is the place of `found`.
 INLINE CutDoor cutDoorOf(CutBrick found, Number3 p, Number3 place) {
-  Number corner_x = NUMBER(64.0) * floor(p.x * NUMBER(0.015625));
-  Number corner_z = NUMBER(64.0) * floor(p.z * NUMBER(0.015625));
+  Number3 from = p - found.corner;
   CutDoor beyond;
   beyond.share = NUMBER(0.0);
   beyond.p = p;
@@ -99,7 +101,6 @@ INLINE CutDoor cutDoorOf(CutBrick found, Number3 p, Number3 place) {
     CutWords high_end = cutWords(i + 3);
     CutWords fade_x = cutWords(i + 4);
     CutWords fade_z = cutWords(i + 5);
-    Number3 from = Number3(p.x - corner_x, p.y, p.z - corner_z);
     Number3 at_least = Number3(cutFloat(low.x), cutFloat(low.y), cutFloat(low_end.x));
     Number3 at_most = Number3(cutFloat(high.x), cutFloat(high.y), cutFloat(high_end.x));
     Number3 size = at_most - at_least;
@@ -119,13 +120,13 @@ INLINE CutDoor cutDoorOf(CutBrick found, Number3 p, Number3 place) {
     Number side = (along - face) * outwards > NUMBER(0.0) ? -outwards : outwards;
     Number there = face + side * NUMBER(0.00390625);
     if (axis == 0) {
-      beyond.p.x = corner_x + there;
+      beyond.p.x = found.corner.x + there;
       beyond.place.x = side > NUMBER(0.0) ? max(place.x, beyond.p.x) : min(place.x, beyond.p.x);
     } else if (axis == 1) {
-      beyond.p.y = there;
+      beyond.p.y = found.corner.y + there;
       beyond.place.y = side > NUMBER(0.0) ? max(place.y, beyond.p.y) : min(place.y, beyond.p.y);
     } else {
-      beyond.p.z = corner_z + there;
+      beyond.p.z = found.corner.z + there;
       beyond.place.z = side > NUMBER(0.0) ? max(place.z, beyond.p.z) : min(place.z, beyond.p.z);
     }
   }
