@@ -31,7 +31,8 @@ struct Peer {
 /// ColorCorrectionModel of OpenCV 4 with the settings that its documentation offers, CIEDE2000 as its distance.
 std::vector<Peer> openCvPeers();
 
-/// colprof of Argyll with its matrix models and its two tables, read by xicclu. Both must be on PATH.
+/// colprof of Argyll with its three matrix models, read by xicclu. Both must be on PATH. Its tables have far more
+/// numbers than a chart has patches, and a fit of one takes half a minute.
 std::vector<Peer> argyllPeers();
 
 }  // namespace welkin::bench

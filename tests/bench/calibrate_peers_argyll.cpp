@@ -20,11 +20,8 @@ struct ArgyllSetting {
   const char* algorithm;
 };
 
-constexpr ArgyllSetting kArgyllSettings[] = {{"colprof matrix", "m"},
-                                             {"colprof gamma and matrix", "g"},
-                                             {"colprof shaper and matrix", "s"},
-                                             {"colprof XYZ table", "x"},
-                                             {"colprof Lab table", "l"}};
+constexpr ArgyllSetting kArgyllSettings[] = {
+    {"colprof matrix", "m"}, {"colprof gamma and matrix", "g"}, {"colprof shaper and matrix", "s"}};
 
 /// XYZ under D50, in percent, by way of L*a*b*.
 Colour xyzD50(const Colour& rgb) {

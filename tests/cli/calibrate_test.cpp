@@ -87,3 +87,81 @@ TEST_CASE("Calibrate, BadInputHasAReason") {
   CHECK(runTool({"calibrate", folder / "dead.png", "-o", folder / "out", "--corners", "1,2,3"}).status == 1);
   CHECK_FALSE(std::filesystem::exists(folder / "out/report.json"));
 }
+
+TEST_CASE("Calibrate, AProfileServesAFolderOfTheSameLight") {
+  const Folder folder;
+  writePhoto(folder / "chart.png", chart());
+  std::filesystem::create_directory(folder / "in");
+  image::Image wall = chart();
+  wall.height = 50;  // above the chart
+  wall.rgb.resize(std::size_t{3} * 50 * static_cast<std::size_t>(wall.width));
+  writePhoto(folder / "in/a.png", wall);
+  writePhoto(folder / "in/b.png", wall);
+  const std::string in = folder / "in";
+  REQUIRE(runTool({"calibrate", folder / "chart.png", "-o", folder / "chart"}).status == 0);
+  const Run saved = runTool({"calibrate", in, "-o", folder / "saved", "--apply", folder / "chart/profile.json"});
+  CAPTURE(saved.err);
+  REQUIRE(saved.status == 0);
+  CHECK(saved.out.find("a.png: ") == 0);
+  const Run direct =
+      runTool({"calibrate", in, "-o", folder / "direct", "--apply", folder / "chart.png", "--threads", "1"});
+  REQUIRE(direct.status == 0);
+  for (const char* file : {"a.exr", "a.report.json", "b.exr"})
+    CHECK(readBytes(folder.path() / "saved" / file) == readBytes(folder.path() / "direct" / file));
+  const Run again = runTool({"calibrate", in, "-o", folder / "saved", "--apply", folder / "chart/profile.json"});
+  CHECK(again.status == 0);
+  CHECK(again.out.find("a.png: ") == 0);
+  CHECK(again.out.find("up to date") != std::string::npos);
+
+  const Run without = runTool({"calibrate", in, "-o", folder / "without", "--json"});
+  CHECK(without.status == 3);
+  CHECK(without.said("2 of 2 photographs failed"));
+  const json printed = json::parse(without.out);
+  CHECK(printed["photographs"].empty());
+  CHECK(printed["failed"][1]["photo"] == "b.png");
+  CHECK(runTool({"calibrate", in, "-o", folder / "without", "--corners", "1,1,9,1,9,9,1,9"}).status == 1);
+  folder.write("bad.json", "{}");
+  const Run bad = runTool({"calibrate", in, "-o", folder / "without", "--apply", folder / "bad.json"});
+  CHECK(bad.status == 3);
+  CHECK(bad.said("no profile of `welkin calibrate`"));
+}
+
+TEST_CASE("Calibrate, CheckNamesTheWorstAlbedoAndEndsByIt") {
+  const Folder folder;
+  image::Image grey;
+  grey.width = 4;
+  grey.height = 4;
+  grey.rgb.assign(48, 0.3F);
+  std::filesystem::create_directory(folder / "albedo");
+  writePhoto(folder / "albedo/plaster.png", grey);
+  CHECK(runTool({"calibrate", "--check", folder / "albedo"}).status == 0);
+  grey.rgb.assign(48, 0.95F);
+  writePhoto(folder / "albedo/snow.png", grey);
+  const Run run = runTool({"calibrate", "--check", folder / "albedo", "--json"});
+  CHECK(run.status == 3);
+  CHECK(run.said("snow.png"));
+  const json printed = json::parse(run.out);
+  CHECK(printed["passed"] == false);
+  CHECK(printed["albedo"][0]["name"] == "snow.png");
+  CHECK(printed["albedo"][0]["bright"] == 1.0);
+  CHECK(printed["albedo"][1]["bright"] == 0.0);
+  CHECK(runTool({"calibrate", "--check", folder / "albedo", "--allowed", "100"}).status == 0);
+  CHECK(runTool({"calibrate", "--check", folder / "none.png"}).status == 2);
+  CHECK(runTool({"calibrate", folder / "albedo/snow.png"}).status == 1);
+
+  // A model's texture passes by itself, and not with the colour that its material multiplies.
+  const auto model = [&](const std::string& factor) {
+    folder.write("model.obj",
+                 "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl wall\n"
+                 "f 1/1 2/2 3/3\n");
+    folder.write("model.mtl", "newmtl wall\nKd " + factor + "\nmap_Kd albedo/plaster.png\n");
+    return runTool({"calibrate", "--check", folder / "model.obj"});
+  };
+  const Run white = model("1 1 1");
+  CAPTURE(white.err, white.out);
+  CHECK(white.status == 0);
+  CHECK(white.out.find("plaster.png") != std::string::npos);
+  const Run black = model("0.01 0.01 0.01");
+  CHECK(black.status == 3);
+  CHECK(black.said("plaster.png"));
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// welkin calibrate: albedo from a photograph that holds a colour chart.
+// welkin calibrate: albedo from photographs that hold a colour chart, or of a chart's light.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,24 +8,28 @@
 #include <memory>
 #include <string>
 
-#include "calibrate/albedo_file.h"
-#include "calibrate/photo.h"
+#include "calibrate/batch.h"
 #include "calibrate/report.h"
 #include "command/arguments.h"
+#include "command/check_albedo.h"
 #include "command/commands.h"
+#include "command/progress.h"
 #include "command/shared_options.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/folder_lock.h"
 #include "sky/base/message.h"
 
 namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string photo, folder, corners, reference;
+  std::string photo, folder, corners, reference, apply;
   std::string edition = "after-2014", input = "auto", model = "auto", format = "exr";
   ThreadsOption threads;
-  bool json = false;
+  ProgressOption progress;
+  bool json = false, force = false, check = false;
+  double allowed = 5.0;  ///< percent
 };
 
 [[noreturn]] void refuseUsage(const std::string& why) {
@@ -81,32 +85,116 @@ void print(const calibrate::CalibratedPhoto& photo) {
   printLine("left out", c.errors().left_out);
 }
 
-/// The output, which is none of the inputs.
-std::filesystem::path albedoPath(const Options& options) {
-  const std::string stem = std::filesystem::path(options.photo).stem().string();
-  std::filesystem::path path = std::filesystem::path(options.folder) / fmt::format("{}.{}", stem, options.format);
-  base::requireNoInput(path, std::array<std::filesystem::path, 2>{options.photo, options.reference});
-  return path;
+void warn(const std::string& photo, const nlohmann::ordered_json& warnings) {
+  for (const std::string warning : warnings)
+    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(photo), warning).c_str(), stderr);
+}
+
+bool isFolder(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none);
+}
+
+/// The profile of --apply: a file of one, or that of a photograph with a chart.
+calibrate::Profile appliedProfile(const Options& options, const calibrate::PhotoOptions& photo_options) {
+  if (std::filesystem::path(options.apply).extension() == ".json") return calibrate::readProfile(options.apply);
+  const calibrate::CalibratedPhoto chart = calibrate::calibratePhoto(options.apply, photo_options);
+  for (const std::string& warning : chart.warnings)
+    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.apply), base::oneLine(warning)).c_str(),
+               stderr);
+  return calibrate::profileOf(chart);
+}
+
+calibrate::Batch batchOf(const Options& options) {
+  calibrate::Batch batch;
+  batch.photo = photoOptions(options);
+  batch.format = options.format;
+  batch.folder = options.folder;
+  if (!options.apply.empty()) batch.profile = appliedProfile(options, batch.photo);
+  return batch;
+}
+
+void runOne(const Options& options, const calibrate::Batch& batch) {
+  const calibrate::Job job = calibrate::singleJob(options.photo, batch);
+  for (const char* input : {options.apply.c_str(), options.reference.c_str()})
+    for (const std::string& output : {job.albedo, job.report, job.profile})
+      base::requireNoInput(batch.folder / output, std::array<std::filesystem::path, 1>{input});
+  const calibrate::Made made = calibrate::make(job, batch, false);
+  warn(options.photo, made.report["warnings"]);
+  if (options.json)
+    fmt::print("{}\n", (made.calibrated ? calibrate::summaryJson(*made.calibrated) : made.report).dump(2));
+  else if (made.calibrated)
+    print(*made.calibrated);
+}
+
+/// One line a photograph, or all reports.
+void printAll(const Options& options, const calibrate::BatchResult& result) {
+  if (options.json) {
+    nlohmann::ordered_json all = {{"photographs", nlohmann::ordered_json::array()},
+                                  {"failed", nlohmann::ordered_json::array()}};
+    for (const calibrate::Made& made : result.made)
+      if (!made.report.is_null()) all["photographs"].push_back(made.report);
+    for (const auto& failure : result.failed)
+      all["failed"].push_back(
+          {{"photo", base::oneLine(failure.photo)}, {"message", base::oneLine(failure.error.what())}});
+    return fmt::print("{}\n", all.dump(2));
+  }
+  for (const calibrate::Made& made : result.made) {
+    const nlohmann::ordered_json& r = made.report;
+    if (r.is_null()) continue;
+    const std::string error =
+        r.contains("de2000") ? fmt::format(", CIEDE2000 left out {:.2f}", double{r["de2000"]["left_out"]["mean"]}) : "";
+    fmt::print("{}: {}{}{}\n", std::string(r["photo"]), std::string(r["model"]), error,
+               made.up_to_date ? ", up to date" : "");
+  }
+}
+
+void runFolder(const Options& options, const calibrate::Batch& batch) {
+  if (!options.corners.empty() && options.apply.empty())
+    refuseUsage("--corners: they are those of one photograph, and a folder is given");
+  const std::vector<calibrate::Job> jobs = calibrate::jobsIn(options.photo, batch);
+  catchInterrupts();
+  ProgressReport shown(options.progress.style());
+  const base::FolderLock lock(batch.folder);
+  const calibrate::BatchResult result = calibrate::makeAll(jobs, batch, !options.force, shown.progress());
+  for (const calibrate::Made& made : result.made)
+    if (!made.report.is_null()) warn(made.report["photo"], made.report["warnings"]);
+  printAll(options, result);
+  if (result.failed.empty()) return;
+  for (const auto& failure : result.failed)
+    std::fputs(fmt::format("welkin: {}\n", base::oneLine(failure.error.what())).c_str(), stderr);
+  throw base::Error(result.failed[0].error.status(),
+                    fmt::format("{} of {} photographs failed", result.failed.size(), jobs.size()));
+}
+
+/// --check: the worst albedo first, and exit status 3 where one is past what is allowed.
+void runCheck(const Options& options, const calibrate::ReferenceChart& reference) {
+  const calibrate::Gamut gamut(reference);
+  const auto checked = checkedAlbedo(options.photo, gamut);
+  const nlohmann::ordered_json json = calibrate::checkJson(checked, options.allowed / 100.0);
+  if (options.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("   dark  bright outside  percent of texels\n");
+    for (const calibrate::CheckedAlbedo& c : checked)
+      fmt::print("{:7.2f} {:7.2f} {:7.2f}  {}\n", 100.0 * c.shares.dark, 100.0 * c.shares.bright,
+                 100.0 * c.shares.outside, base::oneLine(c.name));
+  }
+  if (!json["passed"])
+    throw base::Error(base::ExitStatus::content,
+                      fmt::format("{}: {}: more than {} % of the texels are no likely albedo of a dielectric",
+                                  options.photo, checked.front().name, options.allowed));
 }
 
 void run(const Options& options) {
-  const calibrate::PhotoOptions photo_options = photoOptions(options);
-  const std::filesystem::path albedo = albedoPath(options);
+  if (options.check) return runCheck(options, photoOptions(options).reference);
+  if (options.folder.empty()) refuseUsage("-o is required: the folder for the albedo");
   const auto limit = options.threads.limit();
-  const calibrate::CalibratedPhoto photo = calibrate::calibratePhoto(options.photo, photo_options);
-  for (const std::string& warning : photo.warnings)
-    std::fputs(fmt::format("welkin: warning: {}: {}\n", base::oneLine(options.photo), base::oneLine(warning)).c_str(),
-               stderr);
-  base::makeFolder(albedo.parent_path());
-  calibrate::writeAlbedo(albedo, calibrate::albedoOf(photo.image, photo.calibration.model));
-  nlohmann::ordered_json report = {{"photo", base::oneLine(std::filesystem::path(options.photo).filename().string())},
-                                   {"albedo", base::oneLine(albedo.filename().string())}};
-  report.update(calibrate::reportJson(photo, photo_options.reference));
-  base::writeFile(albedo.parent_path() / "report.json", report.dump(2) + "\n");
-  if (options.json)
-    fmt::print("{}\n", calibrate::summaryJson(photo).dump(2));
-  else
-    print(photo);
+  const calibrate::Batch batch = batchOf(options);
+  const bool many = isFolder(options.photo);
+  if (!many) calibrate::singleJob(options.photo, batch);  // refuses before the folder is made
+  base::makeFolder(batch.folder);
+  many ? runFolder(options, batch) : runOne(options, batch);
 }
 
 }  // namespace
@@ -115,9 +203,10 @@ void addCalibrate(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("calibrate", "Turn a photograph with a colour chart into diffuse albedo");
   command
-      ->add_option("PHOTO", options->photo, "A picture that holds a ColorChecker Classic: PNG, JPEG, TIFF or OpenEXR")
+      ->add_option("PHOTO", options->photo,
+                   "A picture that holds a ColorChecker Classic: PNG, JPEG, TIFF or OpenEXR; or a folder of them")
       ->required();
-  command->add_option("-o,--output", options->folder, "Folder for the albedo and report.json")->required();
+  command->add_option("-o,--output", options->folder, "Folder for the albedo, report.json and profile.json");
   command->add_option("--corners", options->corners,
                       "x,y,x,y,x,y,x,y: corners of the area of patches, in pixels from the upper left of the upright "
                       "picture, next to the "
@@ -140,6 +229,19 @@ void addCalibrate(CLI::App& app) {
   command->add_option("--format", options->format, "Format of the albedo: linear OpenEXR, or PNG of 16 bits in sRGB")
       ->check(CLI::IsMember({"exr", "png"}))
       ->capture_default_str();
+  command->add_option("--apply", options->apply,
+                      "Calibrate by another photograph of the same camera and light: its profile.json, or the "
+                      "photograph with the chart itself");
+  command->add_flag("--check", options->check,
+                    "Calibrate nothing: tell how much of an albedo lies outside the chart's gamut or is too dark or "
+                    "bright for a dielectric, of a picture, a folder, a glTF or OBJ model or a level.toml");
+  command
+      ->add_option("--allowed", options->allowed,
+                   "--check ends with status 3 where more than so many percent of an albedo's texels are so")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command->add_flag("--force", options->force, "Make photographs of a folder that are up to date, too");
+  options->progress.addTo(*command);
   options->threads.addTo(*command, "The result is the same for any number");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });
