@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibrate/tiff.h"
 #include "sh/deterministic.h"
 #include "sky/base/atomic_file.h"
 #include "sky/cubemap/exr.h"
@@ -24,20 +25,25 @@ std::vector<std::byte> exrOf(const image::Image& albedo) {
   return cubemap::encodeExr(halves, std::nullopt, 1.0);
 }
 
-std::vector<std::byte> pngOf(const image::Image& albedo) {
+std::vector<std::uint16_t> codesOf(const image::Image& albedo) {
   std::vector<std::uint16_t> code;
   code.reserve(albedo.rgb.size());
   for (const float v : albedo.rgb) {
     const double encoded = det::srgbEncode(std::clamp(double{v}, 0.0, 1.0));
     code.push_back(static_cast<std::uint16_t>(std::lround(65535.0 * encoded)));
   }
-  return image::encodePng(albedo.width, albedo.height, code);
+  return code;
 }
 
 }  // namespace
 
 void writeAlbedo(const std::filesystem::path& path, const image::Image& albedo) {
-  base::writeFile(path, path.extension() == ".png" ? pngOf(albedo) : exrOf(albedo));
+  if (path.extension() == ".png")
+    base::writeFile(path, image::encodePng(albedo.width, albedo.height, codesOf(albedo)));
+  else if (path.extension() == ".tif")
+    base::writeFile(path, encodeTiff(albedo.width, albedo.height, codesOf(albedo)));
+  else
+    base::writeFile(path, exrOf(albedo));
 }
 
 }  // namespace welkin::calibrate

@@ -46,6 +46,7 @@ std::string inputHashOf(std::span<const std::byte> photo, const Batch& batch) {
   hasher.add(batch.format);
   hasher.add(batch.photo.model);
   hasher.add(static_cast<int>(batch.photo.encoding));
+  hasher.add(int{batch.photo.flatten});
   for (const Colour& c : batch.photo.reference) hasher.addAll(std::span<const double>(c.data(), 3));
   if (batch.photo.corners)
     for (const Point& p : *batch.photo.corners) hasher.addAll(std::span<const double>(p.data(), 2));

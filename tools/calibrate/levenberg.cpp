@@ -10,12 +10,12 @@ namespace {
 
 using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-Eigen::MatrixXd derivatives(const Eigen::VectorXd& x, const Eigen::VectorXd& at_x, const Residuals& residuals) {
-  constexpr double kStep = 1e-7;  // near the square root of the rounding, where one-sided differences are best
+Eigen::MatrixXd derivatives(const Eigen::VectorXd& x, const Eigen::VectorXd& at_x, const Residuals& residuals,
+                            double step) {
   Eigen::MatrixXd result(at_x.size(), x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     Eigen::VectorXd up = x;
-    up[i] += kStep * std::max(1.0, std::abs(x[i]));
+    up[i] += step * std::max(1.0, std::abs(x[i]));
     result.col(i) = (residuals(up) - at_x) / (up[i] - x[i]);
   }
   return result;
@@ -23,13 +23,13 @@ Eigen::MatrixXd derivatives(const Eigen::VectorXd& x, const Eigen::VectorXd& at_
 
 }  // namespace
 
-Eigen::VectorXd leastSquaresFrom(Eigen::VectorXd unknowns, const Residuals& residuals) {
+Eigen::VectorXd leastSquaresFrom(Eigen::VectorXd unknowns, const Residuals& residuals, double step) {
   constexpr int kMostSteps = 30;
   constexpr double kEnough = 1e-5, kMostDamping = 1e8;
   double damping = 1e-3;
   Eigen::VectorXd left = residuals(unknowns);
-  for (int step = 0; step < kMostSteps && damping <= kMostDamping; ++step) {
-    const Eigen::MatrixXd slope = derivatives(unknowns, left, residuals);
+  for (int i = 0; i < kMostSteps && damping <= kMostDamping; ++i) {
+    const Eigen::MatrixXd slope = derivatives(unknowns, left, residuals, step);
     Eigen::MatrixXd normal = slope.transpose() * slope;
     const Eigen::VectorXd gradient = slope.transpose() * left;
     const Eigen::VectorXd diagonal = normal.diagonal().cwiseMax(1e-12);

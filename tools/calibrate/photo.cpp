@@ -56,7 +56,13 @@ CalibratedPhoto calibrated(const std::string& photo, std::span<const std::byte> 
     areas = cornersOf(findCandidates(result.image, holdChart));
   }
   result.charts = chartsOf(photo, result.image, options, areas, full);
-  result.calibration = calibratePatches(photo, result.charts[0].patches, options.reference, options.model);
+  Patches& patches = result.charts[0].patches;
+  result.calibration = calibratePatches(photo, patches, options.reference, options.model);
+  if (options.flatten) {
+    result.light = gradientOf(patches, options.reference, result.calibration.used);
+    patches = withoutGradient(patches, *result.light);
+    result.calibration = calibratePatches(photo, patches, options.reference, options.model);
+  }
   return result;
 }
 

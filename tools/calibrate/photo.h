@@ -9,6 +9,7 @@
 
 #include "calibrate/calibration.h"
 #include "calibrate/judge.h"
+#include "calibrate/uneven_light.h"
 #include "sky/image/image.h"
 
 namespace welkin::calibrate {
@@ -24,6 +25,7 @@ struct PhotoOptions {
   Encoding encoding = Encoding::choose;
   std::optional<Corners> corners;  ///< of the chart, from dark skin's on; else it is searched
   std::string model = "auto";
+  bool flatten = false;  ///< whether a gradient of light over the chart is taken out of its patches
   ReferenceChart reference;
 };
 
@@ -36,8 +38,9 @@ struct FoundChart {
 struct CalibratedPhoto {
   image::Image image;  ///< as photographed, linear
   bool linear_codes = false;
-  std::vector<FoundChart> charts;  ///< at least one; the most likely first
-  Calibration calibration;         ///< by the first chart
+  std::vector<FoundChart> charts;      ///< at least one; the most likely first
+  Calibration calibration;             ///< by the first chart
+  std::optional<LightGradient> light;  ///< taken out of the first chart's patches
   std::vector<std::string> warnings;
 };
 

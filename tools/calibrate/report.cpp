@@ -2,6 +2,7 @@
 #include "calibrate/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sky/base/message.h"
 
@@ -70,6 +71,8 @@ Json reportJson(const CalibratedPhoto& photo, const ReferenceChart& reference) {
   json["rss_space"] = "encoded sRGB in [0, 1], over used patches and channels";
   json["rss_xyY"] = calibration.rss_xyY;
   json["input"] = photo.linear_codes ? "linear" : "srgb";
+  if (photo.light)
+    json["light"] = {{"right_by_left", std::exp(photo.light->along)}, {"bottom_by_top", std::exp(photo.light->down)}};
   for (const ModelErrors& tried : calibration.tried) {
     Json model = {
         {"model", tried.kind->name}, {"fit", summaryOfJson(tried.fit)}, {"left_out", summaryOfJson(tried.left_out)}};

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -28,7 +29,7 @@ struct Options {
   std::string edition = "after-2014", input = "auto", model = "auto", format = "exr";
   ThreadsOption threads;
   ProgressOption progress;
-  bool json = false, force = false, check = false;
+  bool json = false, force = false, check = false, flatten = false;
   double allowed = 5.0;  ///< percent
 };
 
@@ -58,6 +59,7 @@ calibrate::PhotoOptions photoOptions(const Options& options) {
   if (options.model != "auto" && calibrate::modelNamed(options.model) == nullptr)
     refuseUsage(fmt::format("--model {}: auto, {} are allowed", options.model, calibrate::modelNames()));
   result.model = options.model;
+  result.flatten = options.flatten;
   result.reference = options.reference.empty()
                          ? calibrate::referenceChart(options.edition == "before-2014" ? calibrate::Edition::before_2014
                                                                                       : calibrate::Edition::after_2014)
@@ -79,6 +81,9 @@ void print(const calibrate::CalibratedPhoto& photo) {
   }
   fmt::print("model {}, codes read as {}, {} patches, sum of squares {:.4f} in encoded sRGB, {:.4f} in xyY\n",
              c.model.kind->name, photo.linear_codes ? "linear" : "sRGB", c.used.size(), c.rss_srgb, c.rss_xyY);
+  if (photo.light)
+    fmt::print("light of the right edge by the left {:.3f}, of the bottom by the top {:.3f}\n",
+               std::exp(photo.light->along), std::exp(photo.light->down));
   fmt::print("CIEDE2000     mean     95%   worst\n");
   printLine("before", c.before);
   printLine("fit", c.errors().fit);
@@ -226,12 +231,16 @@ void addCalibrate(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--reference", options->reference,
                       "A file of the chart's measured colours: 24 lines \"NAME L a b\" under D50");
-  command->add_option("--format", options->format, "Format of the albedo: linear OpenEXR, or PNG of 16 bits in sRGB")
-      ->check(CLI::IsMember({"exr", "png"}))
+  command
+      ->add_option("--format", options->format,
+                   "Format of the albedo: linear OpenEXR, or PNG or TIFF of 16 bits in sRGB")
+      ->check(CLI::IsMember({"exr", "png", "tif"}))
       ->capture_default_str();
   command->add_option("--apply", options->apply,
                       "Calibrate by another photograph of the same camera and light: its profile.json, or the "
                       "photograph with the chart itself");
+  command->add_flag("--flatten", options->flatten,
+                    "Estimate how the light falls off over the chart, by its colours, and take that out of the fit");
   command->add_flag("--check", options->check,
                     "Calibrate nothing: tell how much of an albedo lies outside the chart's gamut or is too dark or "
                     "bright for a dielectric, of a picture, a folder, a glTF or OBJ model or a level.toml");

@@ -74,7 +74,7 @@ std::vector<CheckedAlbedo> checkedScene(const level::Scene& scene, const calibra
     const Colour tint(material.albedo.x, material.albedo.y, material.albedo.z);
     if (material.texture < 0) {
       checked.push_back(
-          {fmt::format("the material of {}", use.object), calibrate::sharesOf(use.vertex_colours, tint, gamut)});
+          {fmt::format("material {} on {}", index, use.object), calibrate::sharesOf(use.vertex_colours, tint, gamut)});
       continue;
     }
     const level::TextureSource& source = scene.textures[static_cast<std::size_t>(material.texture)];
