@@ -11,19 +11,26 @@ NormalMatrix::NormalMatrix(std::size_t unknowns, std::span<const Row> rows, doub
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const Row::Entry& e : rows[i].entry) row_of[e.unknown].push_back(static_cast<std::uint32_t>(i));
   std::vector<double> line(unknowns, 0.0);
+  std::vector<std::uint32_t> touched;
   double sum = 0.0;
   std::size_t used = 0;
   for (std::size_t u = 0; u < unknowns; ++u) {
-    std::fill(line.begin(), line.end(), 0.0);
+    for (const std::uint32_t v : touched) line[v] = 0.0;
+    touched.clear();
     for (const std::uint32_t i : row_of[u]) {
       const Row& row = rows[i];
       const auto own =
           std::find_if(row.entry.begin(), row.entry.end(), [&](const Row::Entry& e) { return e.unknown == u; });
-      for (const Row::Entry& e : row.entry) line[e.unknown] += row.weight * own->factor * e.factor;
+      for (const Row::Entry& e : row.entry) {
+        line[e.unknown] += row.weight * own->factor * e.factor;
+        touched.push_back(e.unknown);
+      }
     }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     diagonal_[u] = line[u];
-    for (std::size_t v = 0; v < unknowns; ++v)
-      if (v != u && line[v] != 0.0) other_[u].push_back({static_cast<std::uint32_t>(v), line[v]});
+    for (const std::uint32_t v : touched)
+      if (v != u && line[v] != 0.0) other_[u].push_back({v, line[v]});
     sum += diagonal_[u];
     used += diagonal_[u] > 0.0 ? 1 : 0;
   }

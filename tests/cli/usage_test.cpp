@@ -88,6 +88,17 @@ TEST_CASE("Usage, PicturesHaveASizeAndAView") {
   }
 }
 
+TEST_CASE("Usage, APictureIsAPng") {
+  const Folder folder;
+  for (const char* name : {"a.jpg", "a", ".png", "a.png/"}) {
+    const Run run = runTool({"render", folder / "none", "-o", folder / name, "--time=1"});
+    INFO(name << "\n" << run.err);
+    REQUIRE(run.status == 1);
+    REQUIRE(run.said(folder / name));
+    REQUIRE(run.said(".png"));
+  }
+}
+
 TEST_CASE("Usage, SignedAndExtremeDirectionsParse") {
   const Folder folder;
   const std::string sky = folder.write("sky.toml", skyText(kUniform));

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "command/arguments.h"
 #include "probes/build/level_files.h"
 #include "sky/base/error.h"
+#include "sky/base/message.h"
 
 namespace welkin::command {
 namespace {
@@ -125,6 +127,9 @@ std::optional<f64::Number3> parseCamera(const RenderOptions& options) {
 
 void checkOptions(const RenderOptions& options) {
   const auto refuse = [](const std::string& why) { throw base::Error(base::ExitStatus::usage, why); };
+  if (std::filesystem::path(options.output).extension() != ".png")
+    refuse(
+        fmt::format("-o {}: the picture is a PNG; a name that ends in .png is allowed", base::oneLine(options.output)));
   if (!(options.fov_deg > 0.0 && options.fov_deg < 180.0))
     refuse(fmt::format("--fov: {} is not above 0 and below 180 degrees", options.fov_deg));
   if (options.pitch_deg && !(std::abs(*options.pitch_deg) <= 90.0))
