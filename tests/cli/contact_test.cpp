@@ -208,3 +208,32 @@ TEST_CASE("Contact, APictureTakesTheFactors") {
   INFO(without);
   CHECK(error("contact") < 0.6 * without);
 }
+
+TEST_CASE("Contact, TheViewerTakesTheFactorsOfItsBakeAlone") {
+  const Slab level;
+  level.bake();
+  REQUIRE(level.contact().status == 0);
+  const auto viewed = [&](const std::string& script) {
+    level.write("look.txt", script + "state " + level / "state.json\n");
+    const Run run =
+        runTool({"view", level / "out", "--headless", "--validate", "--size", "64x48", "--script", level / "look.txt"},
+                {{{"VK_ICD_FILENAMES", WELKIN_TEST_ICD}}, "", "", 0, 120.0});
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return json::parse(readBytes(level / "state.json"));
+  };
+  const std::string look =
+      "time 12\nset direct off\ncamera 24 5 40 10 -25\npaths 128\ncompare baked reference difference\n";
+  const json with = viewed(look), without = viewed(look + "set contact off\n");
+  CHECK(with["contact_factors"] > 0);
+  CHECK(with["changes"]["contact"] == true);
+  CHECK(with["warnings"].empty());
+  CHECK(double{with["compare"]["error"]["rms"]} < 0.6 * double{without["compare"]["error"]["rms"]});
+  level.writeLevel(128);
+  level.bake();
+  const json stale = viewed(look);
+  CHECK(stale["contact_factors"] == 0);
+  REQUIRE(stale["warnings"].size() == 1);
+  CHECK(stale["warnings"][0]["id"] == "contact");
+  CHECK(std::string(stale["warnings"][0]["message"]).find("of another bake") != std::string::npos);
+}

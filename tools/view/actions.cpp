@@ -103,7 +103,8 @@ void exposure(Session& s, Words& w) {
 void setValue(Session& s, Words& w) {
   State state = s.state();
   Changes& c = state.changes;
-  switch (w.choice("the name", {"sky", "sun-bounce", "local", "saturation", "tint", "occlusion", "direct"})) {
+  switch (
+      w.choice("the name", {"sky", "sun-bounce", "local", "saturation", "tint", "occlusion", "contact", "direct"})) {
     case 0:
       c.sky = w.number("sky", 0.0, kMostFactor);
       break;
@@ -121,6 +122,9 @@ void setValue(Session& s, Words& w) {
       break;
     case 5:
       c.occlusion = w.isOn("occlusion");
+      break;
+    case 6:
+      c.contact = w.isOn("contact");
       break;
     default:
       c.direct = w.isOn("direct");
@@ -266,7 +270,7 @@ constexpr Action kActions[] = {
     {"light", "baked | flat | sky | reference | other", "the ambient light of the picture", light},
     {"compare", "LIGHT LIGHT [wipe [AT] | side | difference] | off", "two lights in one picture", compare},
     {"exposure", "STOPS | auto", "radiance is multiplied by 2^STOPS", exposure},
-    {"set", "sky|sun-bounce|local|saturation NUMBER, tint|occlusion|direct on|off", "changes the light at once",
+    {"set", "sky|sun-bounce|local|saturation NUMBER, tint|occlusion|contact|direct on|off", "changes the light at once",
      setValue},
     {"reset", "", "takes all changes of the light back", reset},
     {"undo", "", "takes the last change back", undo},

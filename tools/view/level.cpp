@@ -7,6 +7,7 @@
 #include "probes/build/level_bake.h"
 #include "probes/build/level_files.h"
 #include "probes/build/sector_warnings.h"
+#include "probes/contact/contact_file.h"
 #include "probes/geometry/sector_name.h"
 #include "probes/loader/read_scene.h"
 #include "probes/loader/surfaces_of.h"
@@ -48,6 +49,18 @@ void addTo(std::vector<SectorCost>& costs, std::vector<Warning>& warnings, const
   warnings.push_back({"unlit",
                       fmt::format("sector {}: {} no light of sky, sun, moon or emission", nameOf(entry.id), probes),
                       placeToLookAt(file)});
+}
+
+/// Takes the folder's contact factors into the scene. Those of another bake are left out, with a warning.
+void takeContact(level::Scene& scene, const fs::path& folder, std::span<const std::byte> index,
+                 std::vector<Warning>& warnings) {
+  scene.contact.clear();
+  scene.first_contact.clear();
+  try {
+    contact::addContact(scene, folder, base::hashOf(index));
+  } catch (const base::Error& e) {
+    warnings.push_back({"contact", fmt::format("contact factors are left out: {}", e.what()), {}});
+  }
 }
 
 }  // namespace
@@ -94,10 +107,13 @@ void Level::reload(const std::map<geometry::SectorId, std::vector<std::byte>>& i
   }
   index.all_sectors = sectors::hashOf(index.sector);
   if (!bytes_instead.empty()) bytes_instead.emplace(index_path, sectors::encodeLevel(index));
+  const std::vector<std::byte> index_bytes =
+      bytes_instead.empty() ? base::readFile(index_path) : bytes_instead.at(index_path);
   baked_ = std::make_unique<baked::LevelFolder>(files_.folder, 0, bytes_instead);
   sectors_ = std::move(files);
   costs_ = std::move(costs);
   warnings_ = std::move(warnings);
+  takeContact(scene_, files_.folder, index_bytes, warnings_);
 }
 
 const SectorFile* Level::sector(geometry::SectorId id) const {

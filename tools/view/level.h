@@ -55,9 +55,9 @@ class Level {
   const sectors::SectorFile* sector(geometry::SectorId id) const;
   const std::vector<SectorCost>& costs() const { return costs_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
-  /// Reads the folder anew, as another bake has left it; with sectors' files in place of the folder's, by their
-  /// sectors, which a bake that is not done has made. What has pointed into baked() must be gone. Throws Error; then
-  /// the level is as before.
+  /// Reads the folder anew, as another bake has left it, with its contact factors if they are of that bake; with
+  /// sectors' files in place of the folder's, by their sectors, which a bake that is not done has made. What has
+  /// pointed into baked() must be gone. Throws Error; then the level is as before.
   void reload(const std::map<geometry::SectorId, std::vector<std::byte>>& instead = {});
   /// The place of a probe; the name must exist.
   f64::Number3 placeOf(const ProbeName& name) const;

@@ -74,6 +74,7 @@ render::LevelOptions Painter::optionsOf(const State& state, Light light) const {
   options.flat_light = light == Light::flat;
   options.tint = c.tint;
   options.occlusion = c.occlusion;
+  options.contact = c.contact && light == Light::baked;  // factors are of this bake's probes alone
   options.direct = c.direct;
   options.reflections = !is_quick_;
   if (is_quick_) options.shadow_size = kQuickShadow;

@@ -199,6 +199,10 @@ void Panels::change() {
   flag("tint", c.tint);
   ImGui::SameLine();
   flag("occlusion", c.occlusion);
+  if (!session_.level().scene().contact.empty()) {
+    ImGui::SameLine();
+    flag("contact", c.contact);
+  }
   ImGui::SameLine();
   flag("direct", c.direct);
   if (ImGui::Button("undo")) perform("undo");

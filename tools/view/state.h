@@ -46,6 +46,7 @@ struct Changes {
   double saturation = 1.0;                          ///< of ambient light, times the sky's own, in [0, 1]
   bool tint = true;                                 ///< the dome's polarising tint
   bool occlusion = false;                           ///< in screen space
+  bool contact = true;                              ///< factors of the vertices, where the bake has them
   bool direct = true;                               ///< sun, moon and lamps themselves
   friend bool operator==(const Changes&, const Changes&) = default;
 };
