@@ -8,6 +8,7 @@
 #include "probes/geometry/sector_name.h"
 #include "sky/base/error.h"
 #include "view/edit_actions.h"
+#include "view/light_actions.h"
 #include "view/session.h"
 #include "view/state_json.h"
 #include "view/words.h"
@@ -16,7 +17,6 @@ namespace welkin::view {
 namespace {
 
 constexpr double kFarthest_m = 1e6;
-constexpr double kMostFactor = 16.0;
 
 void time(Session& s, Words& w) {
   State state = s.state();
@@ -44,101 +44,6 @@ void overview(Session& s, Words& w) {
   State state = s.state();
   state.eye = s.overview();
   s.set(state);
-}
-
-void probes(Session& s, Words& w) {
-  State state = s.state();
-  state.probes =
-      static_cast<ProbeShade>(w.choice("the shade", {"off", "irradiance", "visibility", "sky", "sun-bounce", "local"}));
-  w.end();
-  s.set(state);
-}
-
-Light lightWord(const Session& s, Words& w, const char* what) {
-  const auto light = static_cast<Light>(w.choice(what, {"baked", "flat", "sky", "reference", "other"}));
-  if (light == Light::other && !s.hasOther())
-    throw base::Error(base::ExitStatus::content, "other: no other bake is open; `other FOLDER` opens one");
-  return light;
-}
-
-void other(Session& s, Words& w) {
-  const std::string folder = w.text("the folder");
-  w.end();
-  s.openOther(folder);
-}
-
-void light(Session& s, Words& w) {
-  State state = s.state();
-  state.light = lightWord(s, w, "the light");
-  w.end();
-  s.set(state);
-}
-
-void compare(Session& s, Words& w) {
-  State state = s.state();
-  if (w.take("off")) {
-    state.compare.reset();
-  } else {
-    Comparison c;
-    c.first = lightWord(s, w, "the first light");
-    c.second = lightWord(s, w, "the second light");
-    if (!w.done()) c.beside = static_cast<Beside>(w.choice("the arrangement", {"wipe", "side", "difference"}));
-    if (c.beside == Beside::wipe && !w.done()) c.at = w.number("the line", 0.0, 1.0);
-    state.compare = c;
-  }
-  w.end();
-  s.set(state);
-}
-
-void exposure(Session& s, Words& w) {
-  State state = s.state();
-  if (w.take("auto"))
-    state.exposure_ev.reset();
-  else
-    state.exposure_ev = w.number("the exposure in stops, or auto,", -40.0, 40.0);
-  w.end();
-  s.set(state);
-}
-
-void setValue(Session& s, Words& w) {
-  State state = s.state();
-  Changes& c = state.changes;
-  switch (
-      w.choice("the name", {"sky", "sun-bounce", "local", "saturation", "tint", "occlusion", "contact", "direct"})) {
-    case 0:
-      c.sky = w.number("sky", 0.0, kMostFactor);
-      break;
-    case 1:
-      c.sun_bounce = w.number("sun-bounce", 0.0, kMostFactor);
-      break;
-    case 2:
-      c.local = w.number("local", 0.0, kMostFactor);
-      break;
-    case 3:
-      c.saturation = w.number("saturation", 0.0, 1.0);
-      break;
-    case 4:
-      c.tint = w.isOn("tint");
-      break;
-    case 5:
-      c.occlusion = w.isOn("occlusion");
-      break;
-    case 6:
-      c.contact = w.isOn("contact");
-      break;
-    default:
-      c.direct = w.isOn("direct");
-      break;
-  }
-  w.end();
-  if (c != s.state().changes) s.set(state);
-}
-
-void reset(Session& s, Words& w) {
-  w.end();
-  State state = s.state();
-  state.changes = {};
-  if (state.changes != s.state().changes) s.set(state);
 }
 
 void undo(Session& s, Words& w) {
@@ -265,14 +170,15 @@ constexpr Action kActions[] = {
     {"point", "X Y Z NX NY NZ | off", "picks a point of a surface", point},
     {"truth", "PATHS", "paths of the path tracer at the picked point", truth},
     {"paths", "N", "paths of the path tracer, a pixel", paths},
-    {"probes", "off | irradiance | visibility | sky | sun-bounce | local", "what the spheres of probes show", probes},
-    {"other", "FOLDER", "opens another bake of the level, as the light `other`", other},
-    {"light", "baked | flat | sky | reference | other", "the ambient light of the picture", light},
-    {"compare", "LIGHT LIGHT [wipe [AT] | side | difference] | off", "two lights in one picture", compare},
-    {"exposure", "STOPS | auto", "radiance is multiplied by 2^STOPS", exposure},
+    {"probes", "off | irradiance | visibility | sky | sun-bounce | local", "what the spheres of probes show",
+     shadeAction},
+    {"other", "FOLDER", "opens another bake of the level, as the light `other`", otherAction},
+    {"light", "baked | flat | sky | reference | other", "the ambient light of the picture", lightAction},
+    {"compare", "LIGHT LIGHT [wipe [AT] | side | difference] | off", "two lights in one picture", compareAction},
+    {"exposure", "STOPS | auto", "radiance is multiplied by 2^STOPS", exposureAction},
     {"set", "sky|sun-bounce|local|saturation NUMBER, tint|occlusion|contact|direct on|off", "changes the light at once",
-     setValue},
-    {"reset", "", "takes all changes of the light back", reset},
+     setAction},
+    {"reset", "", "takes all changes of the light back", resetAction},
     {"undo", "", "takes the last change back", undo},
     {"redo", "", "makes it again", redo},
     {"bounds", "on | off", "the sectors' bounds", bounds},
