@@ -195,8 +195,8 @@ TEST_CASE("ViewEdit, TheFirstFiveMinutes") {  // of docs/viewer.md
   const std::string before = folder / "before.json", after = folder / "after.json";
   std::ofstream(script, std::ios::binary)
       << "time 9\nset direct off\ncamera 20.5 1.9 30.5 52 -14\ncompare baked reference difference\n"
-      << "point 25.5 0 26 0 1 0\nstate " << before << "\npoint 20 0 21 0 1 0\nroom corner\npoint 26 0 32 0 1 0\n"
-      << "room corner\npoint 25.5 0 26 0 1 0\nprobe add here\nrebake\nwait rebake\nstate " << after << "\n";
+      << "point 25.8 0 26 0 1 0\nstate " << before << "\npoint 20 0 21 0 1 0\nroom corner\npoint 26 0 32 0 1 0\n"
+      << "room corner\npoint 25.8 0 26 0 1 0\nprobe add here\nrebake\nwait rebake\nstate " << after << "\n";
   const Run run = runTool({"view", out, "--headless", "--validate", "--size", "240x136", "--script", script, "--state",
                            folder / "end.json"},
                           kOnLavapipe);
@@ -204,12 +204,12 @@ TEST_CASE("ViewEdit, TheFirstFiveMinutes") {  // of docs/viewer.md
   REQUIRE(run.status == 0);
   const json bad = json::parse(readBytes(before)), good = json::parse(readBytes(after));
   CHECK(bad["pick"]["verdict"] == "too bright");
-  CHECK(double{bad["pick"]["error"]} > 0.4);
+  CHECK(double{bad["pick"]["error"]} > 0.25);
   CHECK(good["pick"]["verdict"] == "right");
-  CHECK(std::abs(double{good["pick"]["error"]}) < 0.12);  // 0.05, and four times the noise of 4096 paths besides
+  CHECK(std::abs(double{good["pick"]["error"]}) < 0.15);  // 0.11, and four times the noise of 4096 paths besides
   CHECK(double{good["compare"]["error"]["rms"]} < 1.05 * double{bad["compare"]["error"]["rms"]});
   CHECK(good["edit"]["rooms"] == json({{20.0, 0.0, 21.0, 26.0, 3.0, 32.0}}));
-  const Run reference = runTool({"reference", level, "--samples", "4096", "--time", "9", "--position", "25.5,0,26",
+  const Run reference = runTool({"reference", level, "--samples", "4096", "--time", "9", "--position", "25.8,0,26",
                                  "--normal", "0,1,0", "--json", "--progress", "none"});
   CHECK(good["pick"]["truth"]["irradiance"] == json::parse(reference.out)["irradiance"]);
 }
