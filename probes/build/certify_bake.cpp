@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "probes/build/certify_bake.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "probes/build/level_files.h"
@@ -17,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Version of the measurement; it grows when the same files get other numbers.
-constexpr std::uint32_t kCertificateVersion = 1;
+constexpr std::uint32_t kCertificateVersion = 2;
 constexpr const char* kKey = "surfaces";
 
 /// Points of a fast certificate. Its paths are half of the probes' own, within these limits.
@@ -38,9 +40,13 @@ Json rmsJson(const certify::RmsError& e) {
   return {{"rms", e.rms}, {"interval", e.interval}};
 }
 
+Json partJson(const certify::PartError& e) {
+  return {{"rms", e.rms}, {"interval", e.interval}, {"nothing", e.nothing}, {"worse_than_nothing", e.worse}};
+}
+
 Json errorsJson(const certify::ErrorsOf& e) {
-  return {{"sky", rmsJson(e.sky)},     {"sun_bounce", rmsJson(e.sun_bounce)}, {"local", rmsJson(e.local)},
-          {"total", rmsJson(e.total)}, {"nothing", rmsJson(e.nothing)},       {"without", e.without}};
+  return {{"sky", partJson(e.sky)},    {"sun_bounce", partJson(e.sun_bounce)}, {"local", partJson(e.local)},
+          {"total", rmsJson(e.total)}, {"nothing", rmsJson(e.nothing)},        {"without", e.without}};
 }
 
 Json placeJson(const f64::Number3& v) {
@@ -73,6 +79,11 @@ std::optional<Json> earlier(const std::filesystem::path& folder, const std::stri
   return found;
 }
 
+void warnOfWorse(const Json& certificate, Json& warnings) {
+  for (const std::string& message : worseThanNothing(certificate))
+    warnings.push_back({{"id", "worse-than-nothing"}, {"message", message}});
+}
+
 }  // namespace
 
 certify::CertifySettings certifySettings(const LevelBake& level, std::size_t probes, bake::Certify how) {
@@ -101,13 +112,27 @@ std::optional<Json> certificateIn(const std::filesystem::path& folder, const sec
   return (*report)[kKey];
 }
 
+std::vector<std::string> worseThanNothing(const Json& certificate) {
+  constexpr std::pair<const char*, const char*> kParts[] = {
+      {"sky", "light of the sky"}, {"sun_bounce", "bounced light of sun and moon"}, {"local", "local light"}};
+  std::vector<std::string> messages;
+  for (const auto& [key, place] : {std::pair("surface", "on surfaces"), std::pair("air", "in the air")})
+    for (const auto& [part, name] : kParts) {
+      const Json& e = certificate[key].value(part, Json::object());
+      if (!e.is_object() || !e.value("worse_than_nothing", false)) continue;
+      messages.push_back(fmt::format("{} {} is {:.1f} % off; if it were left out, {:.1f} %", name, place,
+                                     100.0 * e.value("rms", 0.0), 100.0 * e.value("nothing", 0.0)));
+    }
+  return messages;
+}
+
 void certifyBake(const LevelBake& level, const model::Sky& sky, const std::filesystem::path& folder,
                  const sectors::LevelIndex& index, bake::Certify how, const base::Progress& progress, Json& report) {
   if (how == bake::Certify::none || index.sector.empty()) return;
   const std::string subject = subjectOf(level, index, how);
   if (auto found = earlier(folder, subject)) {
     report[kKey] = std::move(*found);
-    return;
+    return warnOfWorse(report[kKey], report["warnings"]);
   }
   std::vector<sectors::SectorFile> files;
   for (const sectors::SectorEntry& s : index.sector) {
@@ -121,6 +146,7 @@ void certifyBake(const LevelBake& level, const model::Sky& sky, const std::files
   Json found = {{"of", subject}};
   found.update(certificateJson(certify::certifyLevel(tracer, sky, files, settings, progress.stage("surfaces", 0))));
   report[kKey] = std::move(found);
+  warnOfWorse(report[kKey], report["warnings"]);
 }
 
 }  // namespace welkin::build

@@ -20,9 +20,15 @@ struct Point {
   double weight = 0.0;
 };
 
-/// The errors of a point at one hour: squares without the tracer's variance.
+/// Squares without the tracer's variance: of the error, and of the part itself.
+struct PartSquares {
+  double error = 0.0, nothing = 0.0;
+};
+
+/// The errors of a point at one hour.
 struct PointError {
-  double sky = 0.0, sun_bounce = 0.0, local = 0.0, total = 0.0, nothing = 0.0;
+  PartSquares sky, sun_bounce, local;
+  double total = 0.0, nothing = 0.0;
   double signed_total = 0.0;
   bool without = false;
 };
@@ -37,16 +43,33 @@ class Mean {
   }
   double value() const { return weight_ > 0.0 ? sum_ / weight_ : 0.0; }
   RmsError rms() const {
+    const double rms = std::sqrt(std::max(value(), 0.0));
+    return {rms, rms > 0.0 ? interval() / (2.0 * rms) : 0.0};
+  }
+  /// Half of the 95 % confidence interval of the mean.
+  double interval() const {
     double squares = 0.0;
     for (const auto& [weight, v] : sample_) squares += std::pow(weight * (v - value()), 2);
-    const double rms = std::sqrt(std::max(value(), 0.0));
-    const double spread = weight_ > 0.0 ? std::sqrt(squares) / weight_ : 0.0;
-    return {rms, rms > 0.0 ? kNormal95 * spread / (2.0 * rms) : 0.0};
+    return weight_ > 0.0 ? kNormal95 * std::sqrt(squares) / weight_ : 0.0;
   }
 
  private:
   std::vector<std::pair<double, double>> sample_;
   double weight_ = 0.0, sum_ = 0.0;
+};
+
+/// Means of a part's squares over points, and of what its error has above the part itself.
+class PartMean {
+ public:
+  void add(double weight, const PartSquares& s) {
+    error_.add(weight, s.error);
+    nothing_.add(weight, s.nothing);
+    excess_.add(weight, s.error - s.nothing);
+  }
+  PartError part() const { return {error_.rms(), nothing_.rms().rms, excess_.value() > excess_.interval()}; }
+
+ private:
+  Mean error_, nothing_, excess_;
 };
 
 /// The light of one hour: the probes', the truth, and the unit of errors.
@@ -73,9 +96,12 @@ PointError errorAt(const geometry::Tracer& tracer, const Hour& hour, const fit::
     const double deviation = det::luminanceOf(should.standard_error);
     return (std::pow(det::luminanceOf(is - should.value), 2) - deviation * deviation) / (hour.unit * hour.unit);
   };
-  return {square(got.sky, want.sky),
-          square(got.sun_bounce, want.sun_bounce),
-          square(got.local, want.local),
+  const auto part = [&](const Number3& is, const reference::Estimate& should) {
+    return PartSquares{square(is, should), square(Number3(0.0), should)};
+  };
+  return {part(got.sky, want.sky),
+          part(got.sun_bounce, want.sun_bounce),
+          part(got.local, want.local),
           square(got.total(), want.total),
           square(Number3(0.0), want.total),
           det::luminanceOf(got.total() - want.total.value) / hour.unit,
@@ -104,15 +130,17 @@ void addPoints(const geometry::Tracer& tracer, const std::vector<sectors::Sector
 using ErrorTable = std::vector<std::vector<PointError>>;
 
 ErrorsOf summary(const std::vector<Point>& points, const ErrorTable& table, std::size_t from, std::size_t to) {
-  Mean sky, sun, local, total, nothing, without;
+  PartMean sky, sun, local;
+  Mean total, nothing, without;
   const double share = 1.0 / static_cast<double>(to - from);
   for (std::size_t p = 0; p < points.size(); ++p) {
     PointError mean;
     for (std::size_t h = from; h < to; ++h) {
       const PointError& e = table[h][p];
-      mean.sky += e.sky * share;
-      mean.sun_bounce += e.sun_bounce * share;
-      mean.local += e.local * share;
+      for (PartSquares PointError::*part : {&PointError::sky, &PointError::sun_bounce, &PointError::local}) {
+        (mean.*part).error += (e.*part).error * share;
+        (mean.*part).nothing += (e.*part).nothing * share;
+      }
       mean.total += e.total * share;
       mean.nothing += e.nothing * share;
       mean.without = e.without;
@@ -124,7 +152,7 @@ ErrorsOf summary(const std::vector<Point>& points, const ErrorTable& table, std:
     nothing.add(points[p].weight, mean.nothing);
     without.add(points[p].weight, mean.without ? 1.0 : 0.0);
   }
-  return {sky.rms(), sun.rms(), local.rms(), total.rms(), nothing.rms(), without.value()};
+  return {sky.part(), sun.part(), local.part(), total.rms(), nothing.rms(), without.value()};
 }
 
 std::vector<WorstPoint> worstOf(const std::vector<Point>& points, const ErrorTable& table,

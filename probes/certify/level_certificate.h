@@ -30,8 +30,15 @@ struct RmsError {
   double interval = 0.0;  ///< half of the 95 % confidence interval, from the spread over the points
 };
 
+/// The error of a part of the light.
+struct PartError : RmsError {
+  double nothing = 0.0;  ///< rms of the part itself, which is the error where it is left out
+  bool worse = false;    ///< whether leaving it out has the smaller mean square, beyond the 95 % confidence interval
+};
+
 struct ErrorsOf {
-  RmsError sky, sun_bounce, local, total;
+  PartError sky, sun_bounce, local;
+  RmsError total;
   RmsError nothing;      ///< of no light at all, for comparison
   double without = 0.0;  ///< share of the area that no probe serves; its error is that of no light
 };

@@ -56,6 +56,9 @@ TEST_CASE("SurfaceBudget, ALooserOneTakesFewerProbes") {
   const json report = reportOf(level, "loose");
   CHECK(report["surface_budget"]["kept"] == true);
   CHECK(report["surface_budget"]["max_error"] == 0.9);
+  const json& sky = report["surfaces"]["surface"]["sky"];
+  CHECK(sky["nothing"].get<double>() > sky["rms"].get<double>());
+  CHECK(sky["worse_than_nothing"] == false);
   CHECK(certified(report) <= 0.9);
   CHECK(report["surface_budget"]["error"].get<double>() == certified(report));
   for (const auto& [name, spread] : report["surface_budget"]["spread"].items()) CHECK(spread == 2.8);

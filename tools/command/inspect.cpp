@@ -47,6 +47,11 @@ void inspectSector(const std::string& path, bool as_json) {
              local.sampling.probe, local.sampling.rays);
 }
 
+void printSurfaces(const Json& surfaces) {
+  fmt::print("{}\n", surfacesText(surfaces));
+  for (const std::string& message : build::worseThanNothing(surfaces)) fmt::print("{}\n", message);
+}
+
 /// The index, with the error that its folder's report states of the same files.
 Json levelJson(const std::filesystem::path& path) {
   const sectors::LevelIndex index = build::readIndex(path);
@@ -65,7 +70,7 @@ void inspectLevel(const std::string& path, bool as_json) {
   for (const sectors::SectorEntry& s : index.sector)
     fmt::print("{:>9} {:4} probes {:8} bytes\n", nameOf(s.id), s.probes, s.bytes);
   if (const auto surfaces = build::certificateIn(std::filesystem::path(path).parent_path(), index))
-    fmt::print("{}\n", surfacesText(*surfaces));
+    printSurfaces(*surfaces);
 }
 
 void inspect(const std::string& path, bool as_json) {

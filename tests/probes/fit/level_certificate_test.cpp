@@ -42,9 +42,25 @@ TEST_CASE("LevelCertificate, BakesWithDoubledLightAreOffByTheLightItself") {
   }();
   CHECK(bad.surface.total.rms == Approx(0.5).margin(0.01));
   CHECK(bad.surface.sky.rms == bad.surface.total.rms);
+  CHECK(bad.surface.sky.nothing == Approx(1.0).margin(0.01));
+  CHECK_FALSE(bad.surface.sky.worse);
   CHECK(bad.surface.sun_bounce.rms == 0.0);
+  CHECK_FALSE(bad.surface.sun_bounce.worse);  // there is none, and none is given
   REQUIRE_FALSE(bad.worst.empty());
   CHECK(bad.worst[0].error < -0.45);
+}
+
+TEST_CASE("LevelCertificate, LightThatIsNotThereIsWorseThanNothing") {
+  const model::Sky sky = uniformSky(1.0);
+  geometry::Surfaces level = groundOf(Number3(0.0), 90.0);
+  const std::vector<sectors::SectorFile> files = bakedAll(level, sky, build::Fit::none);
+  // A closed hall that the bake has not seen leaves no light.
+  addBoxInside(level, {-90.0, -0.5, -90.0}, {90.0, 8.0, 90.0}, addMaterial(level, Number3(0.0)));
+  const geometry::Tracer tracer(level);
+  const certify::PartError air = certify::certifyLevel(tracer, sky, files, kSettings).air.sky;
+  CHECK(air.rms > 0.3);
+  CHECK(air.nothing == 0.0);
+  CHECK(air.worse);
 }
 
 TEST_CASE("LevelCertificate, WhereNoProbeServesTheErrorIsThatOfNoLight") {

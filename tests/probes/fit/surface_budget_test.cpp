@@ -27,6 +27,18 @@ bake::SkyFile skyFile() {
 
 }  // namespace
 
+TEST_CASE("LevelCertificate, ASentenceTellsOfAPartThatIsWorseThanNothing") {
+  using Json = nlohmann::ordered_json;
+  const Json good = {{"rms", 0.1}, {"nothing", 0.5}, {"worse_than_nothing", false}};
+  const Json bad = {{"rms", 0.354}, {"nothing", 0.25}, {"worse_than_nothing", true}};
+  const Json parts = {{"sky", good}, {"sun_bounce", bad}, {"local", good}};
+  CHECK(
+      build::worseThanNothing({{"surface", parts}, {"air", {{"sky", good}}}}) ==
+      std::vector<std::string>{"bounced light of sun and moon on surfaces is 35.4 % off; if it were left out, 25.0 %"});
+  // A report of an older bake does not say.
+  CHECK(build::worseThanNothing({{"surface", {{"sky", {{"rms", 0.1}}}}}, {"air", Json::object()}}).empty());
+}
+
 TEST_CASE("SurfaceBudgetSearch, TheErrorIsThatOfTheFilesItNames", "[slow]") {
   const build::LevelBake level = yardWithin(0.9);
   const build::SurfaceChoice choice = build::chooseSpreads(level, skyFile(), false, {});
