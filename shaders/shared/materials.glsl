@@ -4,3 +4,5 @@
 #include "gloss.glsl"
 #include "specular.glsl"
 #include "wrapped.glsl"
+#include "reflection.glsl"
+#include "reflection_lobe.glsl"

@@ -9,7 +9,7 @@
 
 // Numbers of floats in an evaluation's arguments, and of its results.
 #define WELKIN_NUMERICS_ARGUMENTS 20
-#define WELKIN_NUMERICS_RESULTS 141
+#define WELKIN_NUMERICS_RESULTS 165
 
 #define WELKIN_NUMERICS_BODY                                                   \
   LuminanceModel clear_sky = WELKIN_MODEL(-1.0, -0.32, 10.0, -3.0, 0.45, 0.0); \

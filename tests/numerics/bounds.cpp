@@ -72,6 +72,20 @@ const std::vector<Bound>& bounds() {
       {"wrappedDiffusePower", 35.8, 36},
       {"halfLambert", 1.09, 1.12},
       {"sloanWrapped", 2.05, 4.33},
+      {"mipOfGloss", 0.28, 0.28},
+      {"glossOfMip", 0.28, 0.28},
+      {"whiteShare", 9.27, 9.27},
+      {"meanSchlickShare", 4.25, 4.25},
+      {"reflectedShare", 3.66, 3.66},
+      {"openShare", 1.8, 1.8},
+      {"specularColourOf", 2.2, 2.2},
+      {"diffuseColourOf", 1.63, 1.63},
+      {"lobeHalfEnd", 152.2, 661.1},
+      {"lobeCircle_cosine", 1.85, 27.7},
+      {"lobeCircle_sine", 1.94, 21.8},
+      {"lobeCircle_weight", 0.48, 2.06},
+      {"lobeCircle_turn", 717.5, 24129.3},
+      {"lobeDirection", 588.8, 19273.4},
   };
   return kBounds;
 }

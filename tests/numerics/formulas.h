@@ -8,6 +8,9 @@
 
 #define WELKIN_MODEL(a, b, c, d, e, k) LuminanceModel(NUMBER(a), NUMBER(b), NUMBER(c), NUMBER(d), NUMBER(e), NUMBER(k))
 
+// A circle of a lobe of power 64.
+#define WELKIN_CIRCLE lobeCircle(NUMBER(64.0), a, int(t * NUMBER(32.0)), 5)
+
 #define WELKIN_FORMULAS_OF_ANGLES                                                                                   \
   PUT3(directionOf, 1.0, "az el", directionOf(azimuth_rad, angle_rad))                                              \
   PUT(sineFromCosine, 0.0, "y", sineFromCosine(up))                                                                 \
@@ -77,6 +80,20 @@
   PUT(wrappedDiffuse, 1.0, "theta s", wrappedDiffuse(cos(theta), s))                                          \
   PUT(wrappedDiffusePower, 1.0, "theta s t", wrappedDiffusePower(cos(theta), s, t* NUMBER(8.0)))              \
   PUT(halfLambert, 1.0, "theta", halfLambert(cos(theta)))                                                     \
-  PUT(sloanWrapped, 1.0, "theta s", sloanWrapped(cos(theta), s))
+  PUT(sloanWrapped, 1.0, "theta s", sloanWrapped(cos(theta), s))                                              \
+  PUT(mipOfGloss, 8.0, "s", mipOfGloss(s, NUMBER(9.0)))                                                       \
+  PUT(glossOfMip, 1.0, "s", glossOfMip(s* NUMBER(8.0), NUMBER(9.0)))                                          \
+  PUT(whiteShare, 0.0, "s t", whiteShare(NUMBER(1.0) + s * NUMBER(8191.0), t))                                \
+  PUT(meanSchlickShare, 1.0, "s t", meanSchlickShare(NUMBER(1.0) + s * NUMBER(8191.0), t))                    \
+  PUT3(reflectedShare, 1.0, "rgb s t", reflectedShare(rgb, NUMBER(1.0) + s * NUMBER(8191.0), t))              \
+  PUT3(openShare, 0.0, "rgb s", openShare(rgb, Number3(NUMBER(0.1) + s)))                                     \
+  PUT3(specularColourOf, 0.0, "rgb s", specularColourOf(rgb, s))                                              \
+  PUT3(diffuseColourOf, 0.0, "rgb s", diffuseColourOf(rgb, s))                                                \
+  PUT(lobeHalfEnd, 0.0, "s", lobeHalfEnd(NUMBER(1.0) + s * NUMBER(8191.0)))                                   \
+  PUT(lobeCircle_cosine, 1.0, "a s t", WELKIN_CIRCLE.cosine)                                                  \
+  PUT(lobeCircle_sine, 1.0, "a s t", WELKIN_CIRCLE.sine)                                                      \
+  PUT(lobeCircle_weight, 1.0, "a s t", WELKIN_CIRCLE.weight)                                                  \
+  PUT(lobeCircle_turn, 1.0, "a s t", WELKIN_CIRCLE.turn)                                                      \
+  PUT3(lobeDirection, 1.0, "a s t", lobeDirection(WELKIN_CIRCLE, a, int(s * NUMBER(16.0)), 5))
 
 #endif
