@@ -48,9 +48,9 @@ set(prefix ${WORK}/prefix)
 file(RENAME ${WORK}/first ${prefix})
 foreach(file bin/welkin include/welkin/welkin.h include/welkin/welkin.hpp include/welkin/welkin_vulkan.h
     include/welkin/types.h include/welkin/engines.h include/welkin/sky_constants.h include/welkin/welkin_vulkan.hpp include/welkin/bake.hpp
-    include/welkin/level.h include/welkin/level.hpp include/welkin/volume.h include/welkin/volume_constants.h include/welkin/welkin_vulkan_volume.h
+    include/welkin/level.h include/welkin/level.hpp include/welkin/volume.h include/welkin/volume_constants.h include/welkin/welkin_vulkan_volume.h include/welkin/welkin_vulkan_reflection.h
     share/doc/welkin/LICENSE share/doc/welkin/CHANGELOG.md share/doc/welkin/docs/runtime.md
-    share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl
+    share/welkin/shaders/welkin/ambient.glsl share/welkin/shaders/welkin/modes.glsl share/welkin/shaders/welkin/reflected_sky.glsl
     share/welkin/shaders/welkin/modes_4.hlsl share/welkin/shaders/welkin/modes_8.hlsl share/welkin/shaders/welkin/modes_12.hlsl
     share/welkin/shaders/welkin/modes_4.wgsl share/welkin/shaders/welkin/modes_8.wgsl share/welkin/shaders/welkin/modes_12.wgsl
     share/welkin/shaders/welkin/sky_constants.h share/welkin/shaders/welkin/volume.glsl share/welkin/shaders/welkin/far.glsl share/welkin/shaders/welkin/volume_constants.h
@@ -146,7 +146,7 @@ expect("needs of the C99 program" "NEEDED[^\n]*libwelkin.so.0.2")
 run("exports" sh -c "nm -D --defined-only $(pkg-config --variable=libdir welkin-library)/libwelkin.so | cut -d' ' -f3")
 string(STRIP "${output}" exports)
 string(REPLACE "\n" ";" exports "${exports}")
-foreach(header welkin engines level volume welkin_vulkan welkin_vulkan_volume)
+foreach(header welkin engines level volume welkin_vulkan welkin_vulkan_reflection welkin_vulkan_volume)
   file(STRINGS ${prefix}/include/welkin/${header}.h lines REGEX "^WELKIN_API ")
   foreach(line IN LISTS lines)
     string(REGEX MATCH "welkin_[a-z_0-9]+" function "${line}")
@@ -169,7 +169,7 @@ expect_not("symbols of the static library" "[^a-z_]11flatbuffers")
 file(WRITE ${WORK}/header.cpp "#include <welkin/welkin_vulkan.hpp>\nint main() { welkin::VulkanSky sky; return sky ? 1 : 0; }\n")
 run("compile the Vulkan wrapper as C++17" sh -c "c++ -std=c++17 -Wall -Wextra -pedantic -Werror '${WORK}/header.cpp' \
   -o '${WORK}/header' $(pkg-config --cflags --libs welkin-vulkan)")
-file(WRITE ${WORK}/vulkan.c "#include <welkin/welkin_vulkan.h>\nint main(void) { welkin_vulkan_destroy(0); return 0; }\n")
+file(WRITE ${WORK}/vulkan.c "#include <welkin/welkin_vulkan_reflection.h>\nint main(void) { welkin_vulkan_destroy(0); welkin_vulkan_reflection_destroy(0); return 0; }\n")
 run("compile Vulkan C with pkg-config" sh -c "cc -std=c11 -Wall -Wextra -pedantic -Werror '${WORK}/vulkan.c' \
   -o '${WORK}/vulkan_c' $(pkg-config --cflags --libs welkin-vulkan)")
 

@@ -7,6 +7,7 @@
 #include "passes/volume_relight.h"
 #include "spirv/kVolumeFill.h"
 #include "spirv/kVolumeRelight.h"
+#include "vulkan/compute_pipeline.h"
 #include "vulkan/volume_relight.h"
 
 namespace welkin::vulkan {
@@ -59,28 +60,6 @@ void writeSets(const Device& device, const RelightImages& images, uint32_t frame
   }
 }
 
-WelkinResult createPipeline(const Device& device, const uint32_t* words, size_t bytes, VkPipelineCache cache,
-                            const char* name, VkPipelineLayout layout, VkPipeline& pipeline, WelkinMessage* message) {
-  VkShaderModuleCreateInfo code{};
-  code.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  code.codeSize = bytes;
-  code.pCode = words;
-  VkComputePipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.pName = "main";
-  info.layout = layout;
-  if (const auto r = check(device.fn.CreateShaderModule(device.handle, &code, device.allocator, &info.stage.module),
-                           "vkCreateShaderModule", message))
-    return r;
-  const VkResult result = device.fn.CreateComputePipelines(device.handle, cache, 1, &info, device.allocator, &pipeline);
-  device.fn.DestroyShaderModule(device.handle, info.stage.module, device.allocator);
-  if (const auto r = check(result, "vkCreateComputePipelines", message)) return r;
-  device.name(VK_OBJECT_TYPE_PIPELINE, pipeline, name);
-  return WELKIN_OK;
-}
-
 }  // namespace
 
 WelkinResult createRelight(const Device& device, const WelkinVolume& volume, const RelightImages& images,
@@ -99,11 +78,11 @@ WelkinResult createRelight(const Device& device, const WelkinVolume& volume, con
   if (const auto r = check(device.fn.CreatePipelineLayout(device.handle, &layout, device.allocator, &o.pipeline_layout),
                            "vkCreatePipelineLayout", message))
     return r;
-  if (const auto r = createPipeline(device, kVolumeRelight, sizeof kVolumeRelight, cache, "welkin volume relight",
-                                    o.pipeline_layout, o.pipelines[0], message))
+  if (const auto r = createComputePipeline(device, kVolumeRelight, cache, "welkin volume relight", o.pipeline_layout,
+                                           o.pipelines[0], message))
     return r;
-  return createPipeline(device, kVolumeFill, sizeof kVolumeFill, cache, "welkin volume fill", o.pipeline_layout,
-                        o.pipelines[1], message);
+  return createComputePipeline(device, kVolumeFill, cache, "welkin volume fill", o.pipeline_layout, o.pipelines[1],
+                               message);
 }
 
 void destroy(const Device& device, VolumeRelight& o) {
