@@ -7,22 +7,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sh/deterministic.h"
 #include "sky/base/atomic_file.h"
 #include "synthetic_chart.h"
 #include "tests/folder.h"
 
 using namespace welkin;
 using namespace welkin::calibrate;
+using tests::writeCoded;
 
 namespace {
-
-void writeCoded(const std::filesystem::path& path, const image::Image& image) {
-  std::vector<std::uint8_t> code;
-  for (const float v : image.rgb)
-    code.push_back(static_cast<std::uint8_t>(std::lround(255.0 * det::srgbEncode(double{v}))));
-  base::writeFile(path, image::encodePng(image.width, image.height, code));
-}
 
 image::Image chartThrough(std::uint64_t seed) {
   tests::Camera camera;
@@ -69,7 +62,7 @@ TEST_CASE("Profile, EveryModelIsReadAsItWasWritten") {
     pairs.push_back({tests::leakyMatrix() * wanted, wanted});
   for (const ModelKind& kind : models()) {
     INFO(kind.name);
-    const Profile profile{{&kind, *kind.fit(pairs)}, kind.name[0] == 'a', Colour(0.9, 0.8, 0.7)};
+    const Profile profile{{&kind, *kind.fit(pairs)}, kind.name[0] == 'a', Colour(0.9, 0.8, 0.7), ""};
     const Profile read = readProfile(folder.write("profile.json", profileJson(profile).dump()));
     CHECK(read.model.kind == &kind);
     CHECK(read.model.numbers == profile.model.numbers);
@@ -98,7 +91,7 @@ TEST_CASE("Profile, BadOnesAreRefusedByKey") {
 }
 
 TEST_CASE("Profile, TexelsPastTheChartAreCountedInEveryChannel") {
-  const Profile profile{{modelNamed("3x3"), {}}, false, Colour(0.5, 0.25, 0.75)};
+  const Profile profile{{modelNamed("3x3"), {}}, false, Colour(0.5, 0.25, 0.75), ""};
   image::Image image;
   image.width = 4;
   image.height = 1;

@@ -77,13 +77,7 @@ TEST_CASE("FindCharts, InPerspectiveAndSmall") {
 }
 
 TEST_CASE("FindCharts, TwoChartsAreTwo") {
-  Scene left, right;
-  left.corners = {Point(40.0, 150.0), Point(290.0, 150.0), Point(290.0, 320.0), Point(40.0, 320.0)};
-  right.corners = {Point(350.0, 150.0), Point(600.0, 150.0), Point(600.0, 320.0), Point(350.0, 320.0)};
-  image::Image both = photograph(wantedChart(), left, realCamera());
-  const image::Image other = photograph(wantedChart(), right, realCamera());
-  for (std::size_t i = 0; i < both.rgb.size(); ++i)
-    if (i / 3 % static_cast<std::size_t>(both.width) >= 320) both.rgb[i] = other.rgb[i];
+  const auto [left, right, both] = tests::photographTwo(wantedChart(), realCamera(), realCamera());
   std::vector<Corners> areas;
   for (const Candidate& candidate : findCandidates(both)) areas.push_back(candidate.corners);
   areas.push_back(left.corners);  // found again, and by hand: still one chart

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "sh/deterministic.h"
+#include "sky/base/atomic_file.h"
 
 namespace welkin::tests {
 
@@ -74,6 +75,24 @@ image::Image photograph(const ReferenceChart& reference, const Scene& scene, con
       }
     }
   return image;
+}
+
+TwoCharts photographTwo(const ReferenceChart& reference, const Camera& left, const Camera& right) {
+  TwoCharts two;
+  two.left.corners = {Point(40.0, 150.0), Point(290.0, 150.0), Point(290.0, 320.0), Point(40.0, 320.0)};
+  two.right.corners = {Point(350.0, 150.0), Point(600.0, 150.0), Point(600.0, 320.0), Point(350.0, 320.0)};
+  two.image = photograph(reference, two.left, left);
+  const image::Image other = photograph(reference, two.right, right);
+  for (std::size_t i = 0; i < other.rgb.size(); ++i)
+    if (i / 3 % 640 >= 320) two.image.rgb[i] = other.rgb[i];
+  return two;
+}
+
+void writeCoded(const std::filesystem::path& path, const image::Image& image) {
+  std::vector<std::uint8_t> code;
+  for (const float v : image.rgb)
+    code.push_back(static_cast<std::uint8_t>(std::lround(255.0 * det::srgbEncode(double{v}))));
+  base::writeFile(path, image::encodePng(image.width, image.height, code));
 }
 
 Patches seenPatches(const ReferenceChart& reference, const Camera& camera) {

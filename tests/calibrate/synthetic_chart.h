@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 #include "calibrate/chart_place.h"
 #include "calibrate/patches.h"
@@ -34,6 +35,16 @@ calibrate::Colour chartAlbedo(const calibrate::ReferenceChart& reference, double
 
 /// The picture, linear as a reader gives it.
 image::Image photograph(const calibrate::ReferenceChart& reference, const Scene& scene, const Camera& camera);
+
+/// A picture 640 wide with a chart in each half, through one camera each.
+struct TwoCharts {
+  Scene left, right;
+  image::Image image;
+};
+TwoCharts photographTwo(const calibrate::ReferenceChart& reference, const Camera& left, const Camera& right);
+
+/// Writes a PNG of 8 bits in sRGB.
+void writeCoded(const std::filesystem::path& path, const image::Image& image);
 
 /// The patches without a picture: every mean is the camera's colour.
 calibrate::Patches seenPatches(const calibrate::ReferenceChart& reference, const Camera& camera);

@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Changes whenever the same inputs give other files, so that files of older versions are made again.
-constexpr std::string_view kMaker = "calibrate 1";
+constexpr std::string_view kMaker = "calibrate 2";
 
 bool isPhotograph(const std::filesystem::path& path) {
   static const std::set<std::string> kEndings = {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg"};
@@ -144,6 +144,10 @@ Made make(const Job& job, const Batch& batch, bool resume) {
     made.report.update(reportJson(*made.calibrated, batch.photo.reference));
     base::writeFile(batch.folder / job.profile, profileJson(profile).dump(2) + "\n");
   } else {
+    made.report["charts"] = Json::array();
+    for (const FoundChart& chart : chartsIn(photo, profile.linear_codes, batch.photo.reference))
+      made.report["charts"].push_back(chartErrorJson(errorOn(chart, profile.model, batch.photo.reference)));
+    if (base::textOf(base::hashOf(bytes)) == profile.photo) made.report["fitted_here"] = true;
     made.report["model"] = profile.model.kind->name;
     made.report["warnings"] = Json::array();
     for (const std::string& note : notes) made.report["warnings"].push_back(base::oneLine(note));

@@ -7,21 +7,15 @@
 
 #include <algorithm>
 
-#include "calibrate/find_charts.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/error.h"
+#include "sky/base/hash.h"
 
 namespace welkin::calibrate {
 namespace {
 
 [[noreturn]] void refuse(const std::string& photo, const std::string& why) {
   throw base::Error(base::ExitStatus::content, fmt::format("{}: {}", photo, why));
-}
-
-std::vector<Corners> cornersOf(const std::vector<Candidate>& candidates) {
-  std::vector<Corners> areas;
-  for (const Candidate& candidate : candidates) areas.push_back(candidate.corners);
-  return areas;
 }
 
 /// The charts among areas that may be some. Throws with the reason of the likeliest one's refusal.
@@ -48,13 +42,7 @@ CalibratedPhoto calibrated(const std::string& photo, std::span<const std::byte> 
   result.image = image::readImage(photo, bytes, limits);
   result.linear_codes = linear_codes;
   const double full = clippingLevel(result.image, linear_codes);
-  if (areas.empty()) {
-    const auto holdChart = [&](const std::vector<Candidate>& found) {
-      const std::vector<Judgement> verdicts = judgeAll(result.image, cornersOf(found), options.reference, full, true);
-      return !verdicts.empty() && verdicts[0].place;
-    };
-    areas = cornersOf(findCandidates(result.image, holdChart));
-  }
+  if (areas.empty()) areas = areasIn(result.image, options.reference, full);
   result.charts = chartsOf(photo, result.image, options, areas, full);
   Patches& patches = result.charts[0].patches;
   result.calibration = calibratePatches(photo, patches, options.reference, options.model);
@@ -114,6 +102,9 @@ CalibratedPhoto calibratePhoto(const std::filesystem::path& path, const PhotoOpt
   } else {
     best = tried(options.encoding == Encoding::linear);
   }
+  for (std::size_t i = 1; i < best->charts.size(); ++i)
+    best->others.push_back(errorOn(best->charts[i], best->calibration.model, options.reference));
+  best->hash = base::textOf(base::hashOf(bytes));
   warnOf(*best);
   return std::move(*best);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "calibrate/calibration.h"
-#include "calibrate/judge.h"
+#include "calibrate/other_chart.h"
 #include "calibrate/uneven_light.h"
 #include "sky/image/image.h"
 
@@ -29,18 +29,14 @@ struct PhotoOptions {
   ReferenceChart reference;
 };
 
-struct FoundChart {
-  ChartPlace place;
-  double confidence;  ///< PatternMatch::likeness
-  Patches patches;
-};
-
 struct CalibratedPhoto {
   image::Image image;  ///< as photographed, linear
   bool linear_codes = false;
   std::vector<FoundChart> charts;      ///< at least one; the most likely first
   Calibration calibration;             ///< by the first chart
   std::optional<LightGradient> light;  ///< taken out of the first chart's patches
+  std::vector<ChartError> others;      ///< of the calibration on the further charts
+  std::string hash;                    ///< of the file's bytes
   std::vector<std::string> warnings;
 };
 

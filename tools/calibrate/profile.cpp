@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kProfileForm = "welkin calibration 1";
+constexpr const char* kPhotoKey = "photo_xxh3_128";
 
 [[noreturn]] void refuseProfile(const std::string& name, const std::string& why) {
   throw base::Error(base::ExitStatus::content, fmt::format("{}: {}", name, why));
@@ -48,18 +49,20 @@ bool givesColours(const Profile& profile) {
 }  // namespace
 
 Profile profileOf(const CalibratedPhoto& photo) {
-  Profile profile{photo.calibration.model, photo.linear_codes, Colour::Zero()};
+  Profile profile{photo.calibration.model, photo.linear_codes, Colour::Zero(), photo.hash};
   for (const std::size_t i : photo.calibration.used)
     profile.brightest = profile.brightest.cwiseMax(photo.charts[0].patches[i].mean);
   return profile;
 }
 
 Json profileJson(const Profile& profile) {
-  return {{"format", kProfileForm},
-          {"input", profile.linear_codes ? "linear" : "srgb"},
-          {"model", profile.model.kind->name},
-          {"numbers", profile.model.numbers},
-          {"brightest", {profile.brightest.x(), profile.brightest.y(), profile.brightest.z()}}};
+  Json json = {{"format", kProfileForm},
+               {"input", profile.linear_codes ? "linear" : "srgb"},
+               {"model", profile.model.kind->name},
+               {"numbers", profile.model.numbers},
+               {"brightest", {profile.brightest.x(), profile.brightest.y(), profile.brightest.z()}}};
+  if (!profile.photo.empty()) json[kPhotoKey] = profile.photo;
+  return json;
 }
 
 Profile readProfile(const std::filesystem::path& path) {
@@ -85,6 +88,10 @@ Profile readProfile(const std::filesystem::path& path) {
   const std::vector<double> brightest = numbersOf(name, *json, "brightest", 3);
   profile.brightest = {brightest[0], brightest[1], brightest[2]};
   if (!(profile.brightest.minCoeff() > 0.0)) refuseProfile(name, "brightest: numbers above 0 are allowed");
+  if (json->contains(kPhotoKey)) {
+    if (!(*json)[kPhotoKey].is_string()) refuseProfile(name, fmt::format("{}: text is wanted", kPhotoKey));
+    profile.photo = (*json)[kPhotoKey];
+  }
   if (!givesColours(profile))
     refuseProfile(name, "numbers: some colours up to twice the chart's have no finite result");
   return profile;

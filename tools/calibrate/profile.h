@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "calibrate/photo.h"
 
@@ -13,6 +14,7 @@ struct Profile {
   Model model;
   bool linear_codes = false;          ///< how photographs are read: Encoding::linear, else Encoding::srgb
   Colour brightest = Colour::Zero();  ///< linear, of every channel over the chart's used patches; above 0
+  std::string photo;                  ///< hash of the chart's photograph; empty if the file does not tell
 };
 
 Profile profileOf(const CalibratedPhoto& photo);

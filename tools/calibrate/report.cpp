@@ -56,9 +56,15 @@ Json patchJson(const CalibratedPhoto& photo, const ReferenceChart& reference, st
 
 }  // namespace
 
+Json chartErrorJson(const ChartError& error) {
+  Json json = chartJson(error.chart);
+  json["de2000"] = {{"before", summaryOfJson(error.before)}, {"after", summaryOfJson(error.after)}};
+  return json;
+}
+
 Json summaryJson(const CalibratedPhoto& photo) {
-  Json charts = Json::array();
-  for (const FoundChart& chart : photo.charts) charts.push_back(chartJson(chart));
+  Json charts = {chartJson(photo.charts[0])};
+  for (const ChartError& other : photo.others) charts.push_back(chartErrorJson(other));
   return {{"charts", charts},
           {"model", photo.calibration.model.kind->name},
           {"rss", photo.calibration.rss_srgb},

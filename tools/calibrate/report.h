@@ -8,6 +8,9 @@
 
 namespace welkin::calibrate {
 
+/// A chart that had no part in the fit: its place and CIEDE2000 before and after the model.
+nlohmann::ordered_json chartErrorJson(const ChartError& error);
+
 /// Charts, model, sum of squares and CIEDE2000: what `welkin calibrate --json` prints of a photograph.
 nlohmann::ordered_json summaryJson(const CalibratedPhoto& photo);
 

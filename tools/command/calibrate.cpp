@@ -88,6 +88,25 @@ void print(const calibrate::CalibratedPhoto& photo) {
   printLine("before", c.before);
   printLine("fit", c.errors().fit);
   printLine("left out", c.errors().left_out);
+  for (const calibrate::ChartError& other : photo.others) {
+    const calibrate::Point& at = other.chart.place.corners()[0];
+    fmt::print("on the chart at ({:.1f}, {:.1f}), which the model was not fitted to\n", at.x(), at.y());
+    printLine("before", other.before);
+    printLine("after", other.after);
+  }
+}
+
+/// One line of a photograph, from its report: the model and its errors on charts that it was not fitted to.
+std::string lineOf(const nlohmann::ordered_json& r, bool up_to_date) {
+  std::string text = fmt::format("{}: {}", std::string(r["photo"]), std::string(r["model"]));
+  const bool is_fit = r.contains("de2000");
+  if (is_fit) text += fmt::format(", CIEDE2000 left out {:.2f}", double{r["de2000"]["left_out"]["mean"]});
+  const char* which = is_fit ? "another" : r.contains("fitted_here") ? "the fit's own" : "its";
+  for (const auto& chart : r["charts"])
+    if (chart.contains("de2000"))
+      text += fmt::format(", CIEDE2000 on {} chart {:.2f}, before {:.2f}", which,
+                          double{chart["de2000"]["after"]["mean"]}, double{chart["de2000"]["before"]["mean"]});
+  return text + (up_to_date ? ", up to date" : "") + "\n";
 }
 
 void warn(const std::string& photo, const nlohmann::ordered_json& warnings) {
@@ -130,6 +149,8 @@ void runOne(const Options& options, const calibrate::Batch& batch) {
     fmt::print("{}\n", (made.calibrated ? calibrate::summaryJson(*made.calibrated) : made.report).dump(2));
   else if (made.calibrated)
     print(*made.calibrated);
+  else
+    fmt::print("{}", lineOf(made.report, false));
 }
 
 /// One line a photograph, or all reports.
@@ -145,12 +166,7 @@ void printAll(const Options& options, const calibrate::BatchResult& result) {
     return fmt::print("{}\n", all.dump(2));
   }
   for (const calibrate::Made& made : result.made) {
-    const nlohmann::ordered_json& r = made.report;
-    if (r.is_null()) continue;
-    const std::string error =
-        r.contains("de2000") ? fmt::format(", CIEDE2000 left out {:.2f}", double{r["de2000"]["left_out"]["mean"]}) : "";
-    fmt::print("{}: {}{}{}\n", std::string(r["photo"]), std::string(r["model"]), error,
-               made.up_to_date ? ", up to date" : "");
+    if (!made.report.is_null()) fmt::print("{}", lineOf(made.report, made.up_to_date));
   }
 }
 
