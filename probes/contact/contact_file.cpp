@@ -67,6 +67,27 @@ Json errorsJson(const ContactCheck& check) {
   throw base::Error(base::ExitStatus::content, fmt::format("{}: {}", path.string(), why));
 }
 
+/// contact.json of the index `of`; nothing where the folder has no factors.
+std::optional<Json> readList(const fs::path& folder, const base::Hash128& of) {
+  std::error_code error;
+  if (!fs::exists(jsonPath(folder), error) && !fs::exists(binPath(folder), error)) return std::nullopt;
+  const std::vector<std::byte> text = base::readFile(jsonPath(folder), kLargestJson);
+  auto json = base::parseJson({reinterpret_cast<const char*>(text.data()), text.size()});
+  static const Json kForm = {
+      {"welkin_contact", 1},
+      {"level", ""},
+      {"xxh3_128", ""},
+      {"vertices", 1},
+      {"error", {{"points", 1}, {"probes", 0.5}, {"contact", 0.5}, {"interval", 0.5}, {"hours", Json::array()}}}};
+  if (!json || !base::hasForm(*json, kForm)) refuse(jsonPath(folder), "is no list of contact factors");
+  if ((*json)["welkin_contact"] != kVersion)
+    refuse(jsonPath(folder),
+           fmt::format("welkin_contact is {}, must be {}", (*json)["welkin_contact"].dump(), kVersion));
+  if ((*json)["level"] != base::textOf(of))
+    refuse(jsonPath(folder), "is of another bake of the level: welkin contact makes it anew");
+  return json;
+}
+
 }  // namespace
 
 void writeContact(const fs::path& folder, const level::Scene& scene, const PlacedVertices& vertices,
@@ -89,17 +110,8 @@ void writeContact(const fs::path& folder, const level::Scene& scene, const Place
 
 std::optional<std::vector<std::uint8_t>> readContact(const fs::path& folder, const PlacedVertices& vertices,
                                                      const base::Hash128& of) {
-  std::error_code error;
-  if (!fs::exists(jsonPath(folder), error) && !fs::exists(binPath(folder), error)) return std::nullopt;
-  const std::vector<std::byte> text = base::readFile(jsonPath(folder), kLargestJson);
-  const auto json = base::parseJson({reinterpret_cast<const char*>(text.data()), text.size()});
-  static const Json kForm = {{"welkin_contact", 1}, {"level", ""}, {"xxh3_128", ""}, {"vertices", 1}};
-  if (!json || !base::hasForm(*json, kForm)) refuse(jsonPath(folder), "is no list of contact factors");
-  if ((*json)["welkin_contact"] != kVersion)
-    refuse(jsonPath(folder),
-           fmt::format("welkin_contact is {}, must be {}", (*json)["welkin_contact"].dump(), kVersion));
-  if ((*json)["level"] != base::textOf(of))
-    refuse(jsonPath(folder), "is of another bake of the level: welkin contact makes it anew");
+  const std::optional<Json> json = readList(folder, of);
+  if (!json) return std::nullopt;
   if ((*json)["vertices"] != vertices.position.size())
     refuse(jsonPath(folder), fmt::format("vertices is {}, the level has {}: it is of another level.toml",
                                          (*json)["vertices"].dump(), vertices.position.size()));
@@ -117,6 +129,12 @@ std::optional<std::vector<std::uint8_t>> readContact(const fs::path& folder, con
     bytes.push_back(record.factor);
   }
   return bytes;
+}
+
+std::optional<Json> readContactError(const fs::path& folder, const base::Hash128& of) {
+  const std::optional<Json> json = readList(folder, of);
+  if (!json) return std::nullopt;
+  return Json{{"vertices", (*json)["vertices"]}, {"error", (*json)["error"]}};
 }
 
 bool addContact(level::Scene& scene, const fs::path& folder, const base::Hash128& of) {

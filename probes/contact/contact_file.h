@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,11 @@ void writeContact(const std::filesystem::path& folder, const level::Scene& scene
 /// not of the index `of` or not of these vertices, or where a file is damaged.
 std::optional<std::vector<std::uint8_t>> readContact(const std::filesystem::path& folder,
                                                      const PlacedVertices& vertices, const base::Hash128& of);
+
+/// The error that a folder's factors leave, of the index `of`: {"vertices":, "error": {"points":, "probes":,
+/// "contact":, "interval":, "hours": [..]}}, as contact.json has it. Nothing where there are none. Throws Error as
+/// readContact does.
+std::optional<nlohmann::ordered_json> readContactError(const std::filesystem::path& folder, const base::Hash128& of);
 
 /// Puts a folder's factors into a scene that is to be drawn. Returns whether there were any. Throws as readContact
 /// does.

@@ -107,6 +107,8 @@ TEST_CASE("Contact, FactorsBringTheProbesToTheTracedLight") {
   CHECK(index["pieces"][0]["count"] == 625);
   CHECK(index["pieces"][1]["object"] == "slab");
   CHECK(index["error"]["contact"].get<double>() < 0.6 * index["error"]["probes"].get<double>());
+  const json shown = json::parse(runTool({"inspect", level / "out/level.welkin", "--json"}).out)["level"]["contact"];
+  CHECK(shown == json({{"vertices", index["vertices"]}, {"error", index["error"]}}));
   const std::vector<Record> records = recordsOf(level);
   REQUIRE(records.size() == index["vertices"].get<std::size_t>());
   std::string points;
@@ -182,8 +184,11 @@ TEST_CASE("Contact, RefusalsNameTheFile") {
   const Run changed = level.contact();
   CHECK(changed.status == 3);
   CHECK(changed.said("bake it anew"));
+  const auto inspected = [&] { return runTool({"inspect", level / "out"}).out; };
+  CHECK(inspected().find("contact factors of") != std::string::npos);
   level.bake();
   render(3, "is of another bake of the level");
+  CHECK(inspected().find("no contact factors: ") != std::string::npos);
   std::filesystem::remove(level.path() / "out/contact.json");
   std::filesystem::remove(level.path() / "out/contact.bin");
   render(2, "welkin contact");

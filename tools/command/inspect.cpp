@@ -15,8 +15,10 @@
 #include "format/cubemap_format.h"
 #include "probes/build/certify_bake.h"
 #include "probes/build/level_files.h"
+#include "probes/contact/contact_file.h"
 #include "probes/geometry/sector_name.h"
 #include "sky/base/atomic_file.h"
+#include "sky/base/message.h"
 
 namespace welkin::command {
 namespace {
@@ -52,10 +54,31 @@ void printSurfaces(const Json& surfaces) {
   for (const std::string& message : build::worseThanNothing(surfaces)) fmt::print("{}\n", message);
 }
 
-/// The index, with the error that its folder's report states of the same files.
+/// What contact.json states beside an index; {"unused": why} for factors of another bake and files that are none.
+std::optional<Json> contactJson(const std::filesystem::path& index) {
+  try {
+    return contact::readContactError(index.parent_path(), base::hashOf(base::readFile(index)));
+  } catch (const base::Error& e) {
+    return Json{{"unused", e.what()}};
+  }
+}
+
+void printContact(const Json& contact) {
+  if (contact.contains("unused")) {
+    fmt::print("no contact factors: {}\n", base::oneLine(contact["unused"].get<std::string>()));
+    return;
+  }
+  const Json& e = contact["error"];
+  fmt::print("contact factors of {} vertices: surfaces within {:.1f} +- {:.1f} % with them, {:.1f} % without\n",
+             contact["vertices"].get<std::size_t>(), 100.0 * e["contact"].get<double>(),
+             100.0 * e["interval"].get<double>(), 100.0 * e["probes"].get<double>());
+}
+
+/// The index, with the errors that its folder's files state of the same bake.
 Json levelJson(const std::filesystem::path& path) {
   const sectors::LevelIndex index = build::readIndex(path);
   Json json = indexJson(index);
+  if (const auto contact = contactJson(path)) json["level"]["contact"] = *contact;
   if (const auto surfaces = build::certificateIn(path.parent_path(), index)) json["level"]["surfaces"] = *surfaces;
   return json;
 }
@@ -71,6 +94,7 @@ void inspectLevel(const std::string& path, bool as_json) {
     fmt::print("{:>9} {:4} probes {:8} bytes\n", nameOf(s.id), s.probes, s.bytes);
   if (const auto surfaces = build::certificateIn(std::filesystem::path(path).parent_path(), index))
     printSurfaces(*surfaces);
+  if (const auto contact = contactJson(path)) printContact(*contact);
 }
 
 void inspect(const std::string& path, bool as_json) {
