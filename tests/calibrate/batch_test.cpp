@@ -114,7 +114,7 @@ TEST_CASE("Batch, AFolderIsTheSameForAnyThreadsAndIsResumed") {
   REQUIRE(one.failed.empty());
   const std::vector<std::string> files = tests::filesUnder(folder / "out1");
   CHECK(files == tests::filesUnder(folder / "out4"));
-  CHECK(files.size() == 9);
+  CHECK(files.size() == 12);
   for (const std::string& file : files)
     CHECK(tests::readBytes(folder.path() / "out1" / file) == tests::readBytes(folder.path() / "out4" / file));
 
@@ -177,6 +177,10 @@ TEST_CASE("Batch, FoldersThatCannotBeMadeAreRefused") {
   CHECK(why(batch) == folder / "a.png" + ": another picture has the same name but for its ending");
   std::filesystem::remove(folder / "a.JPG");
   batch.format = "png";
+  folder.write("a.report.tif", "x");
+  CHECK(why(batch) == folder / "a.report.tif" + ": another picture's files hold a.report.png, too");
+  std::filesystem::remove(folder / "a.report.tif");
+  CHECK_THROWS_AS(singleJob(folder / "report.jpg", batch), base::Error);
   batch.folder = folder.path();
   CHECK(why(batch).find("is an input and would be overwritten") != std::string::npos);
 }

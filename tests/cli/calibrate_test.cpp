@@ -111,10 +111,12 @@ TEST_CASE("Calibrate, AProfileServesAFolderOfTheSameLight") {
   const Run again = runTool({"calibrate", in, "-o", folder / "saved", "--apply", folder / "chart/profile.json"});
   CHECK(again.status == 0);
   CHECK(again.out.find("a.png: ") == 0);
+  CHECK(again.out.find("up to date") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder / "saved/a.report.png"));
   const Run own =
       runTool({"calibrate", folder / "chart.png", "-o", folder / "own", "--apply", folder / "chart/profile.json"});
   CHECK(own.out.find("CIEDE2000 on the fit's own chart ") != std::string::npos);
-  CHECK(again.out.find("up to date") != std::string::npos);
+  CHECK(std::filesystem::exists(folder / "own/report.png"));
 
   const Run without = runTool({"calibrate", in, "-o", folder / "without", "--json"});
   CHECK(without.status == 3);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "calibrate/albedo_file.h"
+#include "calibrate/chart_picture.h"
 #include "calibrate/report.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/failure.h"
@@ -24,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Changes whenever the same inputs give other files, so that files of older versions are made again.
-constexpr std::string_view kMaker = "calibrate 2";
+constexpr std::string_view kMaker = "calibrate 3";
 
 bool isPhotograph(const std::filesystem::path& path) {
   static const std::set<std::string> kEndings = {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg"};
@@ -35,8 +36,13 @@ bool isPhotograph(const std::filesystem::path& path) {
 }
 
 void requireOther(const Job& job, const Batch& batch) {
-  for (const std::string& name : {job.albedo, job.report, job.profile})
+  for (const std::string& name : {job.albedo, job.report, job.profile, job.picture})
     base::requireNoInput(batch.folder / name, std::array{job.photo});
+  if (job.albedo == job.picture)
+    throw base::Error(base::ExitStatus::usage,
+                      fmt::format("{}: its albedo would have the name of the report's picture, "
+                                  "{}; --format exr and tif have another",
+                                  job.photo.string(), job.picture));
 }
 
 /// Hash of all that decides the files of a photograph.
@@ -67,7 +73,26 @@ std::optional<Json> formerReport(const Job& job, const Batch& batch, const std::
   if (!report || !base::hasForm(*report, kForm) || (*report)["inputs"] != inputs) return std::nullopt;
   if (base::textOf(base::hashOf(base::readFile(albedo))) != (*report)["albedo_xxh3_128"]) return std::nullopt;
   if (!batch.profile && !std::filesystem::is_regular_file(batch.folder / job.profile, none)) return std::nullopt;
+  if ((*report).contains("picture") && !std::filesystem::is_regular_file(batch.folder / job.picture, none))
+    return std::nullopt;
   return report;
+}
+
+/// The picture of a calibration, or of a profile on the first of a photograph's charts; empty without charts.
+std::string pictureOf(const image::Image& photo, const std::optional<CalibratedPhoto>& calibrated,
+                      const std::vector<ChartError>& others, const Profile& profile, const ReferenceChart& reference) {
+  std::vector<ChartPlace> places;
+  if (calibrated) places.push_back(calibrated->charts[0].place);
+  for (const ChartError& other : others) places.push_back(other.chart.place);
+  if (places.empty()) return "";
+  if (!calibrated)
+    return drawReport(photo, places,
+                      {others[0].chart.patches, profile.model, others[0].used, others[0].before, others[0].after, {}},
+                      reference);
+  const Calibration& c = calibrated->calibration;
+  return drawReport(photo, places,
+                    {calibrated->charts[0].patches, c.model, c.used, c.before, c.errors().fit, c.errors().left_out},
+                    reference);
 }
 
 image::Image readFor(const Profile& profile, const std::string& name, std::span<const std::byte> bytes) {
@@ -77,12 +102,18 @@ image::Image readFor(const Profile& profile, const std::string& name, std::span<
   return image::readImage(name, bytes, limits);
 }
 
+/// The names with a prefix for those that do not tell of which photograph they are.
+Job jobOf(const std::filesystem::path& photo, const Batch& batch, const std::string& prefix) {
+  Job job{photo, fmt::format("{}.{}", photo.stem().string(), batch.format), prefix + "report.json",
+          prefix + "profile.json", prefix + "report.png"};
+  requireOther(job, batch);
+  return job;
+}
+
 }  // namespace
 
 Job singleJob(const std::filesystem::path& photo, const Batch& batch) {
-  Job job{photo, fmt::format("{}.{}", photo.stem().string(), batch.format), "report.json", "profile.json"};
-  requireOther(job, batch);
-  return job;
+  return jobOf(photo, batch, "");
 }
 
 std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder) {
@@ -100,15 +131,17 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folde
 
 std::vector<Job> jobsIn(const std::filesystem::path& folder, const Batch& batch) {
   std::vector<Job> jobs;
-  std::set<std::string> stems;
+  std::set<std::string> stems, names;
   for (const std::filesystem::path& photo : picturesIn(folder)) {
     const std::string stem = photo.stem().string();
     if (!stems.insert(stem).second)
       throw base::Error(base::ExitStatus::content,
                         fmt::format("{}: another picture has the same name but for its ending", photo.string()));
-    Job job = singleJob(photo, batch);
-    job.report = stem + ".report.json";
-    job.profile = stem + ".profile.json";
+    Job job = jobOf(photo, batch, stem + ".");
+    for (const std::string& name : {job.albedo, job.report, job.profile, job.picture})
+      if (!names.insert(name).second)
+        throw base::Error(base::ExitStatus::content,
+                          fmt::format("{}: another picture's files hold {}, too", photo.string(), name));
     jobs.push_back(std::move(job));
   }
   return jobs;
@@ -140,13 +173,23 @@ Made make(const Job& job, const Batch& batch, bool resume) {
                  {"albedo_xxh3_128", base::textOf(base::hashOf(base::readFile(albedo)))},
                  {"inputs", inputs},
                  {"past_chart", past}};
+  std::vector<ChartError> others;
+  if (made.calibrated)
+    others = made.calibrated->others;
+  else
+    for (const FoundChart& chart : chartsIn(photo, profile.linear_codes, batch.photo.reference))
+      others.push_back(errorOn(chart, profile.model, batch.photo.reference));
+  const std::string picture = pictureOf(photo, made.calibrated, others, profile, batch.photo.reference);
+  if (!picture.empty()) {
+    base::writeFile(batch.folder / job.picture, picture);
+    made.report["picture"] = base::oneLine(job.picture);
+  }
   if (made.calibrated) {
     made.report.update(reportJson(*made.calibrated, batch.photo.reference));
     base::writeFile(batch.folder / job.profile, profileJson(profile).dump(2) + "\n");
   } else {
     made.report["charts"] = Json::array();
-    for (const FoundChart& chart : chartsIn(photo, profile.linear_codes, batch.photo.reference))
-      made.report["charts"].push_back(chartErrorJson(errorOn(chart, profile.model, batch.photo.reference)));
+    for (const ChartError& other : others) made.report["charts"].push_back(chartErrorJson(other));
     if (base::textOf(base::hashOf(bytes)) == profile.photo) made.report["fitted_here"] = true;
     made.report["model"] = profile.model.kind->name;
     made.report["warnings"] = Json::array();

@@ -28,15 +28,15 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folde
 /// A photograph and its files' names within the folder.
 struct Job {
   std::filesystem::path photo;
-  std::string albedo, report, profile;
+  std::string albedo, report, profile, picture;
 };
 
-/// The files of a photograph by itself: STEM.exr, report.json and profile.json. Throws Error(usage) where the albedo
-/// would take the place of the photograph.
+/// The files of a photograph by itself: STEM.exr, report.json, report.png and profile.json. Throws Error(usage) where
+/// one would take the place of the photograph or of another.
 Job singleJob(const std::filesystem::path& photo, const Batch& batch);
 
-/// The pictures of a folder by name, with STEM.exr, STEM.report.json and STEM.profile.json. Throws Error(file), and
-/// Error(content) for a folder without pictures and for two of one name, Error(usage) as singleJob().
+/// The pictures of a folder by name, with STEM.exr, STEM.report.json, STEM.report.png and STEM.profile.json. Throws
+/// Error(file), and Error(content) for a folder without pictures and for two of one name, Error(usage) as singleJob().
 std::vector<Job> jobsIn(const std::filesystem::path& folder, const Batch& batch);
 
 struct Made {

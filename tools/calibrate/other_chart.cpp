@@ -37,7 +37,7 @@ ChartError errorOn(const FoundChart& chart, const Model& model, const ReferenceC
   for (std::size_t i = 0; i < kPatches; ++i)
     if (chart.patches[i].isUsable()) usable.push_back(i);
   const std::vector<Pair> pairs = pairsOf(chart.patches, reference, usable);
-  return {chart, differencesBefore(pairs), differences(pairs, model)};
+  return {chart, usable, differencesBefore(pairs), differences(pairs, model)};
 }
 
 }  // namespace welkin::calibrate

@@ -26,8 +26,9 @@ std::vector<FoundChart> chartsIn(const image::Image& image, bool linear_codes, c
 /// CIEDE2000 of a chart's usable patches. Light that differs between this chart and that of the fit counts as error.
 struct ChartError {
   FoundChart chart;
-  std::vector<double> before;  ///< as photographed
-  std::vector<double> after;   ///< by the model
+  std::vector<std::size_t> used;  ///< the usable patches
+  std::vector<double> before;     ///< as photographed
+  std::vector<double> after;      ///< by the model
 };
 
 /// The error on a chart that chartsIn() found, which so has at least kLeastPatches usable patches.

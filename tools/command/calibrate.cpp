@@ -141,7 +141,7 @@ calibrate::Batch batchOf(const Options& options) {
 void runOne(const Options& options, const calibrate::Batch& batch) {
   const calibrate::Job job = calibrate::singleJob(options.photo, batch);
   for (const char* input : {options.apply.c_str(), options.reference.c_str()})
-    for (const std::string& output : {job.albedo, job.report, job.profile})
+    for (const std::string& output : {job.albedo, job.report, job.profile, job.picture})
       base::requireNoInput(batch.folder / output, std::array<std::filesystem::path, 1>{input});
   const calibrate::Made made = calibrate::make(job, batch, false);
   warn(options.photo, made.report["warnings"]);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstring>
 #include <numbers>
 
 #include "sky/base/error.h"
@@ -57,6 +58,34 @@ void Pen::line(const std::vector<Corner>& corners, const Colour& colour, double 
   cairo_set_line_width(cairo_.get(), width);
   setColour(colour);
   cairo_stroke(cairo_.get());
+}
+
+void Pen::fill(const std::vector<Corner>& corners, const Colour& colour) {
+  for (const Corner& corner : corners) cairo_line_to(cairo_.get(), corner.x, corner.y);
+  cairo_close_path(cairo_.get());
+  setColour(colour);
+  cairo_fill(cairo_.get());
+}
+
+void Pen::picture(const Pixels& pixels, const Corner& left_top, double scale) {
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> from(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height), &cairo_surface_destroy);
+  check(cairo_surface_status(from.get()));
+  unsigned char* to = cairo_image_surface_get_data(from.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(from.get()));
+  const auto width = static_cast<std::size_t>(pixels.width);
+  for (std::size_t i = 0; i < width * static_cast<std::size_t>(pixels.height); ++i) {
+    const std::uint8_t* rgb = pixels.rgb.data() + 3 * i;
+    const std::uint32_t word = std::uint32_t{rgb[0]} << 16U | std::uint32_t{rgb[1]} << 8U | std::uint32_t{rgb[2]};
+    std::memcpy(to + i / width * stride + 4 * (i % width), &word, sizeof word);
+  }
+  cairo_surface_mark_dirty(from.get());
+  cairo_save(cairo_.get());
+  cairo_translate(cairo_.get(), left_top.x, left_top.y);
+  cairo_scale(cairo_.get(), scale, scale);
+  cairo_set_source_surface(cairo_.get(), from.get(), 0.0, 0.0);
+  cairo_paint(cairo_.get());
+  cairo_restore(cairo_.get());
 }
 
 void Pen::ring(const Corner& at, double radius, const Colour& colour) {

@@ -5,6 +5,7 @@
 #include <cairo.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,12 +27,22 @@ struct Corner {
   double x, y;
 };
 
+/// A picture of 8 bits in sRGB, three bytes a pixel, row by row from the top.
+struct Pixels {
+  int width, height;
+  std::vector<std::uint8_t> rgb;
+};
+
 class Pen {
  public:
   /// Starts a white picture; sizes in pixels. Throws Error(internal) with cairo's message if memory runs out.
   Pen(int width, int height);
 
   void line(const std::vector<Corner>& corners, const Colour& colour, double width, bool dashed = false);
+  /// Fills a polygon.
+  void fill(const std::vector<Corner>& corners, const Colour& colour);
+  /// Draws a picture, `scale` pixels for each of its own.
+  void picture(const Pixels& pixels, const Corner& left_top, double scale);
   void ring(const Corner& at, double radius, const Colour& colour);
 
   /// Ends the drawing and returns the bytes of a PNG. Throws Error(internal) with cairo's message if drawing failed.
