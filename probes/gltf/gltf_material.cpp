@@ -73,7 +73,7 @@ GltfMaterial GltfMaterials::read(const tinygltf::Material& material, const std::
   surface.albedo = Number3(pbr.baseColorFactor[0], pbr.baseColorFactor[1], pbr.baseColorFactor[2]);
   surface.alpha = pbr.baseColorFactor[3];
   surface.double_sided = material.doubleSided;
-  result.roughness = pbr.roughnessFactor;
+  readMetal(material, result);
   GltfMaterial placed;
   if (pbr.baseColorTexture.index >= 0) {
     const auto& info = pbr.baseColorTexture;
@@ -100,6 +100,40 @@ GltfMaterials::Use GltfMaterials::readUse(int index, int uv_set, const tinygltf:
   const Use use{readTexture(index, what), other_set >= 0 ? other_set : uv_set, readTransform(transform, reader_, what)};
   if (use.uv_set < 0) reader_.refuse(what, fmt::format("texCoord {} is negative", use.uv_set));
   return use;
+}
+
+void GltfMaterials::readMetal(const tinygltf::Material& material, level::SceneMaterial& into) {
+  const auto& pbr = material.pbrMetallicRoughness;
+  into.roughness = pbr.roughnessFactor;
+  const int index = pbr.metallicRoughnessTexture.index;
+  // Its defaults speak of a metal, and materials of other models have nothing else.
+  if (material.extensions.count("KHR_materials_pbrSpecularGlossiness") > 0) return;
+  if (index < 0) {
+    into.metallic = pbr.metallicFactor;
+    return;
+  }
+  into.mean_metal_texture = readMetalTexture(index);
+  if (into.mean_metal_texture >= 0) into.metallic = pbr.metallicFactor;
+}
+
+int GltfMaterials::readMetalTexture(int index) {
+  if (static_cast<std::size_t>(index) >= model_.textures.size()) return -1;
+  const int image = model_.textures[static_cast<std::size_t>(index)].source;
+  if (image < 0 || static_cast<std::size_t>(image) >= model_.images.size()) return -1;
+  const auto [known, is_new] = metal_textures_.emplace(image, -1);
+  if (!is_new) return known->second;
+  const tinygltf::Image& held = model_.images[static_cast<std::size_t>(image)];
+  if (held.bufferView < 0 && held.image.empty()) return -1;
+  level::TextureSource source;
+  try {
+    source = readImage(image, "metallicRoughnessTexture");
+  } catch (const base::Error&) {
+    return -1;  // no bake needs it
+  }
+  if (!isTexture(held, source)) return -1;
+  std::vector<level::TextureSource>& list = builder_.scene().metal_textures;
+  list.push_back(std::move(source));
+  return known->second = static_cast<int>(list.size()) - 1;
 }
 
 void GltfMaterials::readAlpha(const tinygltf::Material& material, const std::string& name,

@@ -38,6 +38,9 @@ class GltfMaterials {
     geometry::UvRows uv_row = geometry::kSameUv;
   };
   Use readUse(int index, int uv_set, const tinygltf::Value& transform, const std::string& what);
+  void readMetal(const tinygltf::Material& material, level::SceneMaterial& into);
+  /// Index into Scene::metal_textures of a texture's plain source; -1 if its format is not read.
+  int readMetalTexture(int index);
   void readAlpha(const tinygltf::Material& material, const std::string& name, geometry::Material& surface);
   void readTransmission(const tinygltf::Material& material, const std::string& name, level::SceneMaterial& into);
   void readEmission(const tinygltf::Material& material, const std::string& name, int& uv_set,
@@ -52,6 +55,7 @@ class GltfMaterials {
   level::SceneBuilder& builder_;
   std::map<int, GltfMaterial> materials_;
   std::map<int, GltfMaterial> without_texture_;
+  std::map<int, int> metal_textures_;  ///< by image
 };
 
 }  // namespace welkin::gltf

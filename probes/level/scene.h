@@ -46,6 +46,8 @@ struct SceneMaterial {
   int mean_emission_texture = -1;  ///< index into Scene::textures; its mean colour multiplies the emission; -1: none
   int mean_transmission_texture = -1;  ///< the mean of its red multiplies the transmission; -1: none
   double roughness = 1.0;              ///< 0: a mirror
+  double metallic = 0.0;               ///< share of the surface that is metal
+  int mean_metal_texture = -1;  ///< index into Scene::metal_textures; the means of its green and blue multiply both
 };
 
 /// Consecutive instances of one piece of a mesh.
@@ -80,6 +82,7 @@ struct Scene {
   std::vector<Draw> draws;
   std::vector<SceneMaterial> materials;
   std::vector<TextureSource> textures;
+  std::vector<TextureSource> metal_textures;  ///< of roughness and metal, for pictures alone: no bake reads them
   std::vector<geometry::Object> objects;
   std::vector<geometry::StaticLight> lights;  ///< in cd, or lux for directional ones
   std::vector<std::string> warnings;          ///< features of the files that are ignored or read differently

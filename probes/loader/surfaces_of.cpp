@@ -144,12 +144,26 @@ void useMeanColours(level::Scene& scene) {
     const geometry::Texture texture = decodeTexture(source);
     mean.push_back({meanColour(texture), meanAlpha(texture), meanRed(texture)});
   }
+  struct MeanMetal {
+    double roughness, metallic;
+  };
+  std::vector<MeanMetal> mean_metal;
+  for (const level::TextureSource& source : scene.metal_textures) {
+    const geometry::Texture texture = decodeTexture(source);
+    mean_metal.push_back({meanChannel(texture, 1), meanChannel(texture, 2)});
+  }
   const auto meanOf = [&](int texture) -> const Mean& { return mean[static_cast<std::size_t>(texture)]; };
   for (level::SceneMaterial& material : scene.materials) {
     geometry::Material& surface = material.surface;
     if (surface.texture >= 0) surface.alpha *= meanOf(surface.texture).alpha;
     if (material.mean_transmission_texture >= 0) surface.transmission *= meanOf(material.mean_transmission_texture).red;
     if (surface.alpha == 1.0) surface.blended = false;
+    if (material.mean_metal_texture >= 0) {
+      const MeanMetal& factor = mean_metal[static_cast<std::size_t>(material.mean_metal_texture)];
+      material.roughness *= factor.roughness;
+      material.metallic *= factor.metallic;
+      material.mean_metal_texture = -1;
+    }
     for (int* const texture : {&surface.emission_texture, &material.mean_emission_texture}) {
       if (*texture >= 0) surface.emission = surface.emission * meanOf(*texture).colour;
       *texture = -1;

@@ -15,8 +15,8 @@ namespace welkin::loader {
 geometry::Surfaces surfacesOf(const level::Scene& scene, double luminance_unit);
 
 /// Colours every instance with the mean of its material's texture, for pictures that draw no textures. Emission gets
-/// the mean colour of its texture, blended materials the mean alpha, and glass the mean transmission. Throws Error if
-/// an image cannot be decoded.
+/// the mean colour of its texture, blended materials the mean alpha, and glass the mean transmission; roughness and
+/// metal the means of their own. Throws Error if an image cannot be decoded.
 void useMeanColours(level::Scene& scene);
 
 }  // namespace welkin::loader

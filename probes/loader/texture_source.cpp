@@ -45,8 +45,8 @@ double meanOf(const geometry::Texture& texture, std::size_t channel) {
 
 }  // namespace
 
-double meanRed(const geometry::Texture& texture) {
-  return meanOf(texture, 0);
+double meanChannel(const geometry::Texture& texture, std::size_t channel) {
+  return meanOf(texture, channel);
 }
 
 double meanAlpha(const geometry::Texture& texture) {

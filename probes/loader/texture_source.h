@@ -12,8 +12,13 @@ geometry::Texture decodeTexture(const level::TextureSource& source);
 /// Mean linear colour of all texels, in [0, 1]. Texels of a transparent image are weighted by their alpha.
 f64::Number3 meanColour(const geometry::Texture& texture);
 
-/// Mean of the red channel of all texels as it stands, over 255: of textures that hold no colours.
-double meanRed(const geometry::Texture& texture);
+/// Mean of a channel, 0 to 2, of all texels as it stands, over 255: of textures that hold no colours.
+double meanChannel(const geometry::Texture& texture, std::size_t channel);
+
+/// That of red.
+inline double meanRed(const geometry::Texture& texture) {
+  return meanChannel(texture, 0);
+}
 
 /// Mean alpha of all texels, in [0, 1].
 double meanAlpha(const geometry::Texture& texture);

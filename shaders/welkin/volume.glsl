@@ -70,10 +70,11 @@ vec3 welkinVolumeTexelsAt(vec3 uvw, vec4 weight) {
               dot(textureLod(welkinVolumeTexels[2], uvw, 0.0), weight));
 }
 
-// Irradiance of a surface, pi included, at least 0. Outside of the volume it is that of the nearest place inside: mix it
-// with the sky's own by welkinVolumeWeight.
-vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
-  TransferWeights w = transferWeights(normal);
+// Irradiance, pi included, at least 0, of a small surface that faces `direction` at the place of a surface of that
+// normal: with the mirrored view it says how dark a reflection is. Outside of the volume it is that of the nearest place
+// inside: mix it with the sky's own by welkinVolumeWeight.
+vec3 welkinVolumeIrradianceTowards(vec3 position, vec3 normal, vec3 direction) {
+  TransferWeights w = transferWeights(direction);
   vec4 weight = vec4(w.v[0], w.v[1], w.v[2], w.v[3]);
   vec3 place = position + normal * welkinVolume.camera.w;
 #ifdef WELKIN_VOLUME_WITHOUT_CUTS
@@ -109,5 +110,8 @@ vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) {
 #endif
   return max(light * welkinVolume.low.w, vec3(0.0));
 }
+
+// Irradiance of a surface.
+vec3 welkinVolumeIrradiance(vec3 position, vec3 normal) { return welkinVolumeIrradianceTowards(position, normal, normal); }
 
 #endif

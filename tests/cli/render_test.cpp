@@ -83,6 +83,7 @@ TEST_CASE("Render, LevelErrorsHaveTheirStatus") {
   check({"--occlusion", "none"}, 1, "--occlusion: only a level");
   check({"--view", "level"}, 1, "--level");
   check({"--no-tint", "--sky", "cubemap"}, 1, "--no-tint");
+  check({"--no-reflections"}, 1, "--no-reflections: only a level has materials");
   check({"--level", path, "--component", "occlusion", "--occlusion", "none"}, 1, "--component occlusion: --occlusion");
   check({"--component", "occlusion"}, 1, "--component: only a level");
   check({"--reference"}, 1, "only a level is traced; give --level");

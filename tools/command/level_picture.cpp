@@ -40,6 +40,7 @@ render::LevelOptions levelOptions(const RenderOptions& options, LevelLight light
           .tint = !options.no_tint,
           .occlusion = parseOcclusion(options, light) == Occlusion::screen,
           .contact = parseOcclusion(options, light) == Occlusion::contact,
+          .glossy = !options.no_reflections,
           .cubemaps = parseSource(options) == WELKIN_VULKAN_CUBEMAP,
           .direct = part == Component::all,
           .parts = {factor(Component::sky), factor(Component::sun_bounce), factor(Component::local)}};

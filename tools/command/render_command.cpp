@@ -178,6 +178,8 @@ void addRender(CLI::App& app) {
   options->threads.addTo(*command, "Of the path tracer; the picture does not depend on it");
   options->progress.addTo(*command);
   command->add_flag("--no-tint", options->no_tint, "Leave the polarising tint out of the sky");
+  command->add_flag("--no-reflections", options->no_reflections,
+                    "Draw all of a level's materials but the sea as matt: they reflect neither the sky nor the sun");
   command->add_flag("--validate", options->validate, "Run with Vulkan's validation layer; any message is an error");
   command->callback([options] { runRender(*options); });
 }

@@ -162,6 +162,7 @@ void checkOptions(const RenderOptions& options) {
     refuse("--component occlusion: --occlusion none leaves it out");
   if (options.occlusion == "contact" && !probes)
     refuse("--occlusion contact: only the probes' light has contact factors; give the folder of a baked level");
+  if (!level && options.no_reflections) refuse("--no-reflections: only a level has materials; give --level LEVEL.toml");
   if (!level && !options.lights.text.empty()) refuse("--light: only a level has lamps; give --level LEVEL.toml");
   options.lights.lights();
   const Shown shown = parseShown(options);

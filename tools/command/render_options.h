@@ -49,6 +49,7 @@ struct RenderOptions {
   ProgressOption progress;
   ThreadsOption threads;
   bool no_tint = false;
+  bool no_reflections = false;
   bool validate = false;
   std::string level;   ///< level.toml
   std::string probes;  ///< folder of a baked level whose probes are drawn; empty: none

@@ -114,6 +114,7 @@ render::shaders::LevelConstants levelConstants(const level::Scene& scene, const 
   constants.light_irradiance[3] = static_cast<float>(1.0 / options.shadow_size);
   const double pixel_rad = 2.0 * std::tan(0.5 * camera.fov_rad) / height;
   constants.picture[1] = options.contact ? 1.0F : 0.0F;
+  constants.picture[2] = options.probes ? options.parts.sky : 1.0F;
   setVector(constants.options,
             {options.mist_per_m,
              options.probes       ? double{options.parts.sky}

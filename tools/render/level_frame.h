@@ -21,6 +21,7 @@ struct LevelOptions {
   bool contact = false;         ///< the scene's contact factors, where it has any, multiply ambient light
   bool waves = true;            ///< false: the sea is a mirror
   bool reflections = true;      ///< false: the sea mirrors the sky alone
+  bool glossy = false;          ///< materials reflect the sky and show the sun's or moon's highlight; else all is matt
   bool cubemaps = false;        ///< takes the dome and the sky in the sea from the baked cubemaps, with their tint
   bool direct = true;           ///< false: sun, moon, lamps and emission light nothing; their bounced light stays
   bool probes = false;          ///< the ambient light is that of a baked level's probes

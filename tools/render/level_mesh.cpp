@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "materials.h"
 #include "render/shaders/level_glass_push.h"
 
 namespace welkin::render {
@@ -29,6 +30,7 @@ struct PlacedInstance {
   level::Instance placed;
   float emission[3];
   std::int32_t contact;
+  float gloss[4];  ///< the first alone
 };
 
 /// Of an instance without contact factors.
@@ -36,14 +38,18 @@ constexpr std::int32_t kWithout = std::numeric_limits<std::int32_t>::min();
 
 std::vector<PlacedInstance> instancesOf(const level::Scene& scene, double luminance_unit, bool emits) {
   std::vector<PlacedInstance> instances;
-  for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}, kWithout});
+  for (const level::Instance& instance : scene.instances) instances.push_back({instance, {}, kWithout, {}});
   for (const level::Draw& draw : scene.draws) {
-    const geometry::Material& surface = scene.materials[draw.material].surface;
+    const level::SceneMaterial& material = scene.materials[draw.material];
+    const geometry::Material& surface = material.surface;
     const f64::Number3 emission = surface.emission * ((!emits            ? 0.0
                                                        : surface.blended ? surface.alpha
                                                                          : 1.0) /
                                                       luminance_unit);
+    const double gloss = f64::glossOfPower(f64::powerOfRoughness(material.roughness));
     for (uint32_t i = draw.first_instance; i < draw.first_instance + draw.instance_count; ++i) {
+      instances[i].placed.albedo[3] = static_cast<float>(material.metallic);
+      instances[i].gloss[0] = static_cast<float>(gloss);
       for (int c = 0; c < 3; ++c) instances[i].emission[c] = static_cast<float>(emission[c]);
       if (!scene.contact.empty() && scene.first_contact[i] != level::kNoContact)
         instances[i].contact = static_cast<std::int32_t>(scene.first_contact[i]) - draw.vertex_offset;

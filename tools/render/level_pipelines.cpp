@@ -3,6 +3,7 @@
 #include "render/level_pipelines.h"
 
 #include <cstdint>
+#include <vector>
 
 #include "render/graphics_pipeline.h"
 #include "render/level_mesh.h"
@@ -14,6 +15,10 @@
 #include "spirv/kLevelGlassOfModesFrag.h"
 #include "spirv/kLevelGlassOfProbesAndModesFrag.h"
 #include "spirv/kLevelGlassOfProbesFrag.h"
+#include "spirv/kLevelGlossyFrag.h"
+#include "spirv/kLevelGlossyOfModesFrag.h"
+#include "spirv/kLevelGlossyOfProbesAndModesFrag.h"
+#include "spirv/kLevelGlossyOfProbesFrag.h"
 #include "spirv/kLevelLightFrag.h"
 #include "spirv/kLevelLightOfModesFrag.h"
 #include "spirv/kLevelLightOfProbesAndModesFrag.h"
@@ -33,10 +38,10 @@
 namespace welkin::render {
 
 LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout sky, VkDescriptorSetLayout volume,
-                               bool light_of_modes)
+                               VkDescriptorSetLayout reflection, bool light_of_modes)
     : device_(device.device()) {
   try {
-    createLayouts(sky, volume);
+    createLayouts(sky, volume, reflection);
     createSamplers();
     createPipelines(light_of_modes, volume != VK_NULL_HANDLE);
   } catch (...) {
@@ -46,7 +51,7 @@ LevelPipelines::LevelPipelines(const VulkanDevice& device, VkDescriptorSetLayout
 }
 
 void LevelPipelines::destroy() {
-  for (VkPipeline pipeline : {shadow, surface, light, place, probes, glass, water})
+  for (VkPipeline pipeline : {shadow, surface, light, glossy, place, probes, glass, water})
     vkDestroyPipeline(device_, pipeline, nullptr);
   vkDestroyPipelineLayout(device_, layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_, set_, nullptr);
@@ -54,7 +59,8 @@ void LevelPipelines::destroy() {
   vkDestroySampler(device_, sampler_, nullptr);
 }
 
-void LevelPipelines::createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLayout volume) {
+void LevelPipelines::createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLayout volume,
+                                   VkDescriptorSetLayout reflection) {
   VkDescriptorSetLayoutBinding bindings[WELKIN_LEVEL_BINDINGS] = {};
   for (uint32_t i = 0; i < WELKIN_LEVEL_BINDINGS; ++i) {
     bindings[i].binding = i;
@@ -71,11 +77,12 @@ void LevelPipelines::createLayouts(VkDescriptorSetLayout sky, VkDescriptorSetLay
   set.bindingCount = WELKIN_LEVEL_BINDINGS;
   set.pBindings = bindings;
   require(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_), "vkCreateDescriptorSetLayout");
-  const VkDescriptorSetLayout sets[3] = {sky, set_, volume};
+  std::vector<VkDescriptorSetLayout> sets = {sky, set_, volume, reflection};
+  if (volume == VK_NULL_HANDLE) sets.erase(sets.begin() + 2);
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  info.setLayoutCount = volume == VK_NULL_HANDLE ? 2 : 3;
-  info.pSetLayouts = sets;
+  info.setLayoutCount = static_cast<uint32_t>(sets.size());
+  info.pSetLayouts = sets.data();
   const VkPushConstantRange of_glass{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(shaders::GlassPush)};
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &of_glass;
@@ -124,14 +131,18 @@ void LevelPipelines::createPipelines(bool light_of_modes, bool of_probes) {
                                              .depth_write = true,
                                              .dynamic_culling = true});
   // The full-screen triangle has depth 0, less than any surface.
+  const auto lit = [&](Words fragment) {
+    return createGraphicsPipeline(device_, {.layout = layout_,
+                                            .vertex = kFullscreenVert,
+                                            .fragment = fragment,
+                                            .colours = {Offscreen::kFormat},
+                                            .depth = kDepthFormat,
+                                            .depth_compare = VK_COMPARE_OP_LESS});
+  };
   light =
-      createGraphicsPipeline(device_, {.layout = layout_,
-                                       .vertex = kFullscreenVert,
-                                       .fragment = variant(kLevelLightFrag, kLevelLightOfModesFrag,
-                                                           kLevelLightOfProbesFrag, kLevelLightOfProbesAndModesFrag),
-                                       .colours = {Offscreen::kFormat},
-                                       .depth = kDepthFormat,
-                                       .depth_compare = VK_COMPARE_OP_LESS});
+      lit(variant(kLevelLightFrag, kLevelLightOfModesFrag, kLevelLightOfProbesFrag, kLevelLightOfProbesAndModesFrag));
+  glossy = lit(
+      variant(kLevelGlossyFrag, kLevelGlossyOfModesFrag, kLevelGlossyOfProbesFrag, kLevelGlossyOfProbesAndModesFrag));
   place = createGraphicsPipeline(device_, {.layout = layout_,
                                            .vertex = kFullscreenVert,
                                            .fragment = kLevelPlaceFrag,

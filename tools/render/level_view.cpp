@@ -108,8 +108,9 @@ LevelView::LevelView(VulkanDevice& device, const Sky& sky, const level::Scene& s
       lamps_(device, scene, double{sky.info().luminance_unit}),
       blockers_(device, levelTree(scene.lights.empty() ? level::Scene{} : scene)),
       volume_(baked == nullptr ? nullptr : std::make_unique<LevelVolume>(device, *baked, options.parts)),
+      reflection_(device, sky_),
       pipelines_(device, sky_.layout(), volume_ ? volume_->layout() : VkDescriptorSetLayout{VK_NULL_HANDLE},
-                 sky.info().mode_count > 0),
+                 reflection_.layout(), sky.info().mode_count > 0),
       occlusion_(device, pipelines_.layout()),
       untraced_(device, {1, 1, {0.0F, 0.0F, 0.0F, 0.0F}}),
       times_(device) {
@@ -130,10 +131,12 @@ void LevelView::setOptions(const LevelOptions& options) {
 }
 
 void LevelView::bind(VkCommandBuffer commands, VkPipeline pipeline, const Target& target) const {
-  const VkDescriptorSet sets[3] = {sky_.set(), target.set, volume_ ? volume_->set() : VkDescriptorSet{VK_NULL_HANDLE}};
+  VkDescriptorSet sets[4] = {sky_.set(), target.set};
+  uint32_t count = 2;
+  if (volume_) sets[count++] = volume_->set();
+  sets[count++] = reflection_.set();
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, volume_ ? 3 : 2, sets, 0,
-                          nullptr);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, count, sets, 0, nullptr);
 }
 
 void LevelView::beginOver(VkCommandBuffer commands, Target& target, const ImageUse& depth_use, Image& radiance,
@@ -216,7 +219,8 @@ void LevelView::recordScene(VkCommandBuffer commands, Target& target, Image& rad
   passed(commands, "surfaces", mirrored);
   occlusion_.record(commands, target.set, target.depth, target.occlusion, options_.occlusion);
   passed(commands, "occlusion", mirrored);
-  beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR, pipelines_.light);
+  beginOver(commands, target, kTestedDepth, radiance, VK_ATTACHMENT_LOAD_OP_CLEAR,
+            options_.glossy ? pipelines_.glossy : pipelines_.light);
   vkCmdDraw(commands, 3, 1, 0, 0);
   vkCmdEndRendering(commands);
   passed(commands, "light", mirrored);
@@ -355,6 +359,8 @@ FloatImage LevelView::draw(uint32_t width, uint32_t height, const Camera& camera
     times_.begin(commands);
     recordShadow(commands, target);
     times_.end(commands, "shadow map");
+    if (options_.glossy) reflection_.record(commands);
+    if (options_.glossy) times_.end(commands, "reflected sky");
     if (mirrors) recordScene(commands, frame.mirror, frame.reflection, true, nullptr);
     if (mirrors) times_.end(commands, "mirror image");
     if (sea && !mirrors) recordClear(commands, frame.reflection);

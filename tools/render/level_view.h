@@ -17,6 +17,7 @@
 #include "render/level_mesh.h"
 #include "render/level_occlusion.h"
 #include "render/level_pipelines.h"
+#include "render/level_reflection.h"
 #include "render/level_volume.h"
 #include "render/offscreen.h"
 #include "render/pass_times.h"
@@ -118,6 +119,7 @@ class LevelView {
   LevelLamps lamps_;
   LevelBlockers blockers_;
   std::unique_ptr<LevelVolume> volume_;  ///< null without probes' light
+  LevelReflection reflection_;
   LevelPipelines pipelines_;
   LevelOcclusion occlusion_;
   std::unique_ptr<Buffer> probes_;         ///< null without probes

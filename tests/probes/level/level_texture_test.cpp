@@ -269,6 +269,51 @@ TEST_CASE("LevelTexture, TransmissionTakesTheMeanOfItsTexturesRed") {
   checkSurfacesRefused({{"a.gltf", gltf.text()}, {"glass.tga", image}}, {"materials[0]", "transmissionFactor = 1.5"});
 }
 
+TEST_CASE("LevelTexture, RoughnessAndMetalAreFactorsTimesTheirMeans") {
+  const auto materialOf = [](const std::function<void(json&)>& change) {
+    const Folder folder;
+    folder.write("a.png", png());
+    level::LevelFile level;
+    level.geometry.push_back({folder.write("a.gltf", squareWith(change).text()), {}, geometry::Role::fixed, {}});
+    level::Scene scene = loader::readScene(level);
+    CHECK(scene.warnings.empty());
+    loader::useMeanColours(scene);
+    return scene.materials[scene.draws[0].material];
+  };
+  const auto metalOf = [](json& j) -> json& { return j["materials"][0]["pbrMetallicRoughness"]; };
+  const level::SceneMaterial plain = materialOf(nullptr);  // glTF's defaults
+  CHECK(plain.metallic == 1.0);
+  CHECK(plain.roughness == 1.0);
+  const level::SceneMaterial factors = materialOf([&](json& j) {
+    metalOf(j)["metallicFactor"] = 0.25;
+    metalOf(j)["roughnessFactor"] = 0.5;
+  });
+  CHECK(factors.metallic == 0.25);
+  CHECK(factors.roughness == 0.5);
+  double green = 0.0, blue = 0.0;
+  for (const auto& row : kTexels)
+    for (const auto& t : row) {
+      green += t[1] / (8 * 255.0);
+      blue += t[2] / (8 * 255.0);
+    }
+  const auto textured = [&](json& j) {
+    metalOf(j)["metallicRoughnessTexture"] = {{"index", 0}};
+    metalOf(j)["metallicFactor"] = 0.8;
+    metalOf(j)["roughnessFactor"] = 0.5;
+  };
+  const level::SceneMaterial mean = materialOf(textured);
+  CHECK(mean.roughness == Approx(0.5 * green).epsilon(1e-12));
+  CHECK(mean.metallic == Approx(0.8 * blue).epsilon(1e-12));
+  // A texture that is not read leaves no metal: its factors alone would speak of one.
+  const level::SceneMaterial unread = materialOf([&](json& j) {
+    textured(j);
+    j["textures"].push_back({{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
+    metalOf(j)["metallicRoughnessTexture"]["index"] = 1;
+  });
+  CHECK(unread.metallic == 0.0);
+  CHECK(unread.roughness == 0.5);
+}
+
 TEST_CASE("LevelTexture, MessagesNameTheFileAndThePart") {
   const auto refuse = [](const std::function<void(json&)>& change, const std::vector<std::string>& says,
                          base::ExitStatus status = base::ExitStatus::content, const std::string& image = png()) {

@@ -10,8 +10,8 @@
 #define WELKIN_LEVEL_CONSTANTS 0    // uniform buffer, LevelConstants
 #define WELKIN_LEVEL_INSTANCES 1    // storage buffer, an Instance each
 #define WELKIN_LEVEL_SHADOW 2       // sampler2DShadow, D32, less or equal, white border
-#define WELKIN_LEVEL_ALBEDO 3       // sampler2D, RGBA16F, fetched: linear albedo
-#define WELKIN_LEVEL_NORMAL 4       // sampler2D, RGBA16F, fetched: unit normal
+#define WELKIN_LEVEL_ALBEDO 3       // sampler2D, RGBA16F, fetched: linear albedo; alpha: metallic
+#define WELKIN_LEVEL_NORMAL 4       // sampler2D, RGBA16F, fetched: unit normal; alpha: gloss
 #define WELKIN_LEVEL_DEPTH 5        // sampler2D, D32, fetched: near / distance along the view axis; 0: nothing there
 #define WELKIN_LEVEL_SCENE 6        // sampler2D, RGBA32F, fetched: the picture without the water
 #define WELKIN_LEVEL_REFLECTION 7   // sampler2D, RGBA32F: the level in the water as a mirror; alpha 1 where it is
@@ -50,7 +50,8 @@ struct LevelConstants {
   WELKIN_VECTOR water;       // x: height; y: variance of the slopes of waves too small to be seen one by one;
                              // z: 1 mirrors the baked cubemaps, else 0; w: number of lamps
   WELKIN_VECTOR floor_edge;  // west, north, east, south end of the ground, metres
-  WELKIN_VECTOR picture;     // x: 1 draws the irradiance of surfaces alone, else 0; y: 1 takes contact factors, else 0
+  WELKIN_VECTOR picture;     // x: 1 draws the irradiance of surfaces alone, else 0; y: 1 takes contact factors, else 0;
+                             // z: factor on the sky that materials reflect
   WELKIN_VECTOR waves[WELKIN_WAVE_COUNT];  // x, y: wave vector east and south, 1/m; z: slope; w: phase, radians
 };
 

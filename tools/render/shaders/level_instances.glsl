@@ -7,9 +7,10 @@
 
 struct LevelInstance {
   vec4 row[3];  // of the transform, translation last
-  vec4 albedo;
+  vec4 albedo;  // alpha: metallic
   vec3 emission;
   int contact;  // of the first vertex, less gl_VertexIndex there; below -2^30: none
+  vec4 gloss;   // x alone
 };
 
 layout(set = WELKIN_LEVEL_SET, binding = WELKIN_LEVEL_INSTANCES, std430) readonly buffer LevelInstances {
