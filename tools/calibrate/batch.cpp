@@ -12,6 +12,7 @@
 
 #include "calibrate/albedo_file.h"
 #include "calibrate/chart_picture.h"
+#include "calibrate/polarised.h"
 #include "calibrate/report.h"
 #include "sky/base/atomic_file.h"
 #include "sky/base/failure.h"
@@ -37,7 +38,8 @@ bool isPhotograph(const std::filesystem::path& path) {
 
 void requireOther(const Job& job, const Batch& batch) {
   for (const std::string& name : {job.albedo, job.report, job.profile, job.picture})
-    base::requireNoInput(batch.folder / name, std::array{job.photo});
+    base::requireNoInput(batch.folder / name, std::array{job.photo, batch.parallel});
+  base::requireNoInput(batch.folder / job.specular, std::array{job.photo, batch.parallel});
   if (job.albedo == job.picture)
     throw base::Error(base::ExitStatus::usage,
                       fmt::format("{}: its albedo would have the name of the report's picture, "
@@ -104,8 +106,12 @@ image::Image readFor(const Profile& profile, const std::string& name, std::span<
 
 /// The names with a prefix for those that do not tell of which photograph they are.
 Job jobOf(const std::filesystem::path& photo, const Batch& batch, const std::string& prefix) {
-  Job job{photo, fmt::format("{}.{}", photo.stem().string(), batch.format), prefix + "report.json",
-          prefix + "profile.json", prefix + "report.png"};
+  Job job{photo,
+          fmt::format("{}.{}", photo.stem().string(), batch.format),
+          prefix + "report.json",
+          prefix + "profile.json",
+          prefix + "report.png",
+          fmt::format("{}.specular.{}", photo.stem().string(), batch.format)};
   requireOther(job, batch);
   return job;
 }
@@ -151,7 +157,7 @@ Made make(const Job& job, const Batch& batch, bool resume) {
   const std::string name = job.photo.string();
   const std::vector<std::byte> bytes = base::readFile(job.photo);
   const std::string inputs = inputHashOf(bytes, batch);
-  Made made;
+  Made made;  // resume is for folders, which have no parallel photograph
   if (auto former = resume ? formerReport(job, batch, inputs) : std::nullopt) {
     made.report = std::move(*former);
     made.up_to_date = true;
@@ -165,8 +171,19 @@ Made make(const Job& job, const Batch& batch, bool resume) {
   if (past > kMuchPastChart)
     notes.push_back(
         fmt::format("{:.0f} % of the pixels are brighter than the chart, where the model is a guess", 100.0 * past));
+  std::optional<Specular> specular;
+  if (!batch.parallel.empty()) {
+    const std::string parallel = batch.parallel.string();
+    specular = specularOf(photo, readFor(profile, parallel, base::readFile(batch.parallel)), parallel, profile.model);
+    if (specular->below > kMuchBelow)
+      notes.push_back(
+          fmt::format("{}: darker than the crossed photograph in {:.0f} % of the pixels: perhaps they are "
+                      "exchanged, or of other exposure",
+                      parallel, 100.0 * specular->below));
+  }
   if (made.calibrated) made.calibrated->warnings.insert(made.calibrated->warnings.end(), notes.begin(), notes.end());
   const std::filesystem::path albedo = batch.folder / job.albedo;
+  if (specular) writeAlbedo(batch.folder / job.specular, specular->image);
   writeAlbedo(albedo, albedoOf(photo, profile.model));
   made.report = {{"photo", base::oneLine(job.photo.filename().string())},
                  {"albedo", base::oneLine(job.albedo)},
@@ -180,6 +197,7 @@ Made make(const Job& job, const Batch& batch, bool resume) {
     for (const FoundChart& chart : chartsIn(photo, profile.linear_codes, batch.photo.reference))
       others.push_back(errorOn(chart, profile.model, batch.photo.reference));
   const std::string picture = pictureOf(photo, made.calibrated, others, profile, batch.photo.reference);
+  if (specular) made.report["specular"] = {{"file", base::oneLine(job.specular)}, {"below", specular->below}};
   if (!picture.empty()) {
     base::writeFile(batch.folder / job.picture, picture);
     made.report["picture"] = base::oneLine(job.picture);

@@ -20,6 +20,7 @@ struct Batch {
   std::optional<Profile> profile;  ///< used on photographs, which then need no chart
   std::string format = "exr";      ///< the albedo's ending, as writeAlbedo() knows it
   std::filesystem::path folder;    ///< for all files
+  std::filesystem::path parallel;  ///< of one photograph: the same through a parallel polariser; empty for none
 };
 
 /// The pictures of a folder by name. Throws Error(file), and Error(content) for a folder without any.
@@ -29,6 +30,7 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folde
 struct Job {
   std::filesystem::path photo;
   std::string albedo, report, profile, picture;
+  std::string specular;  ///< STEM.specular.ENDING, where Batch::parallel is set
 };
 
 /// The files of a photograph by itself: STEM.exr, report.json, report.png and profile.json. Throws Error(usage) where

@@ -25,7 +25,7 @@ namespace welkin::command {
 namespace {
 
 struct Options {
-  std::string photo, folder, corners, reference, apply;
+  std::string photo, folder, corners, reference, apply, parallel;
   std::string edition = "after-2014", input = "auto", model = "auto", format = "exr";
   ThreadsOption threads;
   ProgressOption progress;
@@ -134,6 +134,7 @@ calibrate::Batch batchOf(const Options& options) {
   batch.photo = photoOptions(options);
   batch.format = options.format;
   batch.folder = options.folder;
+  batch.parallel = options.parallel;
   if (!options.apply.empty()) batch.profile = appliedProfile(options, batch.photo);
   return batch;
 }
@@ -141,7 +142,7 @@ calibrate::Batch batchOf(const Options& options) {
 void runOne(const Options& options, const calibrate::Batch& batch) {
   const calibrate::Job job = calibrate::singleJob(options.photo, batch);
   for (const char* input : {options.apply.c_str(), options.reference.c_str()})
-    for (const std::string& output : {job.albedo, job.report, job.profile, job.picture})
+    for (const std::string& output : {job.albedo, job.report, job.profile, job.picture, job.specular})
       base::requireNoInput(batch.folder / output, std::array<std::filesystem::path, 1>{input});
   const calibrate::Made made = calibrate::make(job, batch, false);
   warn(options.photo, made.report["warnings"]);
@@ -171,6 +172,7 @@ void printAll(const Options& options, const calibrate::BatchResult& result) {
 }
 
 void runFolder(const Options& options, const calibrate::Batch& batch) {
+  if (!options.parallel.empty()) refuseUsage("--parallel: it belongs to one photograph, and a folder is given");
   if (!options.corners.empty() && options.apply.empty())
     refuseUsage("--corners: they are those of one photograph, and a folder is given");
   const std::vector<calibrate::Job> jobs = calibrate::jobsIn(options.photo, batch);
@@ -255,6 +257,9 @@ void addCalibrate(CLI::App& app) {
   command->add_option("--apply", options->apply,
                       "Calibrate by another photograph of the same camera and light: its profile.json, or the "
                       "photograph with the chart itself");
+  command->add_option("--parallel", options->parallel,
+                      "PHOTO is through a polariser across the light's: the same photograph through one along it. "
+                      "Writes the specular light, STEM.specular.exr, too");
   command->add_flag("--flatten", options->flatten,
                     "Estimate how the light falls off over the chart, by its colours, and take that out of the fit");
   command->add_flag("--check", options->check,
