@@ -14,14 +14,10 @@
 
 using namespace welkin;
 using namespace welkin::calibrate;
+using tests::laterChart;
 using Change = void (*)(float* texel);
 
 namespace {
-
-const ReferenceChart& laterChart() {
-  static const ReferenceChart kChart = referenceChart(Edition::after_2014);
-  return kChart;
-}
 
 /// Half as large as usual, for the time of the search.
 tests::Scene smallScene() {

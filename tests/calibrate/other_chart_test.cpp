@@ -13,15 +13,11 @@
 using namespace welkin;
 using namespace welkin::calibrate;
 using tests::Camera;
+using tests::laterChart;
 using tests::Scene;
 using tests::writeCoded;
 
 namespace {
-
-const ReferenceChart& laterChart() {
-  static const ReferenceChart kChart = referenceChart(Edition::after_2014);
-  return kChart;
-}
 
 Camera leaky(double light) {
   Camera camera;

@@ -12,6 +12,12 @@
 
 namespace welkin::tests {
 
+/// The chart's colours as sold since November 2014.
+inline const calibrate::ReferenceChart& laterChart() {
+  static const calibrate::ReferenceChart kChart = calibrate::referenceChart(calibrate::Edition::after_2014);
+  return kChart;
+}
+
 /// From albedo to linear light that a picture holds, in this order.
 struct Camera {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
