@@ -63,7 +63,8 @@ Json chartErrorJson(const ChartError& error) {
 }
 
 Json summaryJson(const CalibratedPhoto& photo) {
-  Json charts = {chartJson(photo.charts[0])};
+  Json charts = Json::array();
+  charts.push_back(chartJson(photo.charts[0]));
   for (const ChartError& other : photo.others) charts.push_back(chartErrorJson(other));
   return {{"charts", charts},
           {"model", photo.calibration.model.kind->name},

@@ -59,7 +59,9 @@ std::optional<Json> contactJson(const std::filesystem::path& index) {
   try {
     return contact::readContactError(index.parent_path(), base::hashOf(base::readFile(index)));
   } catch (const base::Error& e) {
-    return Json{{"unused", e.what()}};
+    Json unused = Json::object();
+    unused["unused"] = e.what();
+    return unused;
   }
 }
 
